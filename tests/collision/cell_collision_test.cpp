@@ -1,15 +1,12 @@
 #include "collision/cell_collision.h"
 
 #include "base/run_context.h"
-#include "base/stopwatch.h"
 #include "base/units.h"
 #include "collision/polyhedron_distance.h"
 #include "collision/random_shapes.h"
 #include "geometry/least_turn.h"
 
 #include <gtest/gtest.h>
-#include <iostream>
-#include <map>
 #include <set>
 
 using namespace voluta;
@@ -336,34 +333,4 @@ TEST_F(CellCollisionTest, PartAndEveryBody) {
     }
   }
   EXPECT_GT(tried, 3);
-}
-
-// Figures, not checks.
-TEST_F(CellCollisionTest, Times) {
-  test::RandomShapes random(23);
-  std::vector<robot::JointVector> q;
-  std::vector<robot::JointVector> solutions;
-  for (int n = 0; n < 2000; ++n) {
-    cell.inverse(toolAt(random.point(30) + Vector3d(0, 0, 50),
-                        (random.point(0.7) + Vector3d::UnitZ()).normalized(), random.number(-3, 3)),
-                 cell.home(), solutions);
-    q.insert(q.end(), solutions.begin(), solutions.end());
-  }
-  const base::Stopwatch watch;
-  std::size_t hits = 0;
-  std::map<std::string, int> which;
-  for (const auto& one : q) {
-    collision::CellCollision::Frames frames;
-    cell.framePoses(one, frames);
-    if (const auto contact = collision.bodies(frames, {})) {
-      ++hits;
-      ++which[base::english(collision.nameOf(contact->first)) + " and " +
-              base::english(collision.nameOf(contact->second))];
-    }
-  }
-  const double seconds = watch.seconds();
-  for (const auto& [pair, count] : which)
-    std::cout << "  " << pair << ": " << count << "\n";
-  std::cout << q.size() << " configurations, " << seconds / static_cast<double>(q.size()) * 1e6
-            << " us each, " << hits << " collide\n";
 }

@@ -63,12 +63,6 @@ TEST_P(ClosedForm, LayersHaveThePartsVolumeAndEndOnItsSurface) {
     EXPECT_LE(boundary[p].farthestMm, 1e-3) << "patch " << p;
     EXPECT_TRUE(boundary[p].simple) << "patch " << p;
   }
-  std::printf("%s: volume %.4f, %zu patches, %d layers, dropped %zu (%.2f mm3), spacing %.4f, t "
-              "%.3f+-%.3f, extract %.2f trim %.2f s\n",
-              c.name.c_str(), result.volumeMm3 / volume, result.stack.patches.size(),
-              result.stack.layerCount, result.droppedPieces, result.droppedVolumeMm3,
-              result.spacingMm, result.statistics.thicknessMeanMm, result.statistics.thicknessStdMm,
-              result.seconds.extract, result.seconds.trim);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, ClosedForm, testing::ValuesIn(cases()),

@@ -4,6 +4,7 @@
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/self_intersections.h"
 #include "geometry/repair/surface_wall.h"
+#include "helpers/all_seeds.h"
 
 #include <Eigen/Geometry>
 #include <functional>
@@ -155,7 +156,7 @@ TEST(SurfaceWall, RefusesSurfacesWithoutTwoSides) {
 TEST(SurfaceWall, RandomWavesHaveTheVolumeOfTheirAreaAndAreClosed) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int k = 0; k < 150; ++k) {
+  for (int k = 0; k < test::ofSeeds(30, 150); ++k) {
     const double amplitude = 2.0 * unit(random), waves = 0.5 + unit(random),
                  width = 0.4 + unit(random);
     const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();

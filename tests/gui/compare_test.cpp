@@ -10,7 +10,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -145,10 +144,7 @@ TEST_F(CompareTest, StretchesWhileRowsAreThere) {
   EXPECT_EQ(table().selectedRow(), 2) << "edits leave the selection alone";
   choosePage(Page::Prepare);
   choosePage(Page::Compare);
-  std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
-            << " ms (" << application().longestWhat().toStdString() << "), worked "
-            << application().longestWorkMs() << " ms (" << application().longestWork().toStdString()
-            << ")\n";
+  recordLongestStretch();
 }
 
 TEST_F(CompareTest, CancelKeepsWhatIsDone) {

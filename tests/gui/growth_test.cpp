@@ -1,6 +1,4 @@
 // Growth in the viewport: replayed by the bar, coloured, with its front; spacing and missed voxels.
-#include "curved/front_surface.h"
-#include "curved/peeling_field.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
@@ -10,12 +8,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QListView>
 #include <QTest>
 #include <QToolButton>
-#include <algorithm>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -169,64 +164,6 @@ TEST_F(GrowthTest, AFindingOfMissedVoxelsFliesThereAndLooksThroughTheRest) {
   layers->setFocus();
   QTest::keyClick(layers, Qt::Key_Down);
   EXPECT_FALSE(view().seeThrough) << "something else was asked for";
-}
-
-// Times for a part of one's own: VOLUTA_GUI_JOB names a project with voxels.
-TEST_F(GrowthTest, StepsOfALargePart) {
-  const QString job = qEnvironmentVariable("VOLUTA_GUI_JOB");
-  if (job.isEmpty())
-    GTEST_SKIP() << "VOLUTA_GUI_JOB names no project";
-  window().resize(1280, 800);
-  window().open(job);
-  ASSERT_TRUE(
-      waitFor([&] { return window().presenter().hasVoxels() && !window().presenter().busy(); }));
-  const auto d = document().result(Stage::Decompose)->job.item().decomposition();
-  const auto timed = [&](const char* what, auto work) {
-    QElapsedTimer timer;
-    timer.start();
-    work();
-    std::cout << what << ": " << timer.nsecsElapsed() / 1e6 << " ms\n";
-  };
-  const std::int32_t highest = *std::max_element(d->rank.begin(), d->rank.end());
-  for (const int share : {1, 2, 3, 4})
-    timed("front", [&] { curved::frontSurface(*d, highest * share / 4); });
-  timed("peeling field", [&] { curved::peelingField(*d, {}); });
-  timed("drawing by steps", [&] { scene::drawVoxels(*d, {.bySteps = true}); });
-
-  choosePage(Page::Layers);
-  application().resetWatch();
-  show("subject1");
-  colourBy(scene::ColourBy::Peeling);
-  std::cout << "voxels on show, coloured anew: longest stretch " << application().longestMs()
-            << " ms (" << application().longestWhat().toStdString() << ")\n";
-  picture();
-  const auto drag = [&](const char* what) {
-    auto* slider = bar().findChild<QWidget*>("scrubSlider");
-    const QPoint from(slider->width() - 8, slider->height() / 2), to(8, slider->height() / 2);
-    std::vector<double> frames;
-    double stretch = 0.0;
-    QTest::mousePress(slider, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 60; ++i) {
-      application().resetWatch();
-      QTest::mouseMove(slider, from + (to - from) * i / 60);
-      QTest::qWait(1);
-      stretch = std::max(stretch, application().longestMs());
-      if (application().longestFrameMs() > 0.0)
-        frames.push_back(application().longestFrameMs());
-    }
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, to);
-    ASSERT_FALSE(frames.empty());
-    const double first = frames.front();
-    std::sort(frames.begin(), frames.end());
-    std::cout << what << ": " << frames.size() << " frames, median " << frames[frames.size() / 2]
-              << " ms, longest " << frames.back() << " ms, the first " << first
-              << " ms; longest stretch beside frames " << stretch << " ms\n";
-  };
-  drag("growth slider with the front");
-  bar().setStep(bar().stepCount());
-  QTest::mouseClick(find<QCheckBox>("ghosts"), Qt::LeftButton, {}, {8, 8});
-  picture();
-  drag("with later voxels too");
 }
 
 } // namespace

@@ -19,7 +19,6 @@
 #include <QTest>
 #include <QTimer>
 #include <QUndoStack>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -207,8 +206,7 @@ TEST_F(LatheWindowTest, APathThatIsChosenInOnePictureIsChosenInBoth) {
   QTest::mouseClick(&window().viewport(), Qt::LeftButton, {}, QPoint(8, 200));
   EXPECT_FALSE(window().viewport().view().path);
   EXPECT_FALSE(canvas().content().path);
-  std::cout << "choosing: " << application().longestWorkMs() << " ms at a stretch, "
-            << application().longestWork().toStdString() << '\n';
+  recordLongestStretch();
 }
 
 TEST_F(LatheWindowTest, TouchedPointsMoveThePart) {

@@ -14,7 +14,6 @@
 #include <QFile>
 #include <QTest>
 #include <QUndoStack>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -84,9 +83,8 @@ TEST_P(MonkeyTest, BreaksNothing) {
     watch.watchAll();
     expectSound();
   });
-  std::cout << monkey.steps() << " random steps, seed " << seed << "\n";
   if (HasFailure())
-    std::cout << Monkey::lastSteps().toStdString();
+    ADD_FAILURE() << "seed " << seed << "\n" << Monkey::lastSteps().toStdString();
   // Still sound: a part opens and is planned.
   openWindow();
   openPart(other);

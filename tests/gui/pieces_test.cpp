@@ -19,7 +19,6 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -406,11 +405,7 @@ TEST_F(PiecesTest, StretchesOfALargePart) {
     ASSERT_TRUE(cutAnew());
     picture();
   }
-  RecordProperty("longestStretchMs", std::to_string(application().longestMs()));
-  std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
-            << " ms (" << application().longestWhat().toStdString() << "), worked "
-            << application().longestWorkMs() << " ms (" << application().longestWork().toStdString()
-            << "); longest frame " << application().longestFrameMs() << " ms\n";
+  recordLongestStretch();
 }
 
 TEST_F(PiecesTest, OtherModesKnowNoPieces) {

@@ -1,20 +1,16 @@
 // Voxels that follow the edits, and the buttons beside findings.
-#include "base/units.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
-#include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
 #include <QTest>
 #include <QUndoStack>
-#include <iostream>
 
 namespace voluta::test {
 namespace {
@@ -219,72 +215,6 @@ TEST_F(PreviewTest, AThinWallOffersTheWidthThatHoldsIt) {
   ASSERT_TRUE(previewed());
   for (const auto& finding : document().presentResult()->job.report.findings)
     EXPECT_NE(voluta::plan::reportId(finding), "thinWalls");
-}
-
-// From an edit to the picture, for a part of one's own: VOLUTA_GUI_PART names a mesh,
-// VOLUTA_GUI_VOXEL_MM the width. No limit is tested: it is looked at on a quiet machine.
-TEST_F(PreviewTest, TimesFromTheEditToThePicture) {
-  const QString part = qEnvironmentVariable("VOLUTA_GUI_PART");
-  if (part.isEmpty())
-    GTEST_SKIP() << "VOLUTA_GUI_PART names no mesh";
-  window().resize(1280, 800);
-  document().setParameter("voxelMm", qEnvironmentVariable("VOLUTA_GUI_VOXEL_MM", "1"));
-  openPart(part);
-  clickMenu("runMenu", "planLayers");
-  ASSERT_TRUE(waitFor([&] { return document().upToDate(Stage::Layers); }, 600000));
-  ASSERT_TRUE(planned(Stage::Layers));
-  choosePage(Page::Prepare);
-  picture();
-  const auto measure = [&](const std::string& what, const std::function<void()>& edit) {
-    QElapsedTimer clock;
-    qint64 edited = 0, ranks = -1, drawn = -1, shown = -1;
-    int previews = 0;
-    QObject context;
-    QObject::connect(&document(), &document::Document::previewChanged, &context, [&] {
-      previews += document().preview().has_value();
-      if (ranks < 0 && document().preview())
-        ranks = clock.elapsed();
-    });
-    QObject::connect(&window().presenter(), &window::Presenter::voxelsDrawn, &context, [&] {
-      if (ranks >= 0 && drawn < 0)
-        drawn = clock.elapsed();
-    });
-    QObject::connect(&window().viewport(), &viewer::VtkView::framePainted, &context, [&] {
-      if (drawn >= 0 && shown < 0)
-        shown = clock.elapsed();
-    });
-    application().resetWatch();
-    clock.start();
-    edit();
-    edited = clock.elapsed();
-    ASSERT_TRUE(waitFor([&] { return shown >= 0; }, 120000)) << what;
-    const double stretch = application().longestMs();
-    const std::string stretchWhat = application().longestWhat().toStdString();
-    ASSERT_TRUE(waitFor([&] { return document().upToDate(Stage::Decompose); }, 600000));
-    std::cout << what << ": edit " << edited << " ms, ranks known " << ranks << " ms, drawn "
-              << drawn << " ms, on the screen " << shown << " ms, the field done "
-              << clock.elapsed() << " ms after " << previews << " previews; longest stretch "
-              << stretch << " ms (" << stretchWhat << "), later " << application().longestMs()
-              << " ms\n";
-  };
-  auto* growth = find<QComboBox>("growth");
-  growth->setFocus();
-  measure("growth reverse", [&] { QTest::keyClick(growth, Qt::Key_Down); });
-  measure("growth guided", [&] { QTest::keyClick(growth, Qt::Key_Down); });
-  measure("growth greedy", [&] { QTest::keyClick(growth, Qt::Key_End); });
-  measure("growth automatic", [&] { QTest::keyClick(growth, Qt::Key_Home); });
-  measure("platform disc:120", [&] { setPlatform("disc:120"); });
-  measure("platform disc:121", [&] { setPlatform("disc:121"); });
-  measure("voxel width 2 % more", [&] {
-    const double width = pipeline::parameterValues(document().choices()).number("voxelMm");
-    document().setParameter("voxelMm", QString::number(1.02 * width));
-  });
-  measure("turned by 90 degrees", [&] {
-    geometry::Placement turned = document().choices().item().placement;
-    turned.rotation =
-        Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * turned.rotation;
-    document().place(turned, "turn");
-  });
 }
 
 } // namespace

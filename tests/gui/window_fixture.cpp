@@ -18,6 +18,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <cstring>
+#include <string>
 
 namespace voluta::test {
 
@@ -153,6 +154,11 @@ void WindowTest::answerFileDialog(const QString& file) {
       }
   });
   timer->start(30);
+}
+
+void WindowTest::recordLongestStretch() {
+  RecordProperty("longestStretchMs", std::to_string(application().longestMs()));
+  RecordProperty("longestWhat", application().longestWhat().toStdString());
 }
 
 QImage WindowTest::picture() {

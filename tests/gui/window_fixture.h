@@ -74,6 +74,8 @@ protected:
   int answeredBoxes() const { return answeredBoxes_; }
   // Once a file dialog is up, enters the file.
   void answerFileDialog(const QString& file);
+  // A property of the test: the longest stretch of the window's thread since its last reset.
+  static void recordLongestStretch();
   // The viewport as shown, after a frame in full detail.
   QImage picture();
   template <typename T> T* find(const char* name) {

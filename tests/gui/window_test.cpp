@@ -20,7 +20,6 @@
 #include <QTest>
 #include <QUndoStack>
 #include <algorithm>
-#include <iostream>
 #include <vector>
 
 namespace voluta::test {
@@ -388,7 +387,6 @@ INSTANTIATE_TEST_SUITE_P(Italian, NarrowPanelTest, testing::Values(false, true),
                            return large.param ? "LargeText" : "LargeEverything";
                          });
 
-// Reports the longest stretch; the limit of 50 ms is looked at on a quiet machine.
 TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {
   const QString file = writePart("plinth.stl", smallBox(24.0));
   application().resetWatch();
@@ -412,58 +410,7 @@ TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {
   choosePage(Page::Prepare);
   document().setParameter("walls", "1");
   ASSERT_TRUE(planned(Stage::Load));
-  RecordProperty("longestStretchMs", std::to_string(application().longestMs()));
-  std::cout << "longest stretch of the window's thread, frames apart: " << application().longestMs()
-            << " ms (" << application().longestWhat().toStdString() << "); longest frame "
-            << application().longestFrameMs() << " ms\n";
-}
-
-// Times of whole frames while sliders are dragged, for a plan of one's own: VOLUTA_GUI_JOB names
-// a project.
-TEST_F(WindowTest, SlidersOfALargePlan) {
-  const QString job = qEnvironmentVariable("VOLUTA_GUI_JOB");
-  if (job.isEmpty())
-    GTEST_SKIP() << "VOLUTA_GUI_JOB names no project";
-  window().resize(1280, 800);
-  window().open(job);
-  ASSERT_TRUE(waitFor([&] {
-    return window().presenter().hasPaths() && window().presenter().clock() &&
-           !window().presenter().busy();
-  }));
-  choosePage(Page::Layers);
-  picture();
-  // Frames of a drag, from the first step on: what the press itself uploads is told apart.
-  const auto drag = [&](QWidget* slider, QPoint from, QPoint to, const char* what) {
-    std::vector<double> frames;
-    QTest::mousePress(slider, Qt::LeftButton, {}, from);
-    constexpr int kSteps = 40;
-    for (int i = 1; i <= kSteps; ++i) {
-      application().resetWatch();
-      QTest::mouseMove(slider, from + (to - from) * i / kSteps);
-      QTest::qWait(1);
-      if (application().longestFrameMs() > 0.0)
-        frames.push_back(application().longestFrameMs());
-    }
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, to);
-    QTest::qWait(300);
-    ASSERT_FALSE(frames.empty());
-    const double first = frames.front();
-    std::sort(frames.begin(), frames.end());
-    std::cout << what << ": " << frames.size() << " frames, median " << frames[frames.size() / 2]
-              << " ms, longest " << frames.back() << " ms, the first " << first << " ms\n";
-  };
-  auto* layers = find<timeline::LayerRangeSlider>("layerSlider");
-  const QPoint top(layers->width() - 17, 28);
-  drag(layers, top, top + QPoint(0, layers->height() / 2), "layer slider");
-  auto* bar = find<timeline::TimelineBar>("timeline");
-  auto* moves = bar->findChild<QWidget*>("scrubSlider");
-  ASSERT_NE(moves, nullptr);
-  drag(moves, QPoint(moves->width() - 8, moves->height() / 2),
-       QPoint(moves->width() / 4, moves->height() / 2), "move slider");
-  choosePage(Page::Simulate);
-  picture();
-  drag(moves, QPoint(8, moves->height() / 2), QPoint(moves->width() - 8, moves->height() / 2),
-       "time-line with the robot");
+  recordLongestStretch();
 }
 
 } // namespace

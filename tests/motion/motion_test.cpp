@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
-#include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/triangle_queries.h"
 #include "motion/sample_plans.h"
@@ -10,7 +9,6 @@
 #include "plan/waypoints.h"
 
 #include <gtest/gtest.h>
-#include <iostream>
 
 using namespace voluta;
 
@@ -28,23 +26,6 @@ struct Planned {
         part(plan, 0.45, {}),
         result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {})
                    .plan(base::RunContext(base::CancelToken(), threads))) {}
-
-  void print(const char* name) const {
-    const auto& s = result.statistics;
-    const auto& t = result.times;
-    std::cout << name << ": " << plan.waypointCount() << " waypoints, " << plan.paths.size()
-              << " paths; printed " << s.waypoints << ", unreachable " << s.unreachable
-              << ", collisions " << s.collisions << ", splits " << s.splits << ", transfers "
-              << s.transfers << " (arc " << s.arcTransfers << ", joint " << s.jointTransfers
-              << ", tree " << s.treeTransfers << "), clearance " << s.minClearanceMm
-              << " mm, points " << result.trajectory.pointCount() << ", duration " << s.durationS
-              << " s, jerk " << s.sumSquaredJerkBefore << " -> " << s.sumSquaredJerk
-              << "\n  times ik " << t.ik << ", graph " << t.graph << ", collision " << t.collision
-              << ", transfer " << t.transfer << ", jerk " << t.jerk << "\n";
-    for (const auto& f : result.findings)
-      std::cout << "  " << plan::reportId(f) << " x" << f.count << ": "
-                << voluta::plan::englishReason(f) << "\n";
-  }
 };
 
 } // namespace
@@ -127,7 +108,6 @@ double plannedVolume(const plan::ToolPlan& plan) {
 
 TEST(Motion, Cylinder) {
   const Planned p(test::cylinder(15, 12));
-  p.print("cylinder");
   EXPECT_TRUE(p.result.findings.empty());
   expectSound(p);
   const double volume = plannedVolume(p.plan);
@@ -136,7 +116,6 @@ TEST(Motion, Cylinder) {
 
 TEST(Motion, Slab) {
   const Planned p(test::slab(30, 3), 22);
-  p.print("slab");
   EXPECT_TRUE(p.result.findings.empty());
   expectSound(p);
 }
@@ -195,14 +174,12 @@ TEST(Motion, LeaningWall) {
                       [&](int l) { return 0.8 + 0.8 * std::cos(lean) * l; },
                       [&](int l) { return std::min(lean, 0.15 * l); }),
                   9);
-  p.print("leaning wall");
   EXPECT_TRUE(p.result.findings.empty());
   expectSound(p);
 }
 
 TEST(Motion, Hemisphere) {
   const Planned p(test::hemisphere(18, 35, 1.6, 0.3), 12);
-  p.print("hemisphere");
   EXPECT_TRUE(p.result.findings.empty());
   expectSound(p);
 }

@@ -2,7 +2,6 @@
 #include "panels/findings_panel.h"
 #include "plan/finding_kinds.h"
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
@@ -330,13 +329,10 @@ TEST(FindingsPanel, TenThousandFindingsMakeNoWidgets) {
   plan::Findings many;
   for (int i = 0; i < 10000; ++i)
     many.push_back(finding("motion", ("waypoint " + std::to_string(i)).c_str(), i % 3 == 0));
-  QElapsedTimer watch;
-  watch.start();
   panel.setFindings(many);
   QApplication::processEvents();
   panel.findChild<QListView*>()->scrollToBottom();
   panel.grab();
-  RecordProperty("milliseconds", static_cast<int>(watch.elapsed()));
-  std::printf("10,000 findings shown in %lld ms\n", static_cast<long long>(watch.elapsed()));
+  EXPECT_EQ(panel.findChild<QListView*>()->model()->rowCount(), 10000);
   EXPECT_EQ(panel.findChildren<QWidget*>().size(), before);
 }

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "box_request.h"
+#include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
 #include "motion/resume.h"
 #include "pipeline/outputs.h"
@@ -32,13 +33,13 @@ double materialOf(const CheckedProgram& checked, const process::Process& process
   return volume;
 }
 
-TEST(Resume, AtTwentyRandomBeadsTheRestIsTheRest) {
+TEST(Resume, AtRandomBeadsTheRestIsTheRest) {
   const PlanResult& whole = test::boxPlan();
   ASSERT_TRUE(nothingBlocks(whole.job.report));
   const std::size_t beads = whole.job.toolPlan->paths.size();
   const double material = whole.job.trajectory->extrudedMm3.back();
   std::mt19937 random(18);
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < test::ofSeeds(4, 20); ++k) {
     const std::size_t bead = random() % beads;
     const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);
     ASSERT_TRUE(point) << bead;

@@ -1,6 +1,7 @@
 // Parts with sparse infill from the mesh to the replayed program.
 #include "base/files.h"
 #include "box_request.h"
+#include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
@@ -76,7 +77,7 @@ std::vector<Section> sectionsOf(const std::string& program) {
   return sections;
 }
 
-// One layer's beads of a kind are left out, in 40 seeded runs.
+// One layer's beads of a kind are left out, of each kind in turn.
 TEST(SparsePlan, AProgramWithoutASkinAWallOrALayerOfInfillIsRefused) {
   const PlanResult plan = planPart(sparseRequest("flat", "lines"), {});
   const CheckedProgram& checked = *plan.checked.at(0);
@@ -86,7 +87,7 @@ TEST(SparsePlan, AProgramWithoutASkinAWallOrALayerOfInfillIsRefused) {
   const std::vector<Section> sections = sectionsOf(file.text);
   std::mt19937_64 random(11);
   const std::vector<std::string> kinds = {"wall", "infill", "sparse infill", "bridge"};
-  for (int run = 0; run < 40; ++run) {
+  for (int run = 0; run < test::ofSeeds(8, 40); ++run) {
     const std::string& kind = kinds[static_cast<std::size_t>(run) % kinds.size()];
     std::vector<int> layers;
     for (const Section& section : sections)

@@ -22,7 +22,7 @@ const base::RunContext kCtx;
 constexpr const char* kOpposite = "1040,0,0,180"; // plates of 200 mm meet at their edges
 
 // Two small boxes, at the border between the machines and away from it, layer by layer.
-PlanResult towers(bool nearFirst) {
+PlanResult plannedTowers() {
   PlanRequest request;
   project::Choices& choices = request.choices;
   choices.cell = "ur5-moving";
@@ -36,9 +36,14 @@ PlanResult towers(bool nearFirst) {
   request.items.resize(2);
   for (std::size_t k = 0; k < 2; ++k) {
     request.items[k].loaded = test::loadedBox({-6, -6, 0}, {6, 6, 3});
-    choices.items[k].placement.centreMm = {(k == 0) == nearFirst ? 80.0 : -80.0, 0.0};
+    choices.items[k].placement.centreMm = {k == 0 ? 80.0 : -80.0, 0.0};
   }
   return planPart(request, kCtx);
+}
+
+const PlanResult& towers() {
+  static const PlanResult kTowers = plannedTowers();
+  return kTowers;
 }
 
 // All programs without their marks.
@@ -67,10 +72,7 @@ TogetherResult together(const PlanResult& first, const PlanResult& second, const
 
 // A pair that has to wait for each other, planned once.
 const TogetherResult& pair() {
-  static const TogetherResult kPair = [] {
-    const PlanResult one = towers(true);
-    return together(one, one, kOpposite);
-  }();
+  static const TogetherResult kPair = together(towers(), towers(), kOpposite);
   return kPair;
 }
 
@@ -93,8 +95,7 @@ TEST(Together, MarksKeepTwoArmsApart) {
 }
 
 TEST(Together, FarApartBothWorkAllTheTime) {
-  const PlanResult towers = ::towers(true);
-  const TogetherResult result = together(towers, towers, "3000,0,0,180");
+  const TogetherResult result = together(towers(), towers(), "3000,0,0,180");
   ASSERT_TRUE(result.replay);
   EXPECT_TRUE(passed(result));
   EXPECT_TRUE(result.work.order->meetings.empty());
@@ -102,12 +103,11 @@ TEST(Together, FarApartBothWorkAllTheTime) {
   // Without marks the programs are those of the jobs alone, byte for byte.
   for (std::size_t k = 0; k < 2; ++k)
     EXPECT_EQ(result.plans[k].checked.front()->program.files.front().text,
-              towers.checked.front()->program.files.front().text);
+              towers().checked.front()->program.files.front().text);
 }
 
 TEST(Together, MachinesInOnePlaceHaveAReason) {
-  const PlanResult towers = ::towers(true);
-  const TogetherResult result = together(towers, towers, "0,0,0,0");
+  const TogetherResult result = together(towers(), towers(), "0,0,0,0");
   EXPECT_FALSE(passed(result));
   ASSERT_TRUE(result.obstruction);
   EXPECT_NE(base::english(*result.obstruction).find("further apart"), std::string::npos);
@@ -261,10 +261,9 @@ TEST(Together, FourScarasPrintFourQuartersOfOnePlate) {
 }
 
 TEST(Together, FiveMachinesAreTooMany) {
-  const PlanResult job = towers(true);
   TogetherRequest request;
   for (int k = 0; k < 5; ++k)
-    request.machines.push_back({job.job});
+    request.machines.push_back({towers().job});
   EXPECT_THROW(planTogether(std::move(request), kCtx), base::Error);
 }
 

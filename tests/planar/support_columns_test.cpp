@@ -1,4 +1,5 @@
 // Columns under what layers leave hanging.
+#include "helpers/all_seeds.h"
 #include "layers/layer_checks.h"
 #include "plan/finding_kinds.h"
 #include "sliced_parts.h"
@@ -149,7 +150,7 @@ TEST(Supports, AColumnStandsOnASteepSlope) {
 // Slopes of 20 to 80 degrees under an arm: whatever a column comes down on, it stands there, goes
 // on round it, or both.
 TEST(Supports, ColumnsStandOnRandomSlopes) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(15u, 60u); ++seed) {
     std::mt19937 random(seed);
     const auto number = [&](double from, double to) {
       return std::uniform_real_distribution<>(from, to)(random);

@@ -1,6 +1,7 @@
 // No damage to a text goes unseen, and none brings a reader down.
 #include "program_fixture.h"
 
+#include "helpers/all_seeds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/heat_facts.h"
@@ -129,7 +130,8 @@ TEST_P(Damage, everyCutIsNoticed) {
     const std::string& text = program.files[0].text;
     // Without its last line's end a text is whole.
     const std::size_t last = text.find_last_not_of("\r\n");
-    for (std::size_t length = 0; length <= last; length += 1 + length % 7) {
+    const std::size_t step = test::ofSeeds<std::size_t>(1 + last / 60, 1);
+    for (std::size_t length = 0; length <= last; length += step + length % 7) {
       const auto damaged =
           readProgram(d.id, {{"cut", text.substr(0, length)}}, process::Tooling(process_));
       EXPECT_FALSE(damaged.complete) << d.id << " cut to " << length;
@@ -145,7 +147,7 @@ TEST_P(Damage, noGarbageBringsAReaderDown) {
   for (const Dialect& d : ofThisCell()) {
     pathFor(d);
     const std::string text = writeProgram(d.id, input()).files[0].text;
-    for (int round = 0; round < 400; ++round) {
+    for (int round = 0; round < test::ofSeeds(60, 400); ++round) {
       std::string bad = text;
       const int hits = 1 + static_cast<int>(random() % 40);
       for (int k = 0; k < hits; ++k) {

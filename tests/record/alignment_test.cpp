@@ -2,6 +2,7 @@
 #include "record/alignment.h"
 
 #include "base/run_context.h"
+#include "helpers/all_seeds.h"
 #include "record/planned.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ using Eigen::Vector3d;
 using test::randomBeads, test::recordOf, test::RecordErrors;
 
 TEST(AlignRecord, PlacesNeverDecrease) {
-  for (unsigned seed = 0; seed < 100; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(25u, 100u); ++seed) {
     const PlannedRun planned = randomBeads(seed);
     RecordErrors errors;
     errors.noiseMm = 0.1;

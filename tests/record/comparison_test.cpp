@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "helpers/all_seeds.h"
 #include "record/planned.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ double straightBead(const PlannedRun& planned, double share) {
 }
 
 TEST(CompareRun, WithoutErrorsNoneIsFound) {
-  for (unsigned seed = 0; seed < 100; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(20u, 100u); ++seed) {
     const PlannedRun planned = randomBeads(seed);
     for (const double cycleS : {kRtdeS, kMelfaS}) {
       const RunComparison c = compared(recordOf(planned, {}, cycleS), planned);
@@ -53,7 +54,7 @@ TEST(CompareRun, WithoutErrorsNoneIsFound) {
 }
 
 TEST(CompareRun, SlowSpeedAndWrongPathAreFoundAtTheirPlaces) {
-  for (unsigned seed = 0; seed < 100; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(25u, 100u); ++seed) {
     const PlannedRun planned = randomBeads(seed);
     const double slowMm = straightBead(planned, 0.2), asideMm = straightBead(planned, 0.6);
     ASSERT_GT(std::min(slowMm, asideMm), 0.0) << seed;
@@ -80,7 +81,7 @@ TEST(CompareRun, SlowSpeedAndWrongPathAreFoundAtTheirPlaces) {
 }
 
 TEST(CompareRun, NoiseOfARealRecordIsNoError) {
-  for (unsigned seed = 0; seed < 50; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(15u, 50u); ++seed) {
     const PlannedRun planned = randomBeads(seed);
     RecordErrors errors;
     errors.noiseMm = 0.01;

@@ -1,5 +1,6 @@
 // Programs for every extruder that a dialect has words for beside its outputs (those are in
 // mutation_test.cpp): the undamaged one passes, harm is refused at its line.
+#include "helpers/all_seeds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/stream/extruder_stream.h"
@@ -320,10 +321,12 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
                                   : program::findExtruder(GetParam().extruder).byAxis
                                       ? axisKinds(GetParam().dialect)
                                       : textKinds(GetParam().dialect);
+  const std::vector<double> shares =
+      test::allSeeds() ? std::vector{0.3, 0.6} : std::vector{0.3}; // of the text
   std::size_t tried = 0, refused = 0, found = 0;
   std::string missed;
   for (const Kind& kind : kinds)
-    for (const double share : {0.3, 0.6}) {
+    for (const double share : shares) {
       TextLines text = lines();
       const auto at =
           kind.harm(text, static_cast<std::size_t>(share * static_cast<double>(text.size())));
@@ -344,17 +347,15 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
         missed += kind.name + " (line " + std::to_string(*at + 1) +
                   "): " + (v.passed ? "passed\n" : told(v).substr(0, 200) + "\n");
     }
-  std::printf("%-10s %-16s %2zu kinds, %3zu edits: %3zu refused, %3zu at the line\n",
-              GetParam().dialect.c_str(), GetParam().extruder.c_str(), kinds.size(), tried, refused,
-              found);
-  EXPECT_EQ(tried, 2 * kinds.size()) << missed;
+  EXPECT_EQ(tried, shares.size() * kinds.size()) << missed;
   EXPECT_EQ(refused, tried) << missed;
   EXPECT_EQ(found, tried) << missed;
 }
 
 TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
+  const std::size_t step = test::ofSeeds(std::max(std::size_t{17}, lines().size() / 20), std::size_t{17});
   int alarms = 0, tried = 0;
-  for (std::size_t at = 5; at + 5 < lines().size(); at += 17)
+  for (std::size_t at = 5; at + 5 < lines().size(); at += step)
     for (const char* line : {"", "   ", "MARK seen"}) {
       TextLines text = lines();
       std::string extra = line;
@@ -372,8 +373,7 @@ TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
       ++tried;
       alarms += v.passed && v.findings.empty() ? 0 : 1;
     }
-  std::printf("%-10s %-16s %d harmless edits: %d alarms\n", GetParam().dialect.c_str(),
-              GetParam().extruder.c_str(), tried, alarms);
+  EXPECT_GE(tried, 15);
   EXPECT_EQ(alarms, 0);
 }
 

@@ -1,6 +1,7 @@
 // Arms by the poses and axes of a description: recognised, solved, held against the families that
 // know them and against a search that knows nothing.
 #include "chains.h"
+#include "helpers/all_seeds.h"
 #include "joints_in_degrees.h"
 #include "resource_fixture.h"
 
@@ -151,11 +152,11 @@ void expectClosed(const ChainKinematics& arm, unsigned seed, int poses) {
 TEST_F(Chains, InverseThenForwardOfMakersArms) {
   for (const SerialChain& chain :
        {test::ur5Chain(), test::irb1200Chain(), test::gofaChain(), test::crxChain()})
-    expectClosed(ChainKinematics(chain), 2, 100000);
+    expectClosed(ChainKinematics(chain), 2, test::ofSeeds(10000, 100000));
 }
 
 TEST_F(Chains, InverseThenForwardOfMadeArms) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
+  for (unsigned seed = 0; seed < test::ofSeeds(6u, 20u); ++seed) {
     SCOPED_TRACE(seed);
     MadeArms made(100 + seed);
     expectClosed(ChainKinematics(made.sphericalWrist()), seed, 2000);

@@ -1,5 +1,6 @@
 #include "base/run_context.h"
 #include "base/units.h"
+#include "helpers/all_seeds.h"
 #include "helpers/rod_level.h"
 #include "layers/patches.h"
 #include "process/bead_model.h"
@@ -202,7 +203,7 @@ TEST(FermatInfill, ApartRegionsGetAPathEach) {
 TEST(FermatInfill, FillsRandomOutlinesByOnePathThatNowhereCrossesItself) {
   std::mt19937 random(2016);
   const double walls = 2 * process::hatchOf(1.2, 0.8);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < test::ofSeeds(25, 100); ++i) {
     SCOPED_TRACE(i);
     std::vector<test::Loop> loops{blob(random, 9.0 + i % 8, 0.35)};
     // A ring of at least five beads; where one is narrower than two, it has room for walls only.

@@ -1,5 +1,6 @@
 // A ring as wide as a bead is one closed bead.
 #include "base/run_context.h"
+#include "helpers/all_seeds.h"
 #include "process/bead_model.h"
 #include "shapes.h"
 #include "toolpath/coverage/cover_patch.h"
@@ -55,7 +56,7 @@ TEST(RingSpines, AnOpenRingStaysOpen) {
 TEST(RingSpines, RandomRingsOnPlanesAndSpheresAreOneClosedBead) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int run = 0; run < 120; ++run) {
+  for (int run = 0; run < test::ofSeeds(30, 120); ++run) {
     const double radius = 3.0 + 5.0 * unit(random),
                  half = 0.5 * hatch() * (0.95 + 0.2 * unit(random));
     const std::vector<test::Loop> loops{test::circle(radius + half),

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "helpers/all_seeds.h"
 #include "toolpath/fibre/tape_curves.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/shapes.h"
@@ -323,12 +324,12 @@ void expectSound(const TapePaths& tapes, const layers::Patch& patch) {
 }
 
 TEST(Tapes, KeepTheirRulesOnRandomOutlines) {
-  constexpr int kOutlines = 100;
+  const int outlines = test::ofSeeds(25, 100);
   std::mt19937 random(41);
   std::uniform_real_distribution<double> angle(0.0, base::kPi);
   double region = 0.0, covered = 0.0;
   int laid = 0;
-  for (int i = 0; i < kOutlines; ++i) {
+  for (int i = 0; i < outlines; ++i) {
     SCOPED_TRACE(i);
     const Loop loop = randomOutline(random, 35.0, 60.0);
     const layers::Patch patch = test::patchOver({loop}, 2.0);
@@ -342,7 +343,7 @@ TEST(Tapes, KeepTheirRulesOnRandomOutlines) {
     if (i % 3 == 0)
       expectSound(tapesOn(patch, {.paths = "contour"}), patch);
   }
-  EXPECT_GT(laid, 10 * kOutlines);
+  EXPECT_GT(laid, 10 * outlines);
   EXPECT_GE(covered, 0.9 * region);
 }
 
