@@ -3,10 +3,10 @@
 #include "base/units.h"
 #include "cells/cell_score.h"
 #include "collision/cell_collision.h"
+#include "geometry/singular_values.h"
 #include "robot/leaning_tool.h"
 #include "robot/nozzle_turns.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +36,7 @@ double fromSingular(const robot::Cell& cell, const JointVector& q, double reachM
         Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) /
             (2.0 * kStep);
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd{Eigen::MatrixXd(moves)};
-  return svd.singularValues().minCoeff();
+  return geometry::singularValues(Eigen::MatrixXd(moves)).minCoeff();
 }
 
 double fromLimits(const robot::Cell& cell, const JointVector& q) {

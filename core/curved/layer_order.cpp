@@ -1,6 +1,7 @@
 #include "curved/layer_order.h"
 
-#include <Eigen/Eigenvalues>
+#include "geometry/symmetric_axes.h"
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -31,9 +32,7 @@ Voxel halve(const VoxelGraph& graph, Voxel first, Voxel last) {
     const Eigen::Vector3d d = cellOf(graph, *v) - mean;
     spread += d * d.transpose();
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(spread);
-  Eigen::Vector3d axis = axes.eigenvectors().col(2);
+  Eigen::Vector3d axis = geometry::symmetricAxesFast(spread).axes.col(2);
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   if (axis[largest] < 0.0)

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -12,4 +12,11 @@ LeastSquares leastSquares(const Eigen::MatrixXd& rows, const Eigen::VectorXd& ri
   return {solver.solve(right), solver.rank()};
 }
 
+Eigen::VectorXd
+shortestLeastSquares(const Eigen::MatrixXd& rows,
+                     const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>& right) {
+  base::require(rows.rows() == right.size(), "shortestLeastSquares: a value a row");
+  return rows.completeOrthogonalDecomposition().solve(right);
+}
+
 } // namespace voluta::geometry

@@ -14,4 +14,10 @@ struct LeastSquares {
 // value per row.
 LeastSquares leastSquares(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right);
 
+// Returns the shortest of the vectors that minimize |rows x - right|, also for fewer rows than
+// columns. Precondition: one value per row, 6 at most.
+Eigen::VectorXd
+shortestLeastSquares(const Eigen::MatrixXd& rows,
+                     const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>& right);
+
 } // namespace voluta::geometry

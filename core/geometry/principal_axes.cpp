@@ -1,8 +1,7 @@
 #include "geometry/principal_axes.h"
 
 #include "base/error.h"
-
-#include <Eigen/Eigenvalues>
+#include "geometry/symmetric_axes.h"
 
 namespace voluta::geometry {
 
@@ -16,7 +15,7 @@ Eigen::Matrix3d principalAxes(const std::vector<Vector3d>& points) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vector3d& p : points)
     spread += (p - middle) * (p - middle).transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  return symmetricAxes(spread).axes;
 }
 
 } // namespace voluta::geometry

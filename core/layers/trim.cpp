@@ -5,7 +5,7 @@
 #include "geometry/edges.h"
 #include "layers/polygon_fill.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

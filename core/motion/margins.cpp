@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "geometry/symmetric_axes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,11 +69,9 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
   }
   // Singular values are the square roots of the eigenvalues of the smaller of J J' and J' J,
   // ascending.
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-  const Square square =
-      dof < 6 ? Square(jacobian.transpose() * jacobian) : Square(jacobian * jacobian.transpose());
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(square, Eigen::EigenvaluesOnly);
-  const auto& values = eigen.eigenvalues();
+  using geometry::UpTo6x6;
+  const geometry::UpTo6 values = geometry::symmetricValues(
+      dof < 6 ? UpTo6x6(jacobian.transpose() * jacobian) : UpTo6x6(jacobian * jacobian.transpose()));
   const double most = values[values.size() - 1];
   return most > 0.0 ? std::sqrt(std::max(0.0, values[0]) / most) : 0.0;
 }

@@ -3,10 +3,10 @@
 #include "base/units.h"
 #include "curved/convex_hull.h"
 #include "geometry/convex_polygon.h"
+#include "geometry/symmetric_axes.h"
 #include "geometry/measures.h"
 #include "placement/residual_area.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -140,7 +140,7 @@ Matrix3d principalAxes(const std::vector<Vector3d>& points) {
   Matrix3d spread = Matrix3d::Zero();
   for (const Vector3d& p : points)
     spread += (p - mean) * (p - mean).transpose();
-  Matrix3d turn = Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvectors().transpose();
+  Matrix3d turn = geometry::symmetricAxes(spread).axes.transpose();
   if (turn.determinant() < 0.0)
     turn.row(2) *= -1.0;
   return turn;

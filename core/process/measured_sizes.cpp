@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "process/process_numbers.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,11 +1,11 @@
 #include "substrate/rod_axis.h"
 
 #include "base/error.h"
+#include "geometry/symmetric_axes.h"
 #include "geometry/least_squares.h"
 #include "geometry/least_turn.h"
 #include "geometry/measures.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,8 +59,8 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
     const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
     spread += a * n * n.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  const geometry::SymmetricAxes3 found = geometry::symmetricAxes(spread);
+  const Eigen::Vector3d values = found.values.cwiseMax(0.0);
   const auto clearer = [&](int than, int by) {
     return values[than] > 0.0 ? values[by] / values[than] : std::numeric_limits<double>::infinity();
   };
@@ -73,7 +73,7 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
                       "direction"_text,
                       "axis"_text,
                       "set its axis (rodAxis), or rotate the part onto the rod manually"_text);
-  Eigen::Vector3d direction = solver.eigenvectors().col(isDisc ? 2 : 0);
+  Eigen::Vector3d direction = found.axes.col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   if (direction[largest] < 0.0)

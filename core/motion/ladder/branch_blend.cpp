@@ -1,10 +1,11 @@
 #include "motion/ladder/branch_blend.h"
 
 #include "base/units.h"
+#include "collision/cell_collision.h"
+#include "geometry/least_squares.h"
 #include "motion/nozzle_frame.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,7 +157,7 @@ private:
           rates.col(j).tail<3>() =
               kMmPerRad * (at.linear().col(2) - pose.linear().col(2)) / kStepRad;
       }
-      q.head(dof) += rates.completeOrthogonalDecomposition().solve(left.head(rates.rows()));
+      q.head(dof) += geometry::shortestLeastSquares(rates, left.head(rates.rows()));
     }
     return false;
   }

@@ -1,9 +1,9 @@
 #include "planar/published/region_planes.h"
 
+#include "geometry/symmetric_axes.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -126,8 +126,7 @@ std::vector<RegionPlane> regionPlanes(const geometry::TriangleMesh& mesh,
           const Vector3d d = e.middle + off * e.normal - middle;
           spread += e.lengthMm * d * d.transpose();
         }
-      made.plane.normal =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0).normalized();
+      made.plane.normal = geometry::symmetricAxes(spread).axes.col(0).normalized();
       if (made.plane.normal.dot(beyond - behind) < 0.0)
         made.plane.normal = -made.plane.normal;
       made.plane.offsetMm = made.plane.normal.dot(middle);

@@ -1,10 +1,10 @@
 #include "planar/slicing/corrected_mesh.h"
 
+#include "geometry/symmetric_axes.h"
 #include "geometry/measures.h"
 #include "geometry/triangle_queries.h"
 #include "planar/slicing/section_paths.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,12 +64,11 @@ struct Walls {
   // degrees to each other count as one.
   Vector2d displacement() const {
     constexpr double kOneWall = 0.02;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(normals);
+    const auto [values, axes] = geometry::symmetricAxes(normals);
     Vector2d sum = Vector2d::Zero();
     for (int k = 0; k < 2; ++k)
-      if (solver.eigenvalues()[k] > kOneWall * solver.eigenvalues()[1])
-        sum += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).dot(offsets) /
-               solver.eigenvalues()[k];
+      if (values[k] > kOneWall * values[1])
+        sum += axes.col(k) * axes.col(k).dot(offsets) / values[k];
     return sum;
   }
 };

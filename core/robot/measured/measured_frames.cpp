@@ -3,9 +3,10 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/directions.h"
+#include "geometry/singular_values.h"
+#include "geometry/symmetric_axes.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -46,7 +47,7 @@ Residual residualOf(const std::vector<Vector3d>& errors, int unknowns) {
 }
 
 double largestDeviation(const Matrix3d& covariance) {
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvalues().z());
+  return std::sqrt(geometry::symmetricAxes(covariance).values.z());
 }
 
 Matrix3d crossed(const Vector3d& v) {
@@ -57,7 +58,7 @@ Matrix3d crossed(const Vector3d& v) {
 
 // Ratio of the second extent of points about their mean to the first.
 double flatness(const Eigen::Matrix3Xd& aboutMean) {
-  const Vector3d extents = Eigen::JacobiSVD<Eigen::Matrix3Xd>(aboutMean).singularValues();
+  const Vector3d extents = geometry::singularValues(aboutMean);
   return extents.x() > 0.0 ? extents.y() / extents.x() : 0.0;
 }
 
@@ -98,14 +99,13 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
   const Eigen::Matrix3Xd from = inFrame.colwise() - middle, to = inBase.colwise() - middleInBase;
   if (flatness(from) < kMinFlatness || flatness(to) < kMinFlatness)
     throw onALine();
-  const Eigen::JacobiSVD<Matrix3d> svd(to * from.transpose(),
-                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const auto [u, v] = geometry::singularVectors(to * from.transpose());
   Vector3d signs = Vector3d::Ones();
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0)
+  if ((u * v.transpose()).determinant() < 0.0)
     signs.z() = -1.0;
   MeasuredFrame measured;
   Eigen::Isometry3d& frame = measured.base_T_frame;
-  frame.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  frame.linear() = u * signs.asDiagonal() * v.transpose();
   frame.translation() = middleInBase - frame.linear() * middle;
 
   std::vector<Vector3d> errors;
@@ -154,12 +154,12 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
     a.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = base_T_flange[i].linear() - meanTurn;
     b.segment<3>(3 * static_cast<Eigen::Index>(i)) = meanPlace - base_T_flange[i].translation();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (svd.singularValues()[2] / std::sqrt(static_cast<double>(n)) < kMinTurn)
+  const geometry::SingularLeastSquares solved = geometry::leastSquaresBySingularValues(a, b);
+  if (solved.singularValues[2] / std::sqrt(static_cast<double>(n)) < kMinTurn)
     throw unusable("the poses rotate the flange about one axis only, or hardly at all"_text,
                    "tilt it by at least 30 degrees about two axes"_text);
   MeasuredTip measured;
-  measured.tipInFlange = svd.solve(b);
+  measured.tipInFlange = solved.x;
   measured.pointInBase = meanTurn * measured.tipInFlange + meanPlace;
   std::vector<Vector3d> errors;
   for (const Eigen::Isometry3d& pose : base_T_flange)
@@ -167,7 +167,7 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
   Residual& residual = measured.residual;
   residual = residualOf(errors, 6);
   if (residual.noiseMm) {
-    residual.placeMm = *residual.noiseMm / svd.singularValues()[2];
+    residual.placeMm = *residual.noiseMm / solved.singularValues[2];
     residual.turnRad = 0.0;
   }
   return measured;

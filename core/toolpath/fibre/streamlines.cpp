@@ -1,8 +1,8 @@
 #include "toolpath/fibre/streamlines.h"
 
+#include "geometry/symmetric_axes.h"
 #include "toolpath/coverage/segment_grid.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <deque>
@@ -158,11 +158,12 @@ Vector3d DirectionField::at(const PatchSurface& surface, const SurfacePoint& poi
   }
   const Vector3d normal = surface.interpolate(surface.normal, point);
   const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(flat * dyads * flat);
+  const Eigen::Matrix3d within = flat * dyads * flat;
+  const auto [values, axes] = geometry::symmetricAxes(within);
   constexpr double kNone = 1e-9;
-  if (solver.eigenvalues()[2] <= kNone * dyads.trace())
+  if (values[2] <= kNone * dyads.trace())
     return Vector3d::Zero();
-  const Vector3d along = (flat * solver.eigenvectors().col(2)).normalized();
+  const Vector3d along = (flat * axes.col(2)).normalized();
   return along.dot(ahead) < 0.0 ? Vector3d(-along) : along;
 }
 
