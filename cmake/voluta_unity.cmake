@@ -2,7 +2,7 @@
 # a build from nothing, but an edit compiles the sources beside it too: packaging/ turns it on,
 # development leaves it off.
 option(VOLUTA_UNITY "Compile several sources of a target as one" OFF)
-set(VOLUTA_UNITY_LINES 2600 CACHE STRING "Greatest number of lines that are compiled as one")
+set(VOLUTA_UNITY_LINES 1800 CACHE STRING "Greatest number of lines that are compiled as one")
 
 # Sets `names` to the names that `source` defines at file scope: what begins in the first column and is
 # followed by a parameter list, a value or a body; and `count` to its lines. Members (A::b) do not count,
