@@ -57,16 +57,49 @@ constexpr const char* kLattice = R"(<?xml version="1.0" encoding="UTF-8"?>
 </model>
 )";
 
+// Settings of slicers, which follow a model behind this line.
+constexpr const char* kSplit = "\n<!-- settings -->\n";
+constexpr const char* kPrusa =
+    R"(<config><object id="1"><metadata type="object" key="extruder" value="2"/>
+<volume firstid="0" lastid="1"><metadata type="volume" key="volume_type" value="NegativeVolume"/></volume>
+<volume firstid="2" lastid="3"><metadata type="volume" key="modifier" value="1"/></volume></object></config>)";
+constexpr const char* kBambu =
+    R"(<config><object id="3"><metadata key="name" value="a"/><part id="1" subtype="negative_part">
+<metadata key="name" value="b"/></part></object><plate><metadata key="x" value="1"/><model_instance/></plate></config>)";
+
+std::string packageOf(const std::string& input) {
+  const std::size_t at = input.find(kSplit);
+  if (at == std::string::npos)
+    return test::package3mf(input, false);
+  const std::string settings = input.substr(at + std::string_view(kSplit).size());
+  test::ZipWriter zip(false, input.size() % 2 == 0);
+  test::addRelations(zip);
+  zip.add("3D/3dmodel.model", input.substr(0, at));
+  zip.add("Metadata/Slic3r_PE_model.config", settings);
+  zip.add("Metadata/model_settings.config", settings);
+  zip.add("Other/member", "x");
+  return zip.bytes();
+}
+
 } // namespace
 
 std::vector<std::string> fuzz::seeds() {
-  return {kModel, kLattice, test::package3mf(kModel), test::package3mf(kModel, false)};
+  test::ZipWriter wide(true, true);
+  test::addRelations(wide);
+  wide.add("3D/3dmodel.model", kModel);
+  return {kModel,
+          kLattice,
+          std::string(kModel) + kSplit + kPrusa,
+          std::string(kModel) + kSplit + kBambu,
+          test::package3mf(kModel),
+          test::package3mf(kModel, false),
+          wide.bytes()};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string input = fuzz::textOf(data, size);
   fuzz::takenOrRefused([&] {
-    const std::string package = input.starts_with("PK") ? input : test::package3mf(input, false);
+    const std::string package = input.starts_with("PK") ? input : packageOf(input);
     fuzz::expectSound(geometry::readMesh(package, "input.3mf").mesh);
   });
   return 0;

@@ -129,6 +129,27 @@ TEST(Readers, PolygonsAreCutIntoTriangles) {
   EXPECT_NEAR(geometry::area(file.mesh), 1.2, 1e-6);
 }
 
+// Shapes that are not read are named, each kind once; colours and groups are none.
+TEST(Readers, ShapesThatAreNotReadAreNamed) {
+  const std::string face = "v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n";
+  EXPECT_TRUE(readMesh("mtllib a.mtl\ng a\nusemtl red\n" + face, "p.obj").repairs.empty());
+  for (const std::string word : {"surf", "curv", "curv2", "call"}) {
+    const auto notes = base::english(
+        readMesh(face + word + " 0 1 0 1 1 2 3\n" + word + " 0 1 0 1\n", "p.obj").repairs);
+    ASSERT_EQ(notes.size(), 1u) << word;
+    EXPECT_EQ(notes[0], "not used: 2 statements '" + word + "', the first in line 5");
+  }
+  const auto strips = base::english(
+      readMesh("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+               "element tristrips 1\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n",
+               "p.ply")
+          .repairs);
+  ASSERT_EQ(strips.size(), 1u);
+  EXPECT_NE(strips[0].find("1 strips of triangles"), std::string::npos);
+}
+
 TEST(Readers, BinaryHeaderMayBeginWithSolid) {
   std::string bytes = geometry::writeStl(boxMesh());
   bytes.replace(0, 11, "solid facet");

@@ -3,7 +3,10 @@
 #include "geometry/formats/polygon_facets.h"
 #include "geometry/formats/text_scanner.h"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <map>
 
 namespace voluta::geometry {
 
@@ -49,6 +52,15 @@ bool nextWholeLine(LineScanner& scanner, WordList& words) {
   return true;
 }
 
+// Free-form curves and surfaces, and other files, have a shape that is not read.
+constexpr std::array<std::string_view, 6> kShapesOfObj{"curv", "curv2", "surf",
+                                                       "call", "sp",    "con"};
+
+struct UnusedStatement {
+  std::size_t count = 0;
+  int line = 0; // the first
+};
+
 } // namespace
 
 void addPolygon(const std::vector<Vector3d>& polygon, std::vector<Facet>& facets) {
@@ -62,6 +74,7 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
   LineScanner scanner(bytes);
   WordList words;
   std::vector<Vector3d> points, polygon;
+  std::map<std::string, UnusedStatement, std::less<>> unused;
   while (nextWholeLine(scanner, words)) {
     if (words.empty())
       continue;
@@ -83,9 +96,18 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
         polygon.push_back(points[static_cast<std::size_t>(at)]);
       }
       addPolygon(polygon, soup.facets);
+    } else if (std::ranges::find(kShapesOfObj, words[0]) != kShapesOfObj.end()) {
+      UnusedStatement& statement = unused[std::string(words[0])];
+      if (statement.count++ == 0)
+        statement.line = scanner.line();
     }
-    // Everything else (normals, textures, groups, materials, curves) does not affect the shape.
+    // Everything else (normals, textures, groups, materials) does not affect the shape.
   }
+  for (const auto& [word, statement] : unused)
+    soup.repairs.emplace_back(
+        "not used: {count} statement '{word}', in line {line}|"
+        "not used: {count} statements '{word}', the first in line {line}"_plural,
+        std::vector<base::Value>{statement.count, word, statement.line});
   return soup;
 }
 

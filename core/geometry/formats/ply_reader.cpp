@@ -195,6 +195,9 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
   std::vector<Vector3d> points, polygon;
   std::vector<std::vector<double>> polygons;
   for (const Element& element : header.elements) {
+    if (element.name == "tristrips" && element.count > 0)
+      soup.repairs.push_back(base::message(
+          "not used: {count} strips of triangles (element 'tristrips')"_text, element.count));
     // Elements without properties have no data, regardless of their count.
     for (long long i = 0; i < element.count && !element.properties.empty(); ++i) {
       Vector3d point = Vector3d::Zero();

@@ -2,14 +2,16 @@
 
 #include "base/error.h"
 #include "geometry/formats/beam_solids.h"
+#include "geometry/formats/threemf_cut.h"
 #include "geometry/formats/threemf_model.h"
 #include "geometry/formats/threemf_package.h"
-#include "geometry/formats/xml_scan.h"
 #include "geometry/formats/zip_package.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace voluta::geometry {
 
@@ -22,40 +24,67 @@ namespace {
 constexpr std::size_t kMaxFacets = 30'000'000, kMaxUses = 1'000'000;
 constexpr int kDeepest = 100;
 
-// Returns the names of objects by id; none if the settings are damaged, as no shape depends on
-// them.
-std::map<std::string, std::string> slicerNames(const std::string& settings,
-                                               const std::string& where) {
-  std::map<std::string, std::string> names;
-  std::string id;
-  int depth = 0;
-  XmlHandler handler;
-  handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
-    if (++depth == 2)
-      id = element.word == "object" ? attributes.text("id") : std::string_view();
-    else if (depth == 3 && !id.empty() && attributes.text("key") == "name")
-      names.emplace(id, attributes.text("value"));
-  };
-  handler.end = [&](XmlName) { --depth; };
-  try {
-    scanXml(settings, where, handler);
-  } catch (const Error&) {
-    names.clear();
+using Kind = ThreemfVolumeKind;
+
+base::Text wordOf(Kind kind) {
+  switch (kind) {
+  case Kind::Part:
+    return "volume"_text;
+  case Kind::Negative:
+    return "negative volume"_text;
+  case Kind::Modifier:
+    return "modifier volume"_text;
+  case Kind::SupportEnforcer:
+    return "support enforcer"_text;
+  case Kind::SupportBlocker:
+    break;
   }
-  return names;
+  return "support blocker"_text;
+}
+
+const std::string& firstNamed(const std::string& name, const std::string& otherwise) {
+  return name.empty() ? otherwise : name;
+}
+
+// Adds a sentence for each setting of an object and its volumes that is not acted on. `otherName`:
+// for objects without a name.
+void noteSettings(const ThreemfObjectSettings& object, const std::string& otherName,
+                  const std::string& member, std::vector<base::Message>& notes) {
+  const std::string& name = firstNamed(object.name, otherName);
+  const auto noteExtruder = [&](int extruder, int usual, const std::string& of) {
+    if (extruder != 0 && extruder != usual)
+      notes.push_back(base::message(
+          "not used: extruder {number} of '{object}' ({where}): choose the tool of the part"_text,
+          extruder, of, member));
+  };
+  const auto noteKeys = [&](const std::vector<std::string>& keys, const std::string& of) {
+    if (!keys.empty())
+      notes.push_back(base::message("not used: settings of '{object}' ({where}): {keys}"_text, of,
+                                    member, inQuotes(keys)));
+  };
+  noteExtruder(object.extruder, 1, name);
+  noteKeys(object.settings, name);
+  for (const ThreemfVolume& volume : object.volumes) {
+    const std::string& own = firstNamed(volume.name, volume.objectId);
+    const std::string of = own.empty() || own == name ? name : name + " / " + own;
+    if (volume.kind == Kind::Part || volume.kind == Kind::Modifier)
+      noteExtruder(volume.extruder, object.extruder == 0 ? 1 : object.extruder, of);
+    noteKeys(volume.settings, of);
+  }
 }
 
 // Places everything that is built, each object at every use.
 class Unfolding {
 public:
-  Unfolding(const ZipPackage& package, const std::string& name) : package_(package), name_(name) {}
+  Unfolding(const ZipPackage& package, const std::string& name)
+      : package_(package), name_(name), settings_(slicerSettings(package)) {}
 
   const ThreemfModel& model(const std::string& member) {
     const auto known = models_.find(member);
     if (known != models_.end())
       return known->second;
     ThreemfModel& read =
-        models_.emplace(member, parseThreemfModel(package_.member(member), name_ + ", " + member))
+        models_.emplace(member, parseThreemfModel(package_.member(member), name_, member))
             .first->second;
     if (models_.size() == 1) // the main model
       addSlicerNames(read);
@@ -69,7 +98,15 @@ public:
       return;
     }
     itemName_ = model(item.path.empty() ? member : memberOf(item.path)).nameOf(item.id);
-    add(item, member, mm_T_build, 0);
+    itemId_ = item.id;
+    const auto settings = settings_.objects.find(item.id);
+    itemSettings_ = settings == settings_.objects.end() ? nullptr : &settings->second;
+    if (itemSettings_ && noted_.insert(item.id).second)
+      noteSettings(*itemSettings_, firstNamed(itemName_, item.id), itemSettings_->member, said_);
+    mm_T_item_ = mm_T_build * item.parent_T_object;
+    ThreemfUse inItem = item;
+    inItem.parent_T_object.setIdentity();
+    add(inItem, {member, Eigen::Affine3d::Identity(), Kind::Part, {}, 0});
     ++items_;
   }
 
@@ -99,72 +136,168 @@ public:
                  "skipped: {count} objects without a mesh"_plural);
     note(beams_, "converted {count} lattice beam into a round bar|"
                  "converted {count} lattice beams into round bars"_plural);
+    notes.insert(notes.end(), said_.begin(), said_.end());
+    for (const auto& [member, model] : models_)
+      notes.insert(notes.end(), model.notes.begin(), model.notes.end());
+    notes.insert(notes.end(), settings_.notes.begin(), settings_.notes.end());
     return notes;
   }
 
 private:
+  // Where an object is used: within which one, and as which kind of volume.
+  struct Place {
+    std::string member; // of the model with the use
+    Eigen::Affine3d item_T_parent;
+    Kind kind = Kind::Part;
+    std::string volumeName;
+    int depth = 0; // below the build item
+  };
+
   // Slicers store the names of objects outside of the model.
   void addSlicerNames(ThreemfModel& model) const {
-    for (const char* member : {"Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config"})
-      if (package_.has(member))
-        for (const auto& [id, name] : slicerNames(package_.member(member), member))
-          if (const auto object = model.objects.find(id);
-              object != model.objects.end() && object->second.name.empty())
-            object->second.name = name;
+    for (const auto& [id, settings] : settings_.objects)
+      if (const auto object = model.objects.find(id);
+          object != model.objects.end() && object->second.name.empty())
+        object->second.name = settings.name;
   }
 
-  void add(const ThreemfUse& use, const std::string& member, const Eigen::Affine3d& build_T_parent,
-           int depth) {
-    const std::string where = use.path.empty() ? member : memberOf(use.path);
+  void add(const ThreemfUse& use, const Place& place) {
+    const std::string where = use.path.empty() ? place.member : memberOf(use.path);
     const ThreemfModel& of = model(where);
     const auto found = of.objects.find(use.id);
     if (found == of.objects.end())
       throw Error(ErrorCode::UnreadableFile, base::message("object '{id}' is missing"_text, use.id),
                   name_ + ", " + where);
     const ThreemfObject& object = found->second;
-    if (depth > kDeepest || ++uses_ > kMaxUses)
+    if (place.depth > kDeepest || ++uses_ > kMaxUses)
       throw endless();
-    const Eigen::Affine3d build_T_object = build_T_parent * use.parent_T_object;
+    Place inside{where, place.item_T_parent * use.parent_T_object, place.kind, place.volumeName,
+                 place.depth + 1};
+    takeKind(object, use.id, place.depth, inside);
     // The type of an object with components is that of its components.
     if (!object.components.empty() || object.type == ThreemfObjectType::Model)
-      addShape(object, use.id, where, build_T_object);
+      addShape(object, use.id, inside);
     else
       ++skipped_[static_cast<std::size_t>(object.type)];
     for (const ThreemfUse& component : object.components)
-      add(component, where, build_T_object, depth + 1);
+      add(component, inside);
   }
 
-  void addShape(const ThreemfObject& object, const std::string& id, const std::string& where,
-                const Eigen::Affine3d& build_T_object) {
+  // Sets the kind of the object and all within it, as its own settings or those of the item say.
+  void takeKind(const ThreemfObject& object, const std::string& id, int depth, Place& inside) {
+    if (!object.settings.empty()) {
+      const ThreemfObjectSettings own = curaSettings(object.settings);
+      if (!own.volumes.empty())
+        inside.kind = own.volumes.front().kind;
+      if (noted_.insert(inside.member + '\n' + id).second)
+        noteSettings(own, firstNamed(object.name, id), inside.member, said_);
+    }
+    if (!itemSettings_ || depth > 1 || (depth == 0 && !object.components.empty()))
+      return;
+    for (const ThreemfVolume& volume : itemSettings_->volumes)
+      if (!volume.objectId.empty() && volume.objectId == id) {
+        inside.kind = volume.kind;
+        inside.volumeName = volume.name;
+      }
+  }
+
+  void addShape(const ThreemfObject& object, const std::string& id, const Place& place) {
     const auto refuse = [&](const base::Message& what) {
-      return Error(ErrorCode::UnusableInput, what, name_ + ", " + where,
+      return Error(ErrorCode::UnusableInput, what, name_ + ", " + place.member,
                    "export it as a triangle mesh"_text);
     };
     const bool isEmpty = object.triangles.empty() && object.beams.empty();
     if (object.hasSlices && (object.lowResolution || (isEmpty && object.components.empty())))
       throw refuse(base::message(
           "object '{id}' is stored as slices (slicestack), which cannot be read"_text, id));
+    if (object.hasSlices && noted_.insert(place.member + "\nslices\n" + id).second)
+      said_.push_back(base::message(
+          "not used: the slice stack of object '{id}' ({where}): its mesh is printed"_text, id,
+          place.member));
     if (object.hasClippedBeams)
       throw refuse(base::message(
           "object '{id}' has a beam lattice clipped by a mesh, which cannot be read"_text, id));
-    ThreemfPiece piece{items_, object.name, itemName_, {}, build_T_object};
-    std::vector<Facet>& facets = piece.facets;
-    for (const auto& t : object.triangles)
-      facets.push_back({object.vertices[static_cast<std::size_t>(t[0])],
-                        object.vertices[static_cast<std::size_t>(t[1])],
-                        object.vertices[static_cast<std::size_t>(t[2])]});
+    if (isEmpty && object.balls.empty()) {
+      empty_ += object.components.empty() ? 1 : 0;
+      return;
+    }
+    ThreemfPiece piece{
+        items_,     firstNamed(place.volumeName, object.name), itemName_,          {}, {},
+        place.kind, mm_T_item_ * place.item_T_parent,          place.item_T_parent};
+    addTriangles(object, place, piece);
     if (!object.beams.empty() || !object.balls.empty()) {
       const std::vector<Facet> solids = beamSolids(object);
-      facets.insert(facets.end(), solids.begin(), solids.end());
+      piece.facets.insert(piece.facets.end(), solids.begin(), solids.end());
+      piece.volumeEnds.push_back(piece.facets.size());
       beams_ += object.beams.size();
     }
-    if (facets.size() > kMaxFacets - facets_)
+    keep(std::move(piece), id);
+  }
+
+  // Adds the triangles to the piece by volumes; those of volumes that are not solid become pieces.
+  void addTriangles(const ThreemfObject& object, const Place& place, ThreemfPiece& piece) {
+    const auto count = static_cast<long long>(object.triangles.size());
+    std::vector<const ThreemfVolume*> volumes{nullptr}; // The first: triangles of no volume
+    std::vector<std::size_t> volumeOf(object.triangles.size(), 0);
+    if (itemSettings_ && place.depth == 1)
+      for (const ThreemfVolume& volume : itemSettings_->volumes) {
+        const long long end = std::min(count - 1, volume.lastTriangle);
+        for (long long t = std::max(0ll, volume.firstTriangle); t <= end; ++t)
+          volumeOf[static_cast<std::size_t>(t)] = volumes.size();
+        volumes.push_back(&volume);
+      }
+    std::vector<std::vector<Facet>> facets(volumes.size());
+    for (std::size_t i = 0; i < object.triangles.size(); ++i) {
+      const auto& t = object.triangles[i];
+      facets[volumeOf[i]].push_back({object.vertices[static_cast<std::size_t>(t[0])],
+                                     object.vertices[static_cast<std::size_t>(t[1])],
+                                     object.vertices[static_cast<std::size_t>(t[2])]});
+    }
+    for (std::size_t v = 0; v < volumes.size(); ++v) {
+      if (facets[v].empty())
+        continue;
+      if (!volumes[v] || volumes[v]->kind == Kind::Part) {
+        piece.facets.insert(piece.facets.end(), facets[v].begin(), facets[v].end());
+        piece.volumeEnds.push_back(piece.facets.size());
+        continue;
+      }
+      ThreemfPiece other = piece;
+      other.name = firstNamed(volumes[v]->name, piece.name);
+      other.kind = volumes[v]->kind;
+      other.volumeEnds = {facets[v].size()};
+      other.facets = std::move(facets[v]);
+      keep(std::move(other), std::to_string(v));
+    }
+  }
+
+  // `id`: of the volume within the item.
+  void keep(ThreemfPiece piece, const std::string& id) {
+    if (piece.facets.size() > kMaxFacets - facets_)
       throw endless();
-    facets_ += facets.size();
-    if (!facets.empty())
-      pieces_.push_back(std::move(piece));
-    else if (object.components.empty())
-      ++empty_;
+    facets_ += piece.facets.size();
+    if (piece.facets.empty())
+      return;
+    if (piece.kind != Kind::Part && noted_.insert(itemId_ + '\n' + piece.name + '\n' + id).second)
+      noteVolume(piece, firstNamed(piece.name, id));
+    pieces_.push_back(std::move(piece));
+  }
+
+  void noteVolume(const ThreemfPiece& piece, const std::string& name) {
+    Eigen::AlignedBox3d box;
+    for (const Facet& facet : piece.facets)
+      for (const Eigen::Vector3d& v : facet)
+        box.extend(piece.mm_T_object * v);
+    const Eigen::Vector3d middle = box.center();
+    const base::Point at{middle.x(), middle.y(), middle.z()};
+    const std::string& object = firstNamed(itemName_, itemId_);
+    if (piece.kind == Kind::Negative)
+      said_.push_back(base::message(
+          "cut away: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
+          wordOf(piece.kind), name, object, at));
+    else
+      said_.push_back(base::message(
+          "not used: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
+          wordOf(piece.kind), name, object, at));
   }
 
   Error endless() const {
@@ -174,9 +307,15 @@ private:
 
   const ZipPackage& package_;
   const std::string& name_;
+  ThreemfSettings settings_;
   std::vector<ThreemfPiece> pieces_;
   std::map<std::string, ThreemfModel> models_;
-  std::string itemName_; // of the item being unfolded
+  // Of the item being unfolded; itemSettings_ may be null
+  std::string itemId_, itemName_;
+  const ThreemfObjectSettings* itemSettings_ = nullptr;
+  Eigen::Affine3d mm_T_item_ = Eigen::Affine3d::Identity();
+  std::vector<base::Message> said_; // about objects and volumes
+  std::set<std::string> noted_;     // those of them that have their sentence
   std::size_t facets_ = 0, items_ = 0;
   std::size_t uses_ = 0, unprintable_ = 0, beams_ = 0, empty_ = 0;
   std::array<std::size_t, 5> skipped_{}; // by type
@@ -222,6 +361,7 @@ ThreemfBuild read3mfBuild(std::string_view bytes, const std::string& name) {
     unfolding.addItem(item, member, mm_T_build);
   const std::vector<base::Message> notes = unfolding.notes();
   build.pieces = unfolding.takePieces();
+  cutNegatives(build.pieces, name);
   if (build.pieces.empty()) {
     refuseSliced(package, name);
     if (!notes.empty())

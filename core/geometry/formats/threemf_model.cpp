@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/formats/text_scanner.h"
+#include "geometry/formats/threemf_notes.h"
 #include "geometry/formats/xml_scan.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ using base::ErrorCode;
 namespace {
 
 constexpr std::string_view kCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+constexpr std::string_view kCuraSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
 // Extensions that are read here, or that do not change an object's shape.
 constexpr std::array<std::string_view, 7> kKnownSpaces{
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
@@ -24,6 +26,38 @@ constexpr std::array<std::string_view, 7> kKnownSpaces{
     "http://schemas.microsoft.com/3dmanufacturing/beamlattice/balls/2020/07",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
     "http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03"};
+
+constexpr std::array<std::string_view, 16> kCoreWords{
+    "model",      "metadata",  "metadatagroup", "resources", "basematerials", "base",
+    "object",     "mesh",      "vertices",      "vertex",    "triangles",     "triangle",
+    "components", "component", "build",         "item"};
+// Of objects, uses and triangles: read here, or without effect on the shape.
+constexpr std::array<std::string_view, 23> kKnownAttributes{"id",
+                                                            "type",
+                                                            "name",
+                                                            "partnumber",
+                                                            "pid",
+                                                            "pindex",
+                                                            "p1",
+                                                            "p2",
+                                                            "p3",
+                                                            "v1",
+                                                            "v2",
+                                                            "v3",
+                                                            "UUID",
+                                                            "path",
+                                                            "thumbnail",
+                                                            "objectid",
+                                                            "transform",
+                                                            "printable",
+                                                            "slicestackid",
+                                                            "meshresolution",
+                                                            "face_property",
+                                                            "preserve",
+                                                            "toolpathid"};
+// Of metadata that name a version or describe the file.
+constexpr std::array<std::string_view, 4> kPlainPrefixes{"slic3rpe", "BambuStudio", "OrcaSlicer",
+                                                         "xml"};
 
 constexpr std::array<std::pair<std::string_view, ThreemfObjectType>, 5> kTypes{
     {{"model", ThreemfObjectType::Model},
@@ -83,20 +117,29 @@ ThreemfUse useOf(const XmlAttributes& attributes) {
 
 class ModelParser {
 public:
-  ThreemfModel parse(std::string_view text, const std::string& where) {
+  ModelParser(const std::string& name, const std::string& member) : name_(name), notes_(member) {}
+
+  ThreemfModel parse(std::string_view text) {
     XmlHandler handler;
     handler.declares = [&](std::string_view prefix, std::string_view space) {
       spaces_[std::string(prefix)] = space;
     };
     handler.begin = [&](XmlName name, const XmlAttributes& attributes) { begin(name, attributes); };
     handler.end = [&](XmlName name) { end(name); };
-    scanXml(text, where, handler);
+    handler.text = [&](std::string_view more) {
+      if (takesText_)
+        text_ += more;
+    };
+    scanXml(text, name_ + ", " + notes_.member(), handler);
+    model_.notes = notes_.sentences();
     return std::move(model_);
   }
 
 private:
   void begin(XmlName name, const XmlAttributes& attributes) {
-    const bool isCore = name.space.empty() || name.space == kCoreSpace;
+    if (depth_++ == 0 && name.word == "model")
+      takeRoot(name);
+    const bool isCore = name.space.empty() || name.space == core_;
     if (isCore && name.word == "model") {
       if (const std::string_view unit = attributes.text("unit"); !unit.empty())
         model_.unit = unit;
@@ -105,17 +148,98 @@ private:
       beginObject(attributes);
     } else if (isCore && name.word == "item") {
       model_.build.push_back(useOf(attributes));
+      noteAttributes(name, attributes);
+    } else if (isCore && name.word == "metadata") {
+      beginMetadata(attributes.text("name"));
+    } else if (name.word == "setting" && (isCore || name.space == kCuraSpace)) {
+      beginMetadata("cura:" + std::string(attributes.text("key")));
     } else if (object_ && isCore) {
-      partOfObject(name.word, attributes);
+      partOfObject(name, attributes);
     } else if (object_) {
       partOfLattice(name.word, attributes);
     }
+    noteElement(name, isCore, attributes);
   }
   void end(XmlName name) {
+    --depth_;
+    if (unknownDepth_ > depth_)
+      unknownDepth_ = 0;
+    if (takesText_ && (name.word == "metadata" || name.word == "setting"))
+      endMetadata();
     if (object_ && name.word == "beamlattice")
       addDefaultBalls();
     if (name.word == "object")
       object_ = nullptr;
+  }
+
+  // The namespace of the root is the core's, whatever it is called.
+  void takeRoot(XmlName name) {
+    if (name.space.empty() || name.space == kCoreSpace)
+      return;
+    core_ = name.space;
+    notes_.add(
+        base::message("read although its namespace is '{space}' and not that of 3MF ({where})"_text,
+                      name.space, notes_.member()));
+  }
+
+  // Names an element that neither this reader knows nor a reader of its extension, with the
+  // outermost one for all within it.
+  void noteElement(XmlName name, bool isCore, const XmlAttributes& attributes) {
+    if (unknownDepth_ > 0)
+      return;
+    const bool isKnown = isCore
+                             ? std::ranges::find(kCoreWords, name.word) != kCoreWords.end()
+                             : std::ranges::find(kKnownSpaces, name.space) != kKnownSpaces.end() ||
+                                   name.space == kCuraSpace || name.space == kCoreSpace;
+    if (isKnown)
+      return;
+    unknownDepth_ = depth_;
+    notes_.addElement(std::string(name.word), std::string(name.space), attributes.line());
+  }
+
+  // Names attributes of an object, a use or a triangle that are not read.
+  void noteAttributes(XmlName element, const XmlAttributes& attributes) {
+    attributes.each([&](XmlName name, std::string_view) {
+      if (std::ranges::find(kKnownAttributes, name.word) == kKnownAttributes.end())
+        notes_.addAttribute(std::string(name.word), std::string(element.word), attributes.line());
+    });
+  }
+
+  // Names the materials of objects and triangles once there are two of them.
+  void noteMaterial(std::string material, long long line) {
+    if (material.empty())
+      return;
+    if (material_.empty())
+      material_ = std::move(material);
+    else if (material_ != material && !std::exchange(hasMaterials_, true))
+      notes_.add(base::message(
+          "not used: materials and colours of objects and triangles, more than one from line "
+          "{line} of {where}"_text,
+          line, notes_.member()));
+  }
+
+  // `name`: with the prefix of its namespace.
+  void beginMetadata(std::string_view name) {
+    takesText_ = true;
+    text_.clear();
+    metadata_ = name;
+  }
+  void endMetadata() {
+    takesText_ = false;
+    const std::size_t colon = metadata_.find(':');
+    if (colon == std::string::npos)
+      return;
+    const std::string prefix = metadata_.substr(0, colon), key = metadata_.substr(colon + 1);
+    const auto declared = spaces_.find(prefix);
+    // Also for files with exchanged namespaces
+    if (prefix == "cura" || (declared != spaces_.end() && declared->second == kCuraSpace)) {
+      if (object_)
+        object_->settings.emplace_back(key, text_);
+      else
+        notes_.addMetadata(metadata_);
+    } else if (std::ranges::find(kPlainPrefixes, prefix) == kPlainPrefixes.end()) {
+      notes_.addMetadata(metadata_);
+    }
   }
 
   // `prefixes`: of the extensions that the model requires for its shape.
@@ -142,9 +266,30 @@ private:
     }
     object_->hasSlices = !textAnywhere(attributes, "slicestackid").empty();
     object_->lowResolution = textAnywhere(attributes, "meshresolution") == "lowres";
+    objectMaterial_ = attributes.text("pid");
+    objectMaterialAt_ = attributes.text("pindex");
+    noteMaterial(materialOf(objectMaterial_, objectMaterialAt_), attributes.line());
+    noteAttributes({{}, "object"}, attributes);
   }
 
-  void partOfObject(std::string_view word, const XmlAttributes& attributes) {
+  static std::string materialOf(std::string_view group, std::string_view index) {
+    return group.empty() ? std::string() : std::string(group) + ":" + std::string(index);
+  }
+
+  void partOfTriangle(XmlName name, const XmlAttributes& attributes) {
+    const auto given = [&](std::string_view word, const std::string& otherwise) {
+      const std::string_view text = attributes.text(word);
+      return text.empty() ? otherwise : std::string(text);
+    };
+    const std::string group = given("pid", objectMaterial_);
+    const std::string first = given("p1", objectMaterialAt_);
+    for (const std::string& index : {first, given("p2", first), given("p3", first)})
+      noteMaterial(materialOf(group, index), attributes.line());
+    noteAttributes(name, attributes);
+  }
+
+  void partOfObject(XmlName name, const XmlAttributes& attributes) {
+    const std::string_view word = name.word;
     if (word == "vertex") {
       object_->vertices.emplace_back(attributes.number("x"), attributes.number("y"),
                                      attributes.number("z"));
@@ -154,8 +299,11 @@ private:
       for (const long long v : object_->triangles.back())
         if (!hasVertex(v))
           fail(base::message("a triangle refers to the missing vertex {vertex}"_text, v));
+      if (attributes.size() > 3)
+        partOfTriangle(name, attributes);
     } else if (word == "component") {
       object_->components.push_back(useOf(attributes));
+      noteAttributes(name, attributes);
     }
   }
 
@@ -218,10 +366,19 @@ private:
     bool ballsEverywhere = false, round = true;
   };
 
+  const std::string& name_;
   ThreemfModel model_;
+  ThreemfNotes notes_;
+  std::string core_{kCoreSpace};              // the namespace of the core's elements
   std::map<std::string, std::string> spaces_; // by prefix
-  ThreemfObject* object_ = nullptr;           // being read
-  Lattice lattice_;                           // being read
+  int depth_ = 0, unknownDepth_ = 0;          // of elements; of the unknown one being read, 0: none
+  bool takesText_ = false;
+  std::string text_, metadata_;                   // being read
+  std::string objectMaterial_, objectMaterialAt_; // of the object being read
+  std::string material_;                          // the first one of the model
+  bool hasMaterials_ = false;                     // further ones
+  ThreemfObject* object_ = nullptr;               // being read
+  Lattice lattice_;                               // being read
 };
 
 } // namespace
@@ -231,8 +388,9 @@ std::string ThreemfModel::nameOf(const std::string& id) const {
   return found == objects.end() ? std::string() : found->second.name;
 }
 
-ThreemfModel parseThreemfModel(std::string_view text, const std::string& where) {
-  return ModelParser().parse(text, where);
+ThreemfModel parseThreemfModel(std::string_view text, const std::string& name,
+                               const std::string& member) {
+  return ModelParser(name, member).parse(text);
 }
 
 } // namespace voluta::geometry

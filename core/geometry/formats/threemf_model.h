@@ -2,11 +2,14 @@
 // 1.3, production extension 1.1, beam lattice extension 1.2, slice extension 1.0).
 #pragma once
 
+#include "base/text.h"
+
 #include <Eigen/Geometry>
 #include <array>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace voluta::geometry {
@@ -38,20 +41,26 @@ struct ThreemfObject {
   bool lowResolution = false;        // slices are its shape, the mesh is only a placeholder
   bool hasSlices = false;
   bool hasClippedBeams = false;
+  // Cura's settings of the object (infill_mesh, extruder_nr, ...) with their values.
+  std::vector<std::pair<std::string, std::string>> settings;
 };
 
 struct ThreemfModel {
   std::string unit = "millimeter";
   std::map<std::string, ThreemfObject> objects;
   std::vector<ThreemfUse> build;
+  std::vector<base::Message> notes; // statements that are not acted on, a sentence each
 
   // Returns the name of the object; empty if it has none or does not exist.
   std::string nameOf(const std::string& id) const;
 };
 
-// `where` names the model part in errors. Throws Error{UnreadableFile} with the line if the text is
+// `name` of the file and `member` of the package are for errors and notes. A model whose root is in
+// another namespace than the core's, as of Cura 4.5, which exchanges two of them, is read all the
+// same, with a note. Throws Error{UnreadableFile} with the line if the text is
 // not well-formed, an attribute is missing or not a number, an index is out of range, an object
 // type is unknown, or the model requires an unknown extension.
-ThreemfModel parseThreemfModel(std::string_view text, const std::string& where);
+ThreemfModel parseThreemfModel(std::string_view text, const std::string& name,
+                               const std::string& member);
 
 } // namespace voluta::geometry

@@ -14,17 +14,23 @@ std::string memberOf(std::string_view path) {
 namespace {
 constexpr const char* kRelations = "_rels/.rels";
 
-// Returns an empty string if the relations name no model.
+// Returns the target of the relation of that type, else one that is a model by its name, as some
+// programs write wrong types; an empty string if the relations name no model.
 std::string relatedModel(const ZipPackage& package, const std::string& where) {
   constexpr std::string_view kType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
-  std::string target;
+  std::string target, named;
   XmlHandler handler;
   handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
-    if (element.word == "Relationship" && attributes.text("Type") == kType)
-      target = attributes.text("Target");
+    if (element.word != "Relationship")
+      return;
+    const std::string_view at = attributes.text("Target");
+    if (attributes.text("Type") == kType)
+      target = at;
+    else if (at.ends_with(".model") && package.has(memberOf(at)))
+      named = at;
   };
   scanXml(package.member(kRelations), where, handler);
-  return memberOf(target);
+  return memberOf(target.empty() ? named : target);
 }
 } // namespace
 

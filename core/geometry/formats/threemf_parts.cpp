@@ -116,7 +116,7 @@ std::vector<ThreemfPart> read3mfParts(std::string_view bytes, const std::string&
   const ThreemfBuild build = read3mfBuild(bytes, name);
   const std::vector<Group> groups = partsOf(build.pieces);
   if (groups.size() < 2)
-    return {{{}, readMesh(bytes, name), Vector3d::Zero()}};
+    return {{{}, meshOf(soupOf(build), name), Vector3d::Zero()}};
   if (groups.size() > kMaxParts)
     throw base::Error(base::ErrorCode::UnusableInput,
                       base::message("contains {parts} parts, of which {limit} can be printed"_text,

@@ -5,14 +5,17 @@
 
 namespace voluta::geometry {
 
-FacetSoup read3mf(std::string_view bytes, const std::string& name) {
-  const ThreemfBuild build = read3mfBuild(bytes, name);
+FacetSoup soupOf(const ThreemfBuild& build) {
   FacetSoup soup;
   soup.format = "3MF";
   soup.repairs = build.notes;
   for (const ThreemfPiece& piece : build.pieces)
     appendPlaced(piece, piece.mm_T_object, soup.facets);
   return soup;
+}
+
+FacetSoup read3mf(std::string_view bytes, const std::string& name) {
+  return soupOf(read3mfBuild(bytes, name));
 }
 
 } // namespace voluta::geometry

@@ -30,8 +30,9 @@ public:
     XML_SetElementHandler(
         parser,
         [](void* self, const XML_Char* name, const XML_Char** pairs) {
-          of(self).guarded(
-              [&](const XmlHandler& h) { h.begin(nameOf(name), XmlAttributes(pairs)); });
+          of(self).guarded([&](const XmlHandler& h) {
+            h.begin(nameOf(name), XmlAttributes(pairs, of(self).parser_));
+          });
         },
         [](void* self, const XML_Char* name) {
           of(self).guarded([&](const XmlHandler& h) {
@@ -52,6 +53,12 @@ public:
           h.cdata();
       });
     });
+    if (handler.text)
+      XML_SetCharacterDataHandler(parser, [](void* self, const XML_Char* text, int length) {
+        of(self).guarded([&](const XmlHandler& h) {
+          h.text({text, static_cast<std::size_t>(length)});
+        });
+      });
     XML_SetStartDoctypeDeclHandler(parser, [](void* self, const XML_Char*, const XML_Char*,
                                               const XML_Char*, int) {
       of(self).guarded([](const XmlHandler&) {
@@ -98,6 +105,17 @@ bool XmlAttributes::has(std::string_view word, std::string_view space) const {
     if (nameOf(*pair) == XmlName{space, word})
       return true;
   return false;
+}
+
+std::size_t XmlAttributes::size() const {
+  std::size_t count = 0;
+  while (pairs_[2 * count])
+    ++count;
+  return count;
+}
+
+long long XmlAttributes::line() const {
+  return static_cast<long long>(XML_GetCurrentLineNumber(parser_));
 }
 
 std::string_view XmlAttributes::text(std::string_view word, std::string_view space) const {

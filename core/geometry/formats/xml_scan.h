@@ -3,10 +3,13 @@
 
 #include "base/text.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+
+struct XML_ParserStruct; // of expat
 
 namespace voluta::geometry {
 
@@ -20,8 +23,12 @@ struct XmlName {
 // Attributes of one element; valid during the callback only.
 class XmlAttributes {
 public:
-  explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
+  XmlAttributes(const char** pairs, XML_ParserStruct* parser) : pairs_(pairs), parser_(parser) {}
 
+  // Returns the number of attributes; namespace declarations are none.
+  std::size_t size() const;
+  // Returns the line of the element in the text, from 1.
+  long long line() const;
   bool has(std::string_view word, std::string_view space = {}) const;
   // Returns an empty string if there is none.
   std::string_view text(std::string_view word, std::string_view space = {}) const;
@@ -37,6 +44,7 @@ public:
 
 private:
   const char** pairs_; // names as "space|word"
+  XML_ParserStruct* parser_;
 };
 
 struct XmlHandler {
@@ -44,6 +52,8 @@ struct XmlHandler {
   std::function<void(XmlName)> end;                                              // may be empty
   std::function<void(std::string_view prefix, std::string_view space)> declares; // may be empty
   std::function<void()> cdata; // a CDATA section begins; may be empty
+  // Text between elements, in pieces of any length; may be empty.
+  std::function<void(std::string_view)> text;
 };
 
 // Calls `handler` for the elements of a text; a base::Error thrown by it ends the scan. `where`

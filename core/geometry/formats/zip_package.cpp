@@ -3,6 +3,7 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <zlib.h>
 
 namespace voluta::geometry {
@@ -11,6 +12,10 @@ namespace {
 
 constexpr std::uint32_t kEnd = 0x06054b50, kEntry = 0x02014b50, kLocal = 0x04034b50;
 constexpr std::size_t kEndSize = 22, kEntrySize = 46, kLocalSize = 30;
+// The 64-bit extension: where its end record is, the record, and the extra field of a member.
+constexpr std::uint32_t kEnd64Place = 0x07064b50, kEnd64 = 0x06064b50, kSizes64 = 1;
+constexpr std::size_t kEnd64PlaceSize = 20, kEnd64Size = 56;
+constexpr std::uint64_t kInExtra = 0xffffffffu; // instead of a number that the extra field has
 constexpr std::size_t kLongestComment = 0xffff;
 constexpr std::uint32_t kMax = 1u << 30; // bytes of a member
 constexpr std::uint32_t kStored = 0, kDeflated = 8;
@@ -19,11 +24,53 @@ constexpr std::size_t kStep = 1 << 20;
 constexpr std::uint32_t kLarge = 1u << 24, kMaxTimes = 300; // bytes, and maximum expansion factor
 
 // Little-endian. Precondition: within the bytes.
-std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
-  std::uint32_t value = 0;
+std::uint64_t longNumberAt(std::string_view bytes, std::size_t at, int count = 8) {
+  std::uint64_t value = 0;
   for (int i = count; i-- > 0;)
     value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
   return value;
+}
+// `count`: up to 4.
+std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
+  return static_cast<std::uint32_t>(longNumberAt(bytes, at, count));
+}
+
+struct Directory {
+  std::uint64_t count = 0, at = 0;
+};
+
+// Returns where the end record says the directory is; that of the 64-bit extension, if there is
+// one, has the last word.
+Directory directoryOf(std::string_view bytes, std::size_t end) {
+  const Directory plain{numberAt(bytes, end + 10, 2), numberAt(bytes, end + 16, 4)};
+  if (end < kEnd64PlaceSize || numberAt(bytes, end - kEnd64PlaceSize, 4) != kEnd64Place)
+    return plain;
+  const std::uint64_t at = longNumberAt(bytes, end - kEnd64PlaceSize + 8);
+  if (at > end || end - at < kEnd64Size || numberAt(bytes, at, 4) != kEnd64)
+    return plain;
+  return {longNumberAt(bytes, at + 32), longNumberAt(bytes, at + 48)};
+}
+
+// Replaces the numbers that are in the extra field, in the order given. Returns false if one is
+// missing there.
+bool takeFromExtra(std::string_view extra, std::initializer_list<std::uint64_t*> numbers) {
+  std::string_view sizes;
+  while (extra.size() >= 4) {
+    const std::size_t length = numberAt(extra, 2, 2);
+    if (length > extra.size() - 4)
+      break;
+    if (numberAt(extra, 0, 2) == kSizes64)
+      sizes = extra.substr(4, length);
+    extra.remove_prefix(4 + length);
+  }
+  for (std::uint64_t* number : numbers)
+    if (*number == kInExtra) {
+      if (sizes.size() < 8)
+        return false;
+      *number = longNumberAt(sizes, 0);
+      sizes.remove_prefix(8);
+    }
+  return true;
 }
 
 // Returns the position of the end record, which is last except for a comment; npos if there is
@@ -69,24 +116,34 @@ ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
   const std::size_t end = findEnd(bytes);
   if (end == std::string_view::npos)
     throw damaged();
-  const std::uint32_t count = numberAt(bytes, end + 10, 2);
-  std::size_t at = numberAt(bytes, end + 16, 4);
-  for (std::uint32_t i = 0; i < count; ++i) {
+  const Directory directory = directoryOf(bytes, end);
+  std::uint64_t at = directory.at;
+  for (std::uint64_t i = 0; i < directory.count; ++i) {
     if (at > end || end - at < kEntrySize || numberAt(bytes, at, 4) != kEntry)
       throw damaged();
     const std::size_t length = numberAt(bytes, at + 28, 2);
-    const std::size_t further = numberAt(bytes, at + 30, 2) + numberAt(bytes, at + 32, 2);
-    if (end - at - kEntrySize < length + further)
+    const std::size_t extra = numberAt(bytes, at + 30, 2), comment = numberAt(bytes, at + 32, 2);
+    if (end - at - kEntrySize < length + extra + comment)
       throw damaged();
-    members_[std::string(bytes.substr(at + kEntrySize, length))] = {
-        .method = numberAt(bytes, at + 10, 2),
-        .crc = numberAt(bytes, at + 16, 4),
-        .packed = numberAt(bytes, at + 20, 4),
-        .size = numberAt(bytes, at + 24, 4),
-        .offset = numberAt(bytes, at + 42, 4),
-        .flags = numberAt(bytes, at + 8, 2)};
-    at += kEntrySize + length + further;
+    Member member{.method = numberAt(bytes, at + 10, 2),
+                  .crc = numberAt(bytes, at + 16, 4),
+                  .flags = numberAt(bytes, at + 8, 2),
+                  .packed = numberAt(bytes, at + 20, 4),
+                  .size = numberAt(bytes, at + 24, 4),
+                  .offset = numberAt(bytes, at + 42, 4)};
+    if (!takeFromExtra(bytes.substr(at + kEntrySize + length, extra),
+                       {&member.size, &member.packed, &member.offset}))
+      throw damaged();
+    members_[std::string(bytes.substr(at + kEntrySize, length))] = member;
+    at += kEntrySize + length + extra + comment;
   }
+}
+
+std::vector<std::string> ZipPackage::names() const {
+  std::vector<std::string> names;
+  for (const auto& [member, entry] : members_)
+    names.push_back(member);
+  return names;
 }
 
 std::optional<std::string> ZipPackage::firstEndingIn(std::string_view ending) const {
@@ -114,7 +171,7 @@ std::string ZipPackage::member(const std::string& member) const {
     throw unreadable("is encrypted"_text);
   if (m.size > kMax)
     throw unreadable("is larger than 1 GB"_text);
-  const std::size_t local = m.offset;
+  const std::uint64_t local = m.offset;
   if (local > bytes_.size() || bytes_.size() - local < kLocalSize ||
       numberAt(bytes_, local, 4) != kLocal)
     throw unreadable("is damaged"_text);

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voluta::geometry {
 
-// Reads stored and deflated members, up to 1 GB each; neither encrypted ones nor zip64.
+// Reads stored and deflated members, up to 1 GB each, also of packages with the 64-bit extension
+// (zip64); no encrypted ones.
 class ZipPackage {
 public:
   // `bytes` and `name` (of the file, for errors) must outlive this. Throws Error{UnreadableFile} if
@@ -17,6 +19,8 @@ public:
   ZipPackage(std::string_view bytes, const std::string& name);
 
   bool has(const std::string& member) const { return members_.contains(member); }
+  // Returns the names of all members, in alphabetical order.
+  std::vector<std::string> names() const;
   // Returns the first member, by name, with this ending.
   std::optional<std::string> firstEndingIn(std::string_view ending) const;
   // Returns the unpacked size of a member according to the directory [bytes]; 0 if there is no such
@@ -28,7 +32,8 @@ public:
 
 private:
   struct Member {
-    std::uint32_t method = 0, crc = 0, packed = 0, size = 0, offset = 0, flags = 0;
+    std::uint32_t method = 0, crc = 0, flags = 0;
+    std::uint64_t packed = 0, size = 0, offset = 0;
   };
   std::string_view bytes_;
   const std::string& name_;
