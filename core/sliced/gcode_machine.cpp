@@ -5,8 +5,11 @@
 #include "program/common/text.h"
 #include "program/gcode/gcode_line.h"
 #include "sliced/gcode_arc.h"
+#include "sliced/gcode_command.h"
+#include "sliced/purge_lines.h"
 #include "sliced/slicer_comments.h"
 #include "sliced/table_axes.h"
+#include "sliced/unused_commands.h"
 
 #include <algorithm>
 #include <array>
@@ -48,21 +51,25 @@ public:
 
   SlicedFile run() {
     file_.header = headerOf(text_);
+    file_.volumetric = file_.header.volumetric;
     program::LineReader lines(text_);
     std::string_view line;
     while (lines.next(line)) {
       line_ = lines.number();
       if (line_ % 4096 == 0)
         ctx_.checkpoint();
-      const std::size_t semicolon = line.find(';');
-      if (semicolon != std::string_view::npos)
-        remark(line.substr(semicolon + 1));
-      code(program::trimmed(line.substr(0, std::min(semicolon, line.find('*')))));
+      const GcodeCommand command = commandOf(line);
+      if (!command.remark.empty())
+        remark(command.remark);
+      if (!command.text.empty())
+        execute(command);
     }
     endPath();
     for (const auto& [tool, amounts] : amountAt_)
       file_.nozzleC[tool] =
           std::ranges::max_element(amounts, {}, [](const auto& at) { return at.second; })->first;
+    file_.unused = unused_.notes(lastBeadLine_);
+    leaveOutPurgeLines(file_);
     return std::move(file_);
   }
 
@@ -86,52 +93,32 @@ private:
       feature_ = facts.feature;
   }
 
-  void code(std::string_view text) {
-    if (text.empty() || text.front() == '%' || text.front() == '(')
-      return;
-    if (const char first = text.front(); first == 'N' || first == 'n') {
-      text.remove_prefix(1);
-      double number = 0.0;
-      if (!program::takeNumber(text, number))
-        return skip();
-      text = program::trimmed(text);
-    }
-    const char letter =
-        text.empty() ? ' '
-                     : static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    std::string_view rest = text.empty() ? text : text.substr(1);
-    double number = 0.0;
-    if ((letter != 'G' && letter != 'M' && letter != 'T') || !program::takeDecimal(rest, number)) {
-      const bool isWord = letter == 'X' || letter == 'Y' || letter == 'Z' || letter == 'E';
-      double value = 0.0;
-      if (isWord && program::takeDecimal(rest, value))
-        fail("a position without G0 or G1"_text, "write the command in each line"_text);
-      return skip();
-    }
-    if (letter == 'T')
-      changeTool(number);
-    else if (letter == 'M')
-      executeM(number, text);
-    else
-      executeG(number, text);
+  void execute(const GcodeCommand& command) {
+    if (command.letter == ' ')
+      refuseBareWord(command.text);
+    const bool isUsed = command.letter == 'T'   ? changeTool(command.number)
+                        : command.letter == 'M' ? executeM(command.number, command.text)
+                        : command.letter == 'G' ? executeG(command.number, command.text)
+                                                : false;
+    if (!isUsed)
+      unused_.take(command, line_, layer_, lastBeadLine_ > 0);
   }
 
-  void skip() { ++file_.skippedLines; }
-
-  // Returns nullopt for larger numbers, which are commands of firmwares, such as T255.
-  static std::optional<int> toolOf(double number) {
-    constexpr double kMostTools = 16.0;
-    if (!(number >= 0.0) || number >= kMostTools || number != std::floor(number))
-      return std::nullopt;
-    return static_cast<int>(number);
+  void refuseBareWord(std::string_view text) const {
+    const auto letter = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    std::string_view rest = text.substr(1);
+    double value = 0.0;
+    if ((letter == 'X' || letter == 'Y' || letter == 'Z' || letter == 'E') &&
+        program::takeDecimal(rest, value))
+      fail("a position without G0 or G1"_text, "write the command in each line"_text);
   }
 
-  void changeTool(double number) {
-    const std::optional<int> tool = toolOf(number);
-    if (!tool)
-      return skip();
-    if (*tool != std::exchange(tool_, *tool))
+  // These return whether the command is acted on, or means nothing for the print.
+  bool changeTool(double number) {
+    if (const std::optional<int> tool = toolNumber(number);
+        tool && *tool != std::exchange(tool_, *tool))
       endPath();
+    return true;
   }
 
   GcodeWords words(std::string_view text) const {
@@ -142,19 +129,26 @@ private:
     return words;
   }
 
-  void executeM(double m, std::string_view text) {
+  bool executeM(double m, std::string_view text) {
     constexpr std::array kUsed{82.0, 83.0, 104.0, 109.0, 140.0, 190.0, 200.0, 220.0, 221.0};
     if (std::ranges::find(kUsed, m) == kUsed.end())
-      return;
+      return false;
     GcodeWords w = words(text);
     if (m == 82.0 || m == 83.0)
       relativeE_ = m == 83.0;
     else if (m < 200.0)
       heat(m, w);
     else if (m == 200.0 && w['D'])
-      file_.volumetric = *w['D'] > 0.0;
+      setVolumetric(*w['D'] > 0.0);
     else if (m > 200.0 && w['S'] && *w['S'] > 0.0)
       (m == 220.0 ? speedShare_ : flowShare_) = *w['S'] / 100.0;
+    return true;
+  }
+
+  void setVolumetric(bool isVolume) {
+    if (isVolume != std::exchange(file_.volumetric, isVolume) && lastBeadLine_ > 0)
+      fail("M200 changes the meaning of E between beads"_text,
+           "export the whole file with lengths of filament, or with volumes"_text);
   }
 
   // M109 and M190 with R also wait for cooling.
@@ -165,11 +159,11 @@ private:
       return;
     if (m == 140.0 || m == 190.0)
       file_.bedC = std::max(file_.bedC, static_cast<int>(*celsius));
-    else if (const std::optional<int> tool = w['T'] ? toolOf(*w['T']) : tool_)
+    else if (const std::optional<int> tool = w['T'] ? toolNumber(*w['T']) : tool_)
       nozzleC_[*tool] = static_cast<int>(*celsius);
   }
 
-  void executeG(double g, std::string_view text) {
+  bool executeG(double g, std::string_view text) {
     if (g == 20.0 || g == 21.0) {
       unitMm_ = g == 20.0 ? kInchMm : 1.0;
     } else if (g == 90.0 || g == 91.0) {
@@ -189,7 +183,10 @@ private:
     } else if (g == 5.0 || g == 18.0 || g == 19.0) {
       fail(base::message("G{number} is not understood"_text, static_cast<int>(g)),
            "export straight lines, or arcs in the plane of X and Y (G2, G3)"_text);
+    } else {
+      return false;
     }
+    return true;
   }
 
   // Axes that the line does not name are homed if it names none.
@@ -244,7 +241,9 @@ private:
     if (!(std::abs(length) <= kFarthestMm))
       fail("a length of filament of more than a kilometre"_text,
            "the file may be damaged; export it again"_text);
-    return flowShare_ * filament_.push(length);
+    // What one tool draws back is no debt of another, unless their filaments share the nozzle.
+    return flowShare_ * file_.header.amountShare(tool_, file_.volumetric) *
+           filaments_[file_.header.oneNozzle ? 0 : tool_].push(length);
   }
 
   // `wayMm`: of this motion; with G93 F is its inverse time.
@@ -304,6 +303,7 @@ private:
       file_.inStartCode += extruded;
       return;
     }
+    lastBeadLine_ = line_;
     if (!joins())
       beginPath(from, fromDirection);
     if (const auto set = nozzleC_.find(tool_); set != nozzleC_.end())
@@ -401,13 +401,14 @@ private:
   const std::string& name_;
   const base::RunContext& ctx_;
   SlicedFile file_;
-  std::size_t line_ = 0, points_ = 0;
+  std::size_t line_ = 0, points_ = 0, lastBeadLine_ = 0; // 0: no bead yet
 
   Vector3d position_ = Vector3d::Zero(), shift_ = Vector3d::Zero(); // shift_: by G92
   Vector3d direction_ = Vector3d::UnitZ(), stated_ = Vector3d::UnitZ();
   std::array<bool, 3> known_{};
   TableAxes table_;
-  Filament filament_;
+  std::map<int, Filament> filaments_; // By nozzle
+  UnusedCommands unused_;
   double e_ = 0.0, unitMm_ = 1.0, speedMmPerS_ = 0.0, speedShare_ = 1.0, flowShare_ = 1.0;
   int tool_ = 0;
   std::map<int, int> nozzleC_;                    // By tool, as set last [°C]

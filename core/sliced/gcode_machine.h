@@ -21,11 +21,15 @@ namespace voluta::sliced {
 // - B C: angles of a table that tilts and turns; G93 (F is an inverse time), G92 C.
 // - nX nY nZ: direction of the nozzle. T: tool of the paths that follow.
 // - M104, M109, M140, M190: temperatures that the file sets.
-// - Other M commands, macros and G commands that do not move are skipped.
+// - Filament that a tool draws back returns to the same tool, unless a setting says that all tools
+//   share a nozzle.
+// - Other M commands, macros and G commands that do not move are skipped; those that change the
+//   print, such as stops, are named in SlicedFile::unused.
+// - Purge lines beside the part are left out.
 //
 // Throws Error{UnreadableFile} with the line for a motion that is not understood, a position beyond
-// a kilometre, a bead from an unknown position; Error{UnusableInput} for too many points;
-// Cancelled. `name`: of the file, for errors.
+// a kilometre, a bead from an unknown position, an M200 between beads; Error{UnusableInput} for too
+// many points; Cancelled. `name`: of the file, for errors.
 SlicedFile followGcode(std::string_view text, const std::string& name, const base::RunContext& ctx);
 
 } // namespace voluta::sliced

@@ -1,6 +1,7 @@
 // The beads of a slicer's G-code file, as its firmware would extrude them.
 #pragma once
 
+#include "base/text.h"
 #include "plan/tool_plan.h"
 
 #include <Eigen/Core>
@@ -15,7 +16,8 @@ namespace voluta::sliced {
 struct SlicedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   // [mm]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // from the bead into the nozzle
-  double extruded = 0.0;    // On the way to this point: filament [mm], or [mm3] if volumetric
+  // On the way to this point: filament of the first tool's section [mm], or [mm3] if volumetric
+  double extruded = 0.0;
   double speedMmPerS = 0.0; // On the way to this point
   double heightMm = 0.0;    // Of that bead, by a comment; 0: not given
 };
@@ -34,21 +36,33 @@ struct SlicedPath {
 
 // What comments state anywhere in the file; 0: nothing.
 struct SlicedHeader {
-  double filamentMm = 0.0; // Diameter
+  double filamentMm = 0.0;         // Diameter, of the first tool
+  std::vector<double> filamentsMm; // Diameters by tool; empty: all as the first
+  bool volumetric = false;         // Amounts are volumes, by a setting
+  bool oneNozzle = false;          // All tools' filaments go to one nozzle
   double layerHeightMm = 0.0, firstLayerHeightMm = 0.0;
   bool hasLayers = false, hasKinds = false;
   std::string slicer; // Its name
+
+  // Returns the section of a tool's filament as a share of the first tool's; 1 for volumes.
+  double amountShare(int tool, bool isVolume) const;
 };
+
+// Returns the number of a T word; nullopt for larger numbers, which are commands of firmwares, such
+// as T255.
+std::optional<int> toolNumber(double number);
 
 struct SlicedFile {
   SlicedHeader header;
   std::vector<SlicedPath> paths;
   bool volumetric = false; // Amounts are volumes
-  // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer
-  double atRest = 0.0, inStartCode = 0.0;
+  // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer; as purge
+  // lines beside the part
+  double atRest = 0.0, inStartCode = 0.0, purged = 0.0;
+  std::size_t purgeLine = 0;  // The first line with a purge line; 0: none
   std::map<int, int> nozzleC; // By tool: the temperature at which most material is printed [°C]
   int bedC = 0;               // The highest that is set [°C]; 0: none
-  std::size_t skippedLines = 0;
+  std::vector<base::Message> unused; // Commands that are not acted on, a sentence each
 };
 
 } // namespace voluta::sliced

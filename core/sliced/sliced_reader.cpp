@@ -8,6 +8,7 @@
 #include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
+#include "sliced/stated_amount.h"
 
 #include <algorithm>
 #include <array>
@@ -48,6 +49,13 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   if (file.atRest > 0.0)
     notes.push_back(base::message("{volume:.1f} extruded at rest are left out"_text,
                                   base::mm3(file.atRest * filamentMm2)));
+  if (file.purged > 0.0)
+    notes.push_back(base::message(
+        "purge lines beside the part are left out: {volume:.0f} from line {line} on"_text,
+        base::mm3(file.purged * filamentMm2), file.purgeLine));
+  if (file.header.volumetric && file.volumetric)
+    notes.push_back(
+        "amounts are taken as volumes, as the setting use_volumetric_e of the file says"_text);
   std::set<int> tools;
   for (const SlicedPath& path : file.paths)
     tools.insert(path.tool);
@@ -60,7 +68,20 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
     notes.push_back(base::message(
         "the file heats {heat}: programs heat as the material states, choose one that fits"_text,
         heat));
+  notes.insert(notes.end(), file.unused.begin(), file.unused.end());
   return notes;
+}
+
+// Returns a sentence if the beads and what is left out are not the material that the file states.
+std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3, double statedMm3,
+                                       double filamentMm2) {
+  constexpr double kSameShare = 0.002, kSameMm3 = 1.0;
+  const double readMm3 = beadsMm3 + filamentMm2 * (file.atRest + file.inStartCode + file.purged);
+  if (std::abs(readMm3 - statedMm3) <= kSameMm3 + kSameShare * statedMm3)
+    return {};
+  return {base::message(
+      "the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}"_text,
+      base::mm3(statedMm3), base::mm3(readMm3))};
 }
 } // namespace
 
@@ -86,7 +107,11 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
   const double filamentMm2 =
       file.volumetric ? 1.0 : base::kPi / 4.0 * read.filamentMm * read.filamentMm;
   read.plan = beadsOf(file, filamentMm2);
+  read.volumeMm3 = beadsMm3(read.plan);
   read.notes = notesOf(file, filamentMm2);
+  const std::vector<base::Message> amounts =
+      amountNotes(file, read.volumeMm3, filamentMm2 * statedAmount(text, file.header), filamentMm2);
+  read.notes.insert(read.notes.end(), amounts.begin(), amounts.end());
   if (isLevel(read.plan)) {
     LayerSolid solid =
         solidOfLayers(read.plan, file.header.hasKinds ? 0.0 : kSparseShare, ctx.sub(0.4, 1.0));
@@ -97,7 +122,6 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
     constexpr double kCellMm = 0.25;
     read.solid = build3mf::solidOfBeads(read.plan, kCellMm, ctx.sub(0.4, 1.0));
   }
-  read.volumeMm3 = beadsMm3(read.plan);
   return read;
 }
 

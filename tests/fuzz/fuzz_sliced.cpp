@@ -60,6 +60,28 @@ M200 D1.75
 ; layer_height = 0.25
 )";
 
+// Two tools, stops, a purge line, volumes.
+constexpr const char* kTwoTools = R"(; filament_diameter = 1.75,2.85
+M83
+G28
+G0 X-40 Y0 Z0.3 F3000
+G1 Y40 E9
+T0
+M600
+G0 X10 Y10 Z0.3
+G1 X14 E0.2
+G1 E-2
+T1
+G1 X14 Y14 E0.2
+M117 look
+M0
+G1 X10 Y10 Z0.6 E1
+M106 S80
+G1 X14 E0.2
+; use_volumetric_e = 1
+; single_extruder_multi_material = 0
+)";
+
 // Beads are at least as wide as high.
 void expectSound(const plan::ToolPlan& plan) {
   fuzz::expectSound(plan);
@@ -79,7 +101,7 @@ bool isSmall(const plan::ToolPlan& plan) {
 } // namespace
 
 std::vector<std::string> fuzz::seeds() {
-  return {kCura, kSlic3r};
+  return {kCura, kSlic3r, kTwoTools};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

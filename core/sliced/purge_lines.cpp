@@ -1,0 +1,99 @@
+#include "sliced/purge_lines.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::sliced {
+
+namespace {
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr std::size_t kMostPaths = 8, kMostRuns = 12;
+constexpr double kLeastRunMm = 30.0, kApartMm = 5.0, kLevelMm = 0.01;
+
+struct Runs {
+  std::size_t count = 0;
+  double longestMm = 0.0;
+};
+
+// Returns the straight runs of a path.
+Runs runsOf(const SlicedPath& path) {
+  constexpr double kStraight = 0.999;
+  Runs runs;
+  Vector3d run = Vector3d::Zero();
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Vector3d way = path.points[i].position - path.points[i - 1].position;
+    if (run.norm() > 0.0 && run.dot(way) > kStraight * run.norm() * way.norm()) {
+      run += way;
+    } else {
+      ++runs.count;
+      run = way;
+    }
+    runs.longestMm = std::max(runs.longestMm, run.norm());
+  }
+  return runs;
+}
+
+// Returns whether all points are at one height, as that of the path's first one.
+bool isLevel(const SlicedPath& path) {
+  return std::ranges::all_of(path.points, [&](const SlicedPoint& p) {
+    return std::abs(p.position.z() - path.points.front().position.z()) <= kLevelMm;
+  });
+}
+
+Eigen::AlignedBox2d boxOf(const SlicedPath& path) {
+  Eigen::AlignedBox2d box;
+  for (const SlicedPoint& point : path.points)
+    box.extend(Vector2d(point.position.head<2>()));
+  return box;
+}
+
+// Returns whether the first `count` paths are apart from all others, which have several layers.
+bool isBesideThePart(const std::vector<SlicedPath>& paths, std::size_t count) {
+  std::vector<Eigen::AlignedBox2d> lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    lines.push_back(boxOf(paths[i]));
+    lines.back().min().array() -= kApartMm;
+    lines.back().max().array() += kApartMm;
+  }
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = count; i < paths.size(); ++i) {
+    const Eigen::AlignedBox2d box = boxOf(paths[i]);
+    if (std::ranges::any_of(lines, [&](const auto& line) { return line.intersects(box); }))
+      return false;
+    for (const SlicedPoint& point : paths[i].points) {
+      low = std::min(low, point.position.z());
+      high = std::max(high, point.position.z());
+    }
+  }
+  return high > low + kLevelMm;
+}
+} // namespace
+
+void leaveOutPurgeLines(SlicedFile& file) {
+  std::size_t count = 0, runs = 0;
+  double longest = 0.0;
+  std::vector<double> longestOf;
+  for (const SlicedPath& path : file.paths) {
+    const Runs own = runsOf(path);
+    runs += own.count;
+    if (path.kind || count == kMostPaths || runs > kMostRuns || !isLevel(path) ||
+        std::abs(path.points.front().position.z() -
+                 file.paths.front().points.front().position.z()) > kLevelMm)
+      break;
+    longest = std::max(longest, own.longestMm);
+    longestOf.push_back(longest);
+    ++count;
+  }
+  while (count > 0 && (longestOf[count - 1] < kLeastRunMm || !isBesideThePart(file.paths, count)))
+    --count;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const SlicedPoint& point : file.paths[i].points)
+      file.purged += point.extruded;
+  if (count > 0)
+    file.purgeLine = file.paths.front().line;
+  file.paths.erase(file.paths.begin(), file.paths.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+} // namespace voluta::sliced

@@ -1,0 +1,115 @@
+#include "sliced/unused_commands.h"
+
+#include "base/lower_case.h"
+#include "program/common/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace voluta::sliced {
+
+namespace {
+
+// A printer waits for its user: M0 and M1, pauses of the print, changes of the filament.
+constexpr std::array kStops{0.0, 1.0, 25.0, 226.0, 600.0, 601.0};
+
+// Reports, displays, limits, calibration and the end of a program.
+constexpr std::array kPlainM{
+    2.0,   17.0,  18.0,  20.0,  21.0,  22.0,  23.0,  24.0,  26.0,  27.0,  30.0,  31.0,  73.0,
+    75.0,  76.0,  77.0,  78.0,  80.0,  81.0,  84.0,  85.0,  92.0,  105.0, 107.0, 110.0, 111.0,
+    112.0, 113.0, 114.0, 115.0, 117.0, 118.0, 119.0, 120.0, 121.0, 145.0, 150.0, 155.0, 201.0,
+    202.0, 203.0, 204.0, 205.0, 206.0, 207.0, 208.0, 211.0, 290.0, 300.0, 301.0, 302.0, 303.0,
+    304.0, 355.0, 400.0, 413.0, 420.0, 486.0, 500.0, 501.0, 502.0, 503.0, 555.0, 566.0, 569.0,
+    572.0, 593.0, 602.0, 862.0, 900.0, 906.0, 907.0, 913.0, 914.0, 928.0};
+constexpr std::array kPlainG{12.0, 17.0, 26.0, 27.0, 29.0, 30.0, 31.0, 32.0,
+                             33.0, 34.0, 35.0, 36.0, 42.0, 76.0, 80.0};
+
+// Words of firmwares that tell the printer about the print.
+constexpr std::array<std::string_view, 8> kPlainMacros{
+    "exclude_object", "set_velocity_limit", "set_pressure_advance", "set_print_stats",
+    "timelapse",      "bed_mesh",           "quad_gantry_level",    "skew_profile"};
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  return std::string(program::trimmed(text.substr(0, kMost)));
+}
+
+std::string_view firstWord(std::string_view text) {
+  return text.substr(0, text.find_first_of(" \t="));
+}
+
+bool isStop(const GcodeCommand& command) {
+  if (command.letter == 'M')
+    return std::ranges::find(kStops, command.number) != kStops.end() ||
+           (command.number == 400.0 && command.text.find("U1") != std::string_view::npos);
+  const std::string word = base::lowerCase(firstWord(command.text));
+  return word == "pause" || word == "pause_base" || word == "@pause";
+}
+
+// Returns the name of a command that changes the print; nullopt for others.
+std::optional<std::string> nameOf(const GcodeCommand& command) {
+  if (command.letter == 'G' || command.letter == 'M') {
+    const double whole = std::floor(command.number);
+    const bool isPlain = command.letter == 'M' ? std::ranges::find(kPlainM, whole) != kPlainM.end()
+                                               : std::ranges::find(kPlainG, whole) != kPlainG.end();
+    return isPlain ? std::nullopt
+                   : std::optional(command.letter + program::fixedText(command.number, 2));
+  }
+  const std::string word = base::lowerCase(firstWord(command.text));
+  if (word.empty() || std::ranges::any_of(kPlainMacros, [&](std::string_view known) {
+        return word.starts_with(known);
+      }))
+    return std::nullopt;
+  return shortened(firstWord(command.text));
+}
+} // namespace
+
+void UnusedCommands::take(const GcodeCommand& command, std::size_t line, int layer, bool hasBeads) {
+  if (command.letter == 'M' && command.number == 117.0) {
+    shown_ = shortened(command.text.substr(4));
+    shownIn_ = line;
+  } else if (isStop(command)) {
+    std::string words = shortened(command.text);
+    if (shownIn_ + 1 == line && !shown_.empty())
+      words += ": " + shown_;
+    stops_.push_back({line, layer, std::move(words)});
+  } else if (const std::optional<std::string> name = nameOf(command); name && hasBeads) {
+    takeNamed(*name, line);
+  }
+}
+
+void UnusedCommands::takeNamed(const std::string& name, std::size_t line) {
+  constexpr std::size_t kMostNames = 200;
+  if (others_.size() >= kMostNames && !others_.contains(name))
+    return;
+  Seen& seen = others_[name];
+  if (seen.count++ == 0)
+    seen.line = line;
+}
+
+std::vector<base::Message> UnusedCommands::notes(std::size_t lastLine) const {
+  constexpr std::size_t kMostStops = 20;
+  std::vector<base::Message> notes, stops;
+  std::size_t count = 0;
+  for (const Stop& stop : stops_)
+    if (stop.line <= lastLine && ++count <= kMostStops)
+      stops.push_back(stop.layer < 0
+                          ? base::message("line {line} ({command})"_text, stop.line, stop.words)
+                          : base::message("line {line} in layer {layer} ({command})"_text,
+                                          stop.line, stop.layer + 1, stop.words));
+  if (count > 0)
+    notes.emplace_back(
+        "not used: {count} stop of the file, the robot does not wait there: {stops}|"
+        "not used: {count} stops of the file, the robot does not wait there: {stops}"_plural,
+        std::vector<base::Value>{count, std::move(stops)});
+  for (const auto& [name, seen] : others_)
+    if (seen.line <= lastLine)
+      notes.emplace_back("not used: {command} in {count} line, line {line}|"
+                         "not used: {command} in {count} lines, the first is line {line}"_plural,
+                         std::vector<base::Value>{name, seen.count, seen.line});
+  return notes;
+}
+
+} // namespace voluta::sliced

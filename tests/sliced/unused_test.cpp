@@ -1,0 +1,244 @@
+// Words of a file that mean more than its motions: tools, volumes, stops, purge lines. What is not
+// acted on is named.
+#include "base/run_context.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "sliced/bead_sections.h"
+#include "sliced/gcode_machine.h"
+#include "sliced/sliced_reader.h"
+#include "sliced/slicer_comments.h"
+#include "sliced/stated_amount.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace voluta;
+using ::testing::AllOf, ::testing::Contains, ::testing::ElementsAre, ::testing::HasSubstr;
+
+namespace {
+
+const base::RunContext kCtx;
+constexpr double kFilamentMm2 = base::kPi / 4.0 * 1.75 * 1.75;
+
+sliced::ReadSliced readIn(const std::string& text) {
+  return sliced::readSliced(text, "part.gcode", kCtx);
+}
+std::vector<std::string> notesOf(const std::string& text) {
+  return base::english(readIn(text).notes);
+}
+
+// A square wall of 20 mm, `mm` of filament on each side.
+std::string square(double x, double y, double z, double mm = 4.0) {
+  return fmt::format("G0 X{0} Y{1} Z{4} F3000\nG1 X{2} E{5} F1200\nG1 Y{3} E{5}\nG1 X{0} E{5}\n"
+                     "G1 Y{1} E{5}\n",
+                     x, y, x + 20.0, y + 20.0, z, mm);
+}
+
+std::string layer(int number) {
+  return fmt::format(";LAYER_CHANGE\n;Z:{}\n", 0.8 * (number + 1));
+}
+
+const std::string kHead = "; filament_diameter = 1.75,1.75\nG21\nG90\nM83\nG28\n";
+
+// Two squares beside each other, each of one tool, which draws 20 mm back before the change.
+std::string twoTools(const std::string& head, bool returnsFirst) {
+  std::string text = kHead + head + "T0\n";
+  for (int k = 0; k < 6; ++k) {
+    text += layer(k);
+    for (int turn = 0; turn < 2; ++turn) {
+      const int tool = (k + turn) % 2;
+      if (turn > 0)
+        text += fmt::format("G1 E-20 F2100\nT{}\n", tool) +
+                (k > 0 || returnsFirst ? "G1 E20 F2100\n" : "");
+      text += square(tool == 0 ? 60.0 : 110.0, 60.0, 0.8 * (k + 1));
+    }
+  }
+  return text;
+}
+
+std::array<double, 2> volumesByTool(const plan::ToolPlan& plan) {
+  std::array<double, 2> volumes{};
+  for (const plan::ToolPath& path : plan.paths)
+    volumes[static_cast<std::size_t>(path.tool)] += sliced::beadsMm3(plan, path);
+  return volumes;
+}
+
+TEST(SlicedWords, FilamentOfOneToolIsNoDebtOfTheOther) {
+  for (const bool returnsFirst : {false, true}) {
+    const auto volumes = volumesByTool(readIn(twoTools("", returnsFirst)).plan);
+    for (const double mm3 : volumes)
+      EXPECT_NEAR(mm3, 6 * 16.0 * kFilamentMm2, 1e-3 * mm3);
+  }
+  // One nozzle: the filament that comes next finds the nozzle empty by 20 mm.
+  const auto shared =
+      volumesByTool(readIn(twoTools("; single_extruder_multi_material = 1\n", false)).plan);
+  EXPECT_NEAR(shared[1], (6 * 16.0 - 20.0) * kFilamentMm2, 1e-2 * shared[1]);
+}
+
+TEST(SlicedWords, DiametersOfToolsDiffer) {
+  const auto volumes = volumesByTool(
+      readIn("; filament_diameter = 1.75,2.85\nM83\nG28\n" + layer(0) + square(0, 0, 0.8) + "T1\n" +
+             square(50, 0, 0.8) + layer(1) + square(50, 0, 1.6) + "T0\n" + square(0, 0, 1.6))
+          .plan);
+  EXPECT_NEAR(volumes[1] / volumes[0], 2.85 * 2.85 / (1.75 * 1.75), 1e-3);
+}
+
+TEST(SlicedWords, ASettingMakesAmountsVolumes) {
+  const std::string body =
+      kHead + layer(0) + square(0, 0, 0.8, 12.0) + layer(1) + square(0, 0, 1.6, 12.0);
+  const sliced::ReadSliced read = readIn(body + "; use_volumetric_e = 1\n");
+  EXPECT_NEAR(read.volumeMm3, 96.0, 0.01);
+  EXPECT_THAT(base::english(read.notes), Contains(HasSubstr("use_volumetric_e")));
+  EXPECT_NEAR(readIn(body + "; use_volumetric_e = 0\n").volumeMm3, 96.0 * kFilamentMm2, 0.1);
+  // What the firmware is told has the last word.
+  EXPECT_NEAR(readIn("M200 D0\n" + body + "; use_volumetric_e = 1\n").volumeMm3,
+              96.0 * kFilamentMm2, 0.1);
+}
+
+TEST(SlicedWords, StopsAreNamedWithTheirLines) {
+  std::string text = kHead;
+  for (int k = 0; k < 5; ++k) {
+    text += layer(k);
+    if (k == 1)
+      text += ";COLOR_CHANGE,T0,#46A601\nM600\n";
+    else if (k == 2)
+      text += ";PAUSE_PRINT\nM117 put the nut in\nM601\n";
+    else if (k == 3)
+      text += "M0 put the magnet in\n";
+    else if (k == 4)
+      text += "M25\nPAUSE\n";
+    text += square(0, 0, 0.8 * (k + 1));
+  }
+  EXPECT_THAT(
+      notesOf(text + "M0 take it off\n"),
+      Contains(AllOf(HasSubstr("5 stops of the file"), HasSubstr("in layer 2 (M600)"),
+                     HasSubstr("in layer 3 (M601: put the nut in)"),
+                     HasSubstr("in layer 4 (M0 put the magnet in)"), HasSubstr("in layer 5 (M25)"),
+                     HasSubstr("in layer 5 (PAUSE)"), ::testing::Not(HasSubstr("take it off")))));
+}
+
+std::string tower(int layers = 6) {
+  std::string text;
+  for (int k = 0; k < layers; ++k)
+    text += square(100, 100, 0.8 * (k + 1));
+  return text;
+}
+
+TEST(SlicedWords, PurgeLinesBesideThePartAreLeftOut) {
+  const std::string lines = "G0 X-70 Y20 Z0.8 F3000\nG1 Y220 E40 F1200\nG0 X-69 Y220\nG1 Y20 E40\n";
+  const std::string joined = "G0 X-70 Y20 Z0.3 F3000\nG1 Y220 E40 F1200\nG1 X-69 E.2\nG1 Y20 E40\n";
+  const std::string without = kHead + tower();
+  for (const std::string& purge : {lines, joined}) {
+    const sliced::ReadSliced read = readIn(kHead + purge + tower());
+    const Eigen::Vector3d size = geometry::bounds(read.solid).sizes();
+    EXPECT_LT(size.head<2>().maxCoeff(), 25.0);
+    EXPECT_NEAR(read.volumeMm3, readIn(without).volumeMm3, 1e-6);
+    EXPECT_THAT(base::english(read.notes), Contains(HasSubstr("purge lines beside the part")));
+  }
+  // The same lines below the part, or as a part of their own, are material.
+  for (const std::string& text : {kHead + "G0 X90 Y110 Z0.8 F3000\nG1 X190 E20 F1200\n" + tower(),
+                                  kHead + lines, kHead + ";TYPE:Perimeter\n" + lines + tower()})
+    EXPECT_NEAR(readIn(text).volumeMm3,
+                kFilamentMm2 * sliced::statedAmount(text, sliced::headerOf(text)), 0.1);
+}
+
+// ---- the reader checks itself
+
+TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double lo, double hi) {
+      return std::uniform_real_distribution(lo, hi)(random);
+    };
+    // The material that leaves the nozzles is known here.
+    const bool isAbsolute = seed % 2 == 0;
+    std::string text = isAbsolute ? "M82\nG28\n" : "M83\nG28\n";
+    double e = 0.0, laid = 0.0;
+    std::array<double, 3> owed{};
+    std::size_t tool = 0;
+    const auto feed = [&](double mm) {
+      e += mm;
+      return isAbsolute ? e : mm;
+    };
+    text += "G0 X50 Y50 Z0.5 F3000\n";
+    for (int k = 0; k < 200; ++k) {
+      const auto choice = random() % 10;
+      const double mm = uniform(0.5, 3.0);
+      if (choice == 0) {
+        text += fmt::format("G1 E{:.6f}\n", feed(-mm));
+        owed[tool] += mm;
+      } else if (choice == 1) {
+        text += fmt::format("G1 E{:.6f}\n", feed(owed[tool]));
+        owed[tool] = 0.0;
+      } else if (choice == 2) {
+        tool = random() % 3;
+        text += fmt::format("T{}\n", tool);
+      } else if (choice == 3) {
+        text += "G92 E0\n";
+        e = 0.0;
+      } else {
+        text +=
+            fmt::format("G1 X{:.3f} Y{:.3f} E{:.6f}\n", uniform(0, 99), uniform(0, 99), feed(mm));
+        const double out = std::max(0.0, mm - owed[tool]);
+        owed[tool] = std::max(0.0, owed[tool] - mm);
+        laid += out;
+      }
+    }
+    const sliced::SlicedFile file = sliced::followGcode(text, "part.gcode", kCtx);
+    double beads = file.atRest + file.purged;
+    for (const sliced::SlicedPath& path : file.paths)
+      for (const sliced::SlicedPoint& point : path.points)
+        beads += point.extruded;
+    EXPECT_NEAR(beads, laid, 1e-3) << seed;
+    EXPECT_NEAR(sliced::statedAmount(text, file.header), laid, 1e-3) << seed;
+  }
+}
+
+// ---- what a file says and is not acted on is named, each once
+
+TEST(SlicedWords, WhatIsNotActedOnIsNamedOnce) {
+  ASSERT_THAT(notesOf(kHead + layer(0) + square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6)),
+              ElementsAre());
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    const std::string n = std::to_string(random() % 900 + 10);
+    // Each with its name in the notes
+    const std::vector<std::pair<std::string, std::string>> all{
+        {"M106 S" + n, "M106"},         {"G4 P" + n, "G4 "},     {"M600 ; " + n, "(M600)"},
+        {"M0 look " + n, "look " + n},  {"M42 P4 S" + n, "M42"}, {"M280 P0 S" + n, "M280"},
+        {"M141 S" + n, "M141"},         {"M3 S" + n, "M3 "},     {"MACRO_" + n, "MACRO_" + n},
+        {"SET_LED RED=1", "SET_LED"},   {"G54", "G54"},          {"G68 R10", "G68"},
+        {"M226 P2 S1", "(M226 P2 S1)"}, {"@pause", "(@pause)"},  {"M98 P\"x" + n + ".g\"", "M98"}};
+    std::string text = kHead;
+    std::vector<std::string> needles;
+    std::vector<std::string> lines;
+    for (const auto& [line, needle] : all)
+      if (random() % 3 == 0) {
+        lines.push_back(line);
+        needles.push_back(needle);
+      }
+    for (int k = 0; k < 4; ++k) {
+      text += layer(k) + square(0, 0, 0.8 * (k + 1));
+      for (const std::string& line : lines)
+        if (k < 2 && (k == 0 || line.find("look") == std::string::npos) &&
+            (k == 0 || (line[0] != '@' && !line.starts_with("M600") && !line.starts_with("M226"))))
+          text += line + "\n";
+    }
+    const std::vector<std::string> notes = notesOf(text);
+    for (const std::string& needle : needles) {
+      std::size_t count = 0;
+      for (const std::string& note : notes)
+        for (std::size_t at = note.find(needle); at != std::string::npos;
+             at = note.find(needle, at + 1))
+          ++count;
+      EXPECT_EQ(count, 1u) << seed << ": " << needle << "\n" << ::testing::PrintToString(notes);
+    }
+  }
+}
+
+} // namespace
