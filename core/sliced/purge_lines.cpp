@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr std::size_t kMostPaths = 8, kMostRuns = 12;
-constexpr double kLeastRunMm = 30.0, kApartMm = 5.0, kLevelMm = 0.01;
+constexpr double kLeastRunMm = 30.0, kApartMm = 5.0, kSameHeightMm = 0.01;
 
 struct Runs {
   std::size_t count = 0;
@@ -38,7 +38,7 @@ Runs runsOf(const SlicedPath& path) {
 // Returns whether all points are at one height, as that of the path's first one.
 bool isLevel(const SlicedPath& path) {
   return std::ranges::all_of(path.points, [&](const SlicedPoint& p) {
-    return std::abs(p.position.z() - path.points.front().position.z()) <= kLevelMm;
+    return std::abs(p.position.z() - path.points.front().position.z()) <= kSameHeightMm;
   });
 }
 
@@ -67,7 +67,7 @@ bool isBesideThePart(const std::vector<SlicedPath>& paths, std::size_t count) {
       high = std::max(high, point.position.z());
     }
   }
-  return high > low + kLevelMm;
+  return high > low + kSameHeightMm;
 }
 } // namespace
 
@@ -80,7 +80,7 @@ void leaveOutPurgeLines(SlicedFile& file) {
     runs += own.count;
     if (path.kind || count == kMostPaths || runs > kMostRuns || !isLevel(path) ||
         std::abs(path.points.front().position.z() -
-                 file.paths.front().points.front().position.z()) > kLevelMm)
+                 file.paths.front().points.front().position.z()) > kSameHeightMm)
       break;
     longest = std::max(longest, own.longestMm);
     longestOf.push_back(longest);

@@ -16,14 +16,14 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-constexpr double kLargest = 1e9; // of coordinates, as of a mesh
+constexpr double kMostCoordinate = 1e9; // of coordinates, as of a mesh
 
 // Leaves out facets that a mesh cannot have.
 TriangleMesh soundMesh(const std::vector<Facet>& facets) {
   std::vector<Facet> sound;
   for (const Facet& f : facets)
     if (std::ranges::all_of(f, [](const Eigen::Vector3d& v) {
-          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kLargest;
+          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kMostCoordinate;
         }))
       sound.push_back(f);
   return shareVertices(sound);
@@ -58,7 +58,7 @@ TriangleMesh negativeFor(const ThreemfPiece& piece, const ThreemfPiece& negative
   return soundMesh(facets);
 }
 
-void cut(ThreemfPiece& piece, const ThreemfPiece& negative, const std::string& name) {
+void cutOut(ThreemfPiece& piece, const ThreemfPiece& negative, const std::string& name) {
   const TriangleMesh tool = negativeFor(piece, negative);
   if (tool.empty())
     return;
@@ -94,7 +94,7 @@ void cutNegatives(std::vector<ThreemfPiece>& pieces, const std::string& name) {
     if (negative.kind == ThreemfVolumeKind::Negative)
       for (ThreemfPiece& piece : pieces)
         if (piece.kind == ThreemfVolumeKind::Part && piece.item == negative.item)
-          cut(piece, negative, name);
+          cutOut(piece, negative, name);
   std::erase_if(pieces, [](const ThreemfPiece& piece) {
     return piece.kind != ThreemfVolumeKind::Part || piece.facets.empty();
   });
