@@ -9694,6 +9694,193 @@ facce %</translation>
         <source>laying the part down</source>
         <translation>orientamento del pezzo nel blocco</translation>
     </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>negative volume</source>
+        <translation>volume negativo</translation>
+    </message>
+    <message>
+        <source>modifier volume</source>
+        <translation>volume modificatore</translation>
+    </message>
+    <message>
+        <source>support enforcer</source>
+        <translation>rinforzo dei supporti</translation>
+    </message>
+    <message>
+        <source>support blocker</source>
+        <translation>blocco dei supporti</translation>
+    </message>
+    <message>
+        <source>not used: extruder {number} of &apos;{object}&apos; ({where}): choose the tool of the part</source>
+        <translation>non usato: estrusore {number} di «{object}» ({where}): scegliere l&apos;utensile del pezzo</translation>
+    </message>
+    <message>
+        <source>not used: settings of &apos;{object}&apos; ({where}): {keys}</source>
+        <translation>non usate: impostazioni di «{object}» ({where}): {keys}</translation>
+    </message>
+    <message>
+        <source>not used: the slice stack of object &apos;{id}&apos; ({where}): its mesh is printed</source>
+        <translation>non usate: le fette dell&apos;oggetto «{id}» ({where}): si stampa la sua mesh</translation>
+    </message>
+    <message>
+        <source>cut away: {kind} &apos;{name}&apos; of &apos;{object}&apos;, its middle at {place} in the file</source>
+        <translation>tagliato via: {kind} «{name}» di «{object}», con il centro in {place} nel file</translation>
+    </message>
+    <message>
+        <source>not used: {kind} &apos;{name}&apos; of &apos;{object}&apos;, its middle at {place} in the file</source>
+        <translation>non usato: {kind} «{name}» di «{object}», con il centro in {place} nel file</translation>
+    </message>
+    <message>
+        <source>read although its namespace is &apos;{space}&apos; and not that of 3MF ({where})</source>
+        <translation>letto benché il suo spazio dei nomi sia «{space}» e non quello di 3MF ({where})</translation>
+    </message>
+    <message>
+        <source>not used: materials and colours of objects and triangles, more than one from line {line} of {where}</source>
+        <translation>non usati: materiali e colori di oggetti e triangoli, più di uno dalla riga {line} di {where}</translation>
+    </message>
+    <message>
+        <source>M200 changes the meaning of E between beads</source>
+        <translation>M200 cambia il significato di E tra i cordoni</translation>
+    </message>
+    <message>
+        <source>export the whole file with lengths of filament, or with volumes</source>
+        <translation>esportare tutto il file con lunghezze di filamento, o con volumi</translation>
+    </message>
+    <message>
+        <source>purge lines beside the part are left out: {volume:.0f} from line {line} on</source>
+        <translation>linee di spurgo accanto al pezzo omesse: {volume:.0f} dalla riga {line} in poi</translation>
+    </message>
+    <message>
+        <source>amounts are taken as volumes, as the setting use_volumetric_e of the file says</source>
+        <translation>le quantità sono lette come volumi, come dice l&apos;impostazione use_volumetric_e del file</translation>
+    </message>
+    <message>
+        <source>the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}</source>
+        <translation>il file estrude {stated:.0f} secondo le sue parole E, i suoi cordoni e ciò che è omesso hanno {read:.0f}</translation>
+    </message>
+    <message>
+        <source>the negative volume &apos;{negative}&apos; cannot be cut out of &apos;{part}&apos;: their meshes are not closed or intersect themselves</source>
+        <translation>il volume negativo «{negative}» non può essere tagliato da «{part}»: le loro mesh non sono chiuse o si intersecano</translation>
+    </message>
+    <message>
+        <source>repair them in the slicer, or export the part as STL</source>
+        <translation>ripararle nello slicer, o esportare il pezzo come STL</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} elements {name}, the first in line {line} of {where}</source>
+        <translation>
+            <numerusform>non usato: {count} elemento {name}, nella riga {line} di {where}</numerusform>
+            <numerusform>non usati: {count} elementi {name}, il primo nella riga {line} di {where}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: attribute {name} of {count} elements {element}, the first in line {line} of {where}</source>
+        <translation>
+            <numerusform>non usato: attributo {name} di {count} elemento {element}, nella riga {line} di {where}</numerusform>
+            <numerusform>non usato: attributo {name} di {count} elementi {element}, il primo nella riga {line} di {where}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: metadata &apos;{name}&apos; ({where})</source>
+        <translation>non usati: metadati «{name}» ({where})</translation>
+    </message>
+    <message>
+        <source>not used: the division into {plates} plates ({where}): the parts of all are read</source>
+        <translation>non usata: la divisione in {plates} piatti ({where}): si leggono i pezzi di tutti</translation>
+    </message>
+    <message>
+        <source>not used: settings of plates ({where}): {keys}</source>
+        <translation>non usate: impostazioni dei piatti ({where}): {keys}</translation>
+    </message>
+    <message>
+        <source>printed like the part: a volume of the unknown kind &apos;{kind}&apos; ({where})</source>
+        <translation>stampato come il pezzo: un volume del tipo sconosciuto «{kind}» ({where})</translation>
+    </message>
+    <message>
+        <source>the slicer&apos;s settings</source>
+        <translation>le impostazioni dello slicer</translation>
+    </message>
+    <message>
+        <source>variable layer heights</source>
+        <translation>altezze variabili degli strati</translation>
+    </message>
+    <message>
+        <source>settings of ranges of height</source>
+        <translation>impostazioni di intervalli di altezza</translation>
+    </message>
+    <message>
+        <source>stops, tools and G-code at given heights</source>
+        <translation>arresti, utensili e G-code a certe altezze</translation>
+    </message>
+    <message>
+        <source>points of support</source>
+        <translation>punti di supporto</translation>
+    </message>
+    <message>
+        <source>drain holes</source>
+        <translation>fori di scarico</translation>
+    </message>
+    <message>
+        <source>ears of the brim</source>
+        <translation>orecchie della tesa</translation>
+    </message>
+    <message>
+        <source>not used: {what} (&apos;{member}&apos;)</source>
+        <translation>non usato: {what} («{member}»)</translation>
+    </message>
+    <message>
+        <source>not used: {count} further members of the package</source>
+        <translation>non usati: altri {count} file del pacchetto</translation>
+    </message>
+    <message>
+        <source>not used: &apos;{member}&apos; in the package</source>
+        <translation>non usato: «{member}» nel pacchetto</translation>
+    </message>
+    <message>
+        <source>not used, as they are damaged: kinds and settings of objects ({where}): modifiers and negative volumes may be printed as parts: {why}</source>
+        <translation>non usati perché danneggiati: tipi e impostazioni degli oggetti ({where}): modificatori e volumi negativi possono essere stampati come pezzi: {why}</translation>
+    </message>
+    <message>
+        <source>line {line} ({command})</source>
+        <translation>riga {line} ({command})</translation>
+    </message>
+    <message>
+        <source>line {line} in layer {layer} ({command})</source>
+        <translation>riga {line} nello strato {layer} ({command})</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops of the file, the robot does not wait there: {stops}</source>
+        <translation>
+            <numerusform>non usato: {count} arresto del file, lì il robot non aspetta: {stops}</numerusform>
+            <numerusform>non usati: {count} arresti del file, lì il robot non aspetta: {stops}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {command} in {count} lines, the first is line {line}</source>
+        <translation>
+            <numerusform>non usato: {command} in {count} riga, la riga {line}</numerusform>
+            <numerusform>non usato: {command} in {count} righe, la prima è la riga {line}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{cell}: best of the planned rows (row {row})</source>
+        <translation>{cell}: la migliore delle righe pianificate (riga {row})</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} statements &apos;{word}&apos;, the first in line {line}</source>
+        <translation>
+            <numerusform>non usata: {count} istruzione «{word}», nella riga {line}</numerusform>
+            <numerusform>non usate: {count} istruzioni «{word}», la prima nella riga {line}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {count} strips of triangles (element &apos;tristrips&apos;)</source>
+        <translation>non usate: {count} strisce di triangoli (elemento «tristrips»)</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

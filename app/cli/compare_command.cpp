@@ -229,8 +229,10 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
   const pipeline::Ranking ranking = pipeline::rank(done->comparison.rows, options.weights);
   sayTable(done->comparison, ranking);
   sayVerdict(done->comparison, ranking, options.weights);
-  if (!done->advice.empty())
-    fmt::print("cells: {}\n", base::english(done->advice));
+  if (const base::Message cells =
+          pipeline::cellSentence(done->comparison.rows, ranking, done->advice);
+      !cells.empty())
+    fmt::print("cells: {}\n", base::english(cells));
   if (!done->pictureTrouble.empty())
     fmt::print(stderr, "no pictures: {}\n", done->pictureTrouble);
   return exitCodeOf(done->comparison.rows);

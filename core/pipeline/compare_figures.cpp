@@ -1,5 +1,6 @@
 #include "pipeline/compare_figures.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "modes/mode_table.h"
@@ -205,6 +206,14 @@ Ranking rank(const std::vector<CompareRow>& rows, const Weights& weights) {
     if (i != *ranking.best && !better(*ranking.best, i))
       ranking.tied.push_back(i);
   return ranking;
+}
+
+base::Message cellSentence(const std::vector<CompareRow>& rows, const Ranking& ranking,
+                           const base::Message& advice) {
+  if (advice.empty() || !ranking.best || rows[*ranking.best].combination.cell.empty())
+    return advice;
+  return base::message("{cell}: best of the planned rows (row {row})"_text,
+                       base::dataName(rows[*ranking.best].combination.cell), *ranking.best + 1);
 }
 
 std::string ruleText(const Weights& weights) {

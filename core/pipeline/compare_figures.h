@@ -57,6 +57,11 @@ struct Ranking {
 // scores keep their order.
 Ranking rank(const std::vector<CompareRow>& rows, const Weights& weights);
 
+// Returns the sentence about cells below the table: the cell of the best row; `advice`, which
+// follows from reach, load and gravity alone, if there is none. Empty if one cell is compared.
+base::Message cellSentence(const std::vector<CompareRow>& rows, const Ranking& ranking,
+                           const base::Message& advice);
+
 // Returns the rule in one or two English sentences.
 std::string ruleText(const Weights& weights);
 

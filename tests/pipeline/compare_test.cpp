@@ -53,6 +53,21 @@ CompareRow failedRow() {
   return made;
 }
 
+// Advice by reach alone may name another cell than the plans show to be best.
+TEST(Compare, TheSentenceNamesTheCellOfTheBestRow) {
+  std::vector<CompareRow> rows{row(9, 100), row(0, 100)};
+  rows[0].combination.cell = "ur5-fixed";
+  rows[1].combination.cell = "ur10e-moving";
+  const base::Message advice =
+      base::message("{why}"_text, "ur5-fixed: its nozzle stays upright"_name);
+  const Ranking ranking = rank(rows, defaultWeights());
+  EXPECT_EQ(base::english(cellSentence(rows, ranking, advice)),
+            "ur10e-moving: best of the planned rows (row 2)");
+  std::vector<CompareRow> blocked{row(0, 1, true), row(0, 1, true)};
+  EXPECT_EQ(cellSentence(blocked, rank(blocked, defaultWeights()), advice), advice);
+  EXPECT_TRUE(cellSentence(rows, ranking, {}).empty());
+}
+
 TEST(Compare, GrowthSchemesVaryOnlyTheModeThatGrows) {
   CompareOptions options = boxOptions(Stage::Decompose);
   options.growths = {GrowthScheme("reverse"), GrowthScheme("greedy"), GrowthScheme("reverse")};

@@ -300,7 +300,8 @@ void CompareView::showState() {
       text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
   } else if (!ranking.order.empty() && !comparing_.running())
     text = tr("None is best: all of them are blocked.");
-  if (comparing_.upToDate() && !comparing_.advice().empty())
+  // Once a way is best, its cell is the answer.
+  if (comparing_.upToDate() && !ranking.best && !comparing_.advice().empty())
     text += QStringLiteral("\n") + language::words(comparing_.advice());
   const int selected = table_->selectedRow();
   if (selected >= 0 && selected < static_cast<int>(rows.size()))
