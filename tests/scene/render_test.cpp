@@ -3,10 +3,12 @@
 #include "base/files.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
+#include "pictures/job_picture.h"
 #include "project/job.h"
 #include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 
+#include <EGL/egl.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -362,20 +364,43 @@ TEST(Render, WrongSizeIsRefused) {
   EXPECT_THROW(target.imageOf(scene, 100000, 400), base::Error);
 }
 
+project::Job ballJob() {
+  project::Job job;
+  job.item().partName = "ball.stl";
+  const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
+  auto loaded = std::make_shared<project::LoadedPart>();
+  loaded->name = job.item().partName;
+  loaded->source = loaded->mesh = mesh;
+  job.item().loaded = loaded;
+  job.item().part = mesh;
+  job.item().platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
+  return job;
+}
+
+// A thread that has drawn frees OpenGL's data when it ends, which a thread of a pool does while the
+// process ends.
+TEST(JobPicture, LeavesNoOpenGlInTheThreadThatAsksForIt) {
+  EGLenum left = EGL_NONE;
+  std::thread asking([&] {
+    pictures::PictureOptions options;
+    options.show = "part";
+    options.width = options.height = 64;
+    EXPECT_EQ(pictures::jobPicture(ballJob(), options).width, 64);
+    left = eglQueryAPI();
+  });
+  asking.join();
+  EXPECT_EQ(left, static_cast<EGLenum>(EGL_OPENGL_ES_API)) << "the state of a new thread";
+}
+
+TEST(JobPicture, PassesOnWhyItCannotBeDrawn) {
+  pictures::PictureOptions options;
+  options.show = "layers";
+  EXPECT_THROW(pictures::jobPicture(ballJob(), options), base::Error);
+}
+
 class RenderCommand : public ::testing::Test {
 protected:
-  void SetUp() override {
-    project::Job job;
-    job.item().partName = "ball.stl";
-    const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
-    auto loaded = std::make_shared<project::LoadedPart>();
-    loaded->name = job.item().partName;
-    loaded->source = loaded->mesh = mesh;
-    job.item().loaded = loaded;
-    job.item().part = mesh;
-    job.item().platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
-    project::writeJob(folder_ / "job.voluta", job);
-  }
+  void SetUp() override { project::writeJob(folder_ / "job.voluta", ballJob()); }
 
   int run(const std::string& before, const std::string& words) const {
     const std::string line = before + " " + VOLUTA_CLI + " render " +

@@ -10,6 +10,7 @@
 #include "pipeline/choices.h"
 #include "plan/arrival_times.h"
 #include "robot/shape/arm_look.h"
+#include "scene/drawing_thread.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -247,9 +248,11 @@ void checkNames(const PictureOptions& options) {
 scene::Image jobPicture(const project::Job& job, const PictureOptions& options) {
   const auto show = chosen(kShown, options.show, "unknown picture '{name}'"_text);
   const auto view = chosen(kViews, options.view, "unknown view '{name}'"_text);
-  Renderer renderer(options, job);
-  (renderer.*show)();
-  return renderer.picture(view);
+  return scene::inDrawingThread([&] {
+    Renderer renderer(options, job);
+    (renderer.*show)();
+    return renderer.picture(view);
+  });
 }
 
 std::vector<std::string> drawProofPictures(const project::Job& job) {
@@ -259,11 +262,13 @@ std::vector<std::string> drawProofPictures(const project::Job& job) {
   options.width = 1000;
   options.height = 560;
   options.legend = false;
-  Renderer part(options, job), printed(options, job);
-  part.showPart();
-  printed.showPaths();
-  printed.inMaterialColour();
-  return {scene::pngBytes(part.pictureOfThePart()), scene::pngBytes(printed.pictureOfThePart())};
+  return scene::inDrawingThread([&]() -> std::vector<std::string> {
+    Renderer part(options, job), printed(options, job);
+    part.showPart();
+    printed.showPaths();
+    printed.inMaterialColour();
+    return {scene::pngBytes(part.pictureOfThePart()), scene::pngBytes(printed.pictureOfThePart())};
+  });
 }
 
 std::vector<std::string> proofPictures(const project::Job& job) {
