@@ -110,7 +110,7 @@ TEST_P(ClearPoses, AreCalledClearAndTheOthersFound) {
   const collision::Margins margins;
   test::RandomShapes random(1123);
   int clear = 0, met = 0, near = 0;
-  for (int tries = 0; clear < wanted && tries < 20000; ++tries) {
+  for (int tries = 0; (clear < wanted || met == 0) && tries < 20000; ++tries) {
     const robot::JointVector q = randomJoints(random);
     collision::CellCollision::Frames frames;
     cell.framePoses(q, frames);
@@ -154,7 +154,7 @@ TEST_P(ClearPoses, AreCalledClearAndTheOthersFound) {
       EXPECT_TRUE(withPart.has_value());
     }
   }
-  EXPECT_EQ(clear, wanted);
+  EXPECT_GE(clear, wanted);
   EXPECT_GT(met, 0);
   EXPECT_GT(near, wanted / 10) << "clear poses of which nothing is near prove little";
 }
