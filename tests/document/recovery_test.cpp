@@ -81,8 +81,7 @@ TEST(Recovery, AKillAtAnyMomentLeavesAWholeProjectThatIsHardlyOld) {
     EXPECT_LE(age, kLatestMs + kSlackMs);
     copies += age >= 0;
   }
-  // On a busy machine the program is killed before its first copy more often.
-  EXPECT_GE(copies, 5) << "kills that leave no copy prove little";
+  EXPECT_GE(copies, 12);
 }
 
 // Edits never pause, so the copy comes when it is due at the latest.
