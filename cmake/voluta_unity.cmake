@@ -1,6 +1,6 @@
-# Unity builds: several sources of a target compiled as one, so that their headers are read once. Halves
-# a build from nothing, but an edit compiles the sources beside it too: packaging/ turns it on,
-# development leaves it off.
+# Unity builds: several sources of a target compiled as one, so that their headers are read once.
+# A build from nothing is shorter, but an edit compiles the sources beside it too: packaging/ turns it
+# on, development leaves it off.
 option(VOLUTA_UNITY "Compile several sources of a target as one" OFF)
 set(VOLUTA_UNITY_LINES 1800 CACHE STRING "Greatest number of lines that are compiled as one")
 
