@@ -7013,6 +7013,14 @@ mm³</translation>
         <translation>il file non indica il diametro del filamento: si assume {diameter}; per un altro impostare pathsFlow</translation>
     </message>
     <message>
+        <source>a bead at X{x:.1f} Y{y:.1f} Z{z:.1f} is {width:.0f} wide</source>
+        <translation>un cordone in X{x:.1f} Y{y:.1f} Z{z:.1f} è largo {width:.0f}</translation>
+    </message>
+    <message>
+        <source>correct the amount (E) of that line, or the filament&apos;s diameter</source>
+        <translation>correggere la quantità (E) di quella riga, o il diametro del filamento</translation>
+    </message>
+    <message>
         <source>the height of the beads is not known</source>
         <translation>l&apos;altezza dei cordoni non è nota</translation>
     </message>

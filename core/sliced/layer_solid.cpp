@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "base/units.h"
 #include "geometry/measures.h"
 #include "process/bead_model.h"
 #include "sliced/bead_sections.h"
@@ -27,6 +28,7 @@ constexpr double kMostCells = 1 << 27;
 constexpr double kShellBeads = 0.8;  // Part of an outer wall that is certainly solid
 constexpr double kThinBeads = 0.75;  // Gaps between neighbouring beads are no holes
 constexpr double kWithinShare = 0.8; // Of a gap that is inside the part
+constexpr float kWidestBeadMm = 200.0f; // Wider than any nozzle lays: an amount for another way
 
 bool isOfPart(plan::PathKind kind) {
   return kind != plan::PathKind::Support && kind != plan::PathKind::Tape && !plan::isWaste(kind);
@@ -89,6 +91,13 @@ private:
             throw base::Error(base::ErrorCode::UnusableInput,
                               "the height of the beads is not known"_text, {},
                               "slice with comments, or with layers of one height"_text);
+          if (plan_.widthMm[i] > kWidestBeadMm)
+            throw base::Error(
+                base::ErrorCode::UnusableInput,
+                base::message("a bead at X{x:.1f} Y{y:.1f} Z{z:.1f} is {width:.0f} wide"_text,
+                              plan_.position[i].x(), plan_.position[i].y(), plan_.position[i].z(),
+                              base::mm(static_cast<double>(plan_.widthMm[i]))),
+                {}, "correct the amount (E) of that line, or the filament's diameter"_text);
           box_.extend(plan_.position[i]);
           box_.extend(
               Vector3d(plan_.position[i] - Vector3d(0, 0, static_cast<double>(plan_.heightMm[i]))));
