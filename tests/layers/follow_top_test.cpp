@@ -2,6 +2,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "curved/curved_layers.h"
+#include "helpers/all_seeds.h"
 #include "helpers/flat_square.h"
 #include "layers/follow_top.h"
 #include "layers/layer_checks.h"
@@ -31,7 +32,9 @@ curved::LayersResult flatLayersOf(const geometry::TriangleMesh& part, double spa
 
 TEST(FollowTop, EndsLayersOnARampThatRunsNearlyAlongThem) {
   for (const double spacing : {0.6, 0.8})
-    for (const double degrees : {0.7, 4.0, 12.0, 20.0}) {
+    for (const double degrees : spacing < 0.7 && !test::allSeeds()
+                                    ? std::vector{4.0}
+                                    : std::vector{0.7, 4.0, 12.0, 20.0}) {
       SCOPED_TRACE(testing::Message() << spacing << " mm, " << degrees << " degrees");
       const auto part = ramp(degrees);
       const auto r = flatLayersOf(part, spacing);

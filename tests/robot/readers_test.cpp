@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "robot/cell.h"
@@ -218,7 +219,7 @@ TEST_F(Files, linksThatNeverMeetKeepTheirAxesApart) {
       for (test::Sample& s : samples)
         s.radius = 0.0;
       double least = 1e9;
-      for (int n = 0; n < 20000; ++n) {
+      for (int n = 0; n < test::ofSeeds(2000, 20000); ++n) {
         JointVector q(robot.dof());
         for (int i = 0; i < robot.dof(); ++i) {
           const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];

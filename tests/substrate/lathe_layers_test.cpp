@@ -50,70 +50,79 @@ LatheLayers laid(const TriangleMesh& part, const RodShape& rod, double volumeMm3
   return made;
 }
 
+// The parts of lathe_parts.h, but 20 mm long.
+std::vector<Eigen::Vector2d> shortened(std::vector<Eigen::Vector2d> section) {
+  for (Eigen::Vector2d& p : section)
+    p.x() *= 0.4;
+  return section;
+}
+TriangleMesh shortTube() {
+  return test::revolved(shortened(test::tubeSection()), 256);
+}
+
 double revolvedOnRod(const std::vector<Eigen::Vector2d>& section) {
   return test::revolvedVolume(test::onRod(section, 2.5));
 }
 
 TEST(LatheLayers, Tube) {
-  const auto made =
-      laid(test::revolved(test::tubeSection(), 256), kRod, revolvedOnRod(test::tubeSection()));
+  const auto made = laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())));
   EXPECT_EQ(made.stack.layerCount, 10);
   EXPECT_EQ(made.stack.patches.size(), 10u);
   EXPECT_NEAR(made.outerMm.front(), 2.75, 1e-6);
   EXPECT_NEAR(made.outerMm.back(), 5.0, 1e-6);
   EXPECT_TRUE(made.findings.empty());
-  EXPECT_EQ(
-      substrate::latheOverhang(test::revolved(test::tubeSection(), 256), kRod, {}, {}).areaMm2,
-      0.0);
+  EXPECT_EQ(substrate::latheOverhang(shortTube(), kRod, {}, {}).areaMm2, 0.0);
 }
 
 TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
   LatheOptions options;
   options.firstLayerMm = 0.3;
   options.layerHeightMm = 0.2;
-  const auto made = laid(test::revolved(test::tubeSection(), 256), kRod,
-                         revolvedOnRod(test::tubeSection()), options);
+  const auto made =
+      laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())), options);
   EXPECT_EQ(made.stack.layerCount, 12);
   EXPECT_NEAR(made.outerMm.front(), 2.8, 1e-6);
   EXPECT_NEAR(made.outerMm[1], 3.0, 1e-6);
 }
 
 TEST(LatheLayers, ShouldersAreLaidFromTheRodOutwards) {
-  const auto made = laid(test::revolved(test::shoulderSection(), 256), kRod,
-                         revolvedOnRod(test::shoulderSection()));
+  const auto section = shortened(test::shoulderSection());
+  const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 10);
   // 1.5 mm at the seats are six layers of the whole length, the others lie between them.
   for (const layers::Patch& p : made.stack.patches)
-    EXPECT_NEAR(geometry::bounds(p.surface).sizes().x(), p.layer < 6 ? 50.0 : 30.0, 1e-3);
+    EXPECT_NEAR(geometry::bounds(p.surface).sizes().x(), p.layer < 6 ? 20.0 : 12.0, 1e-3);
 }
 
 TEST(LatheLayers, ShouldersBetweenLevels) {
-  const std::vector<Eigen::Vector2d> section = {{-25, 2.4}, {-25, 3.6}, {-10, 3.6}, {-10, 4.1},
-                                                {10, 4.1},  {10, 3.6},  {25, 3.6},  {25, 2.4}};
+  const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 3.6}, {-4, 3.6}, {-4, 4.1},
+                                                {4, 4.1},   {4, 3.6},   {10, 3.6},  {10, 2.4}};
   laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
 }
 
 TEST(LatheLayers, TwoCollarsGrowTogether) {
-  const std::vector<Eigen::Vector2d> section = {{-25, 2.4}, {-25, 4}, {-15, 4}, {-15, 3},
-                                                {15, 3},    {15, 4},  {25, 4},  {25, 2.4}};
+  const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 4}, {-6, 4}, {-6, 3},
+                                                {6, 3},     {6, 4},   {10, 4},  {10, 2.4}};
   const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 6);
   EXPECT_EQ(made.stack.patches.size(), 2u + 2u * 4u);
 }
 
 TEST(LatheLayers, TaperedEnds) {
-  laid(test::revolved(test::taperedSection(), 256), kRod, revolvedOnRod(test::taperedSection()));
+  const std::vector<Eigen::Vector2d> section = {{-14, 2.4}, {-14, 2.5}, {-4, 5},
+                                                {4, 5},     {14, 2.5},  {14, 2.4}};
+  laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
 }
 
 TEST(LatheLayers, HalfTurnSector) {
-  const auto made = laid(test::halfTube(4.8, 10, 50), kRod, 0.5 * base::kPi * (25 - 6.25) * 50);
+  const auto made = laid(test::halfTube(4.8, 10, 20), kRod, 0.5 * base::kPi * (25 - 6.25) * 20);
   EXPECT_EQ(made.stack.layerCount, 10);
 }
 
 TEST(LatheLayers, HexagonalRod) {
   const RodShape hex = platform::straightRod(5, 200, 6);
   const auto made =
-      laid(test::hexagonalTube(4.8, 10, 50), hex, test::hexagonalTubeVolume(5, 10, 50));
+      laid(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20));
   EXPECT_GE(made.stack.layerCount, 10);
 }
 
@@ -126,7 +135,7 @@ TEST(LatheLayers, ThatFollowAHexagonalRod) {
 
 TEST(LatheLayers, SteppedRod) {
   const RodShape rod{{{-60, 2.5}, {0, 2.5}, {0, 3.5}, {60, 3.5}}, 0};
-  laid(test::revolved(test::tubeSection(), 256), rod, base::kPi * 25 * (2 * 25 - 6.25 - 12.25));
+  laid(shortTube(), rod, base::kPi * 10 * (2 * 25 - 6.25 - 12.25));
 }
 
 TEST(LatheLayers, OverhangIsToldWithItsPlace) {

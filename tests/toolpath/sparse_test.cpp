@@ -72,8 +72,8 @@ protected:
 
 // By the crossings of random lines (Cauchy-Crofton).
 double lengthPerArea(const SparsePattern& pattern, double period) {
-  constexpr double kStep = 0.1;
-  constexpr int kLines = 1500, kSteps = 1500;
+  constexpr double kStep = 0.2;
+  constexpr int kLines = 1500, kSteps = 750;
   const toolpath::PatternValue value = pattern.value(period, process::Process{}.beadWidthMm);
   std::mt19937_64 random(7);
   const auto number = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
