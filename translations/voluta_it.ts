@@ -8141,8 +8141,8 @@ previsto</translation>
         <translation>sposta uno dei pezzi nella pagina Prepara, oppure disponili</translation>
     </message>
     <message>
-        <source>neither {first} nor {second} can be printed beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}</source>
-        <translation>né {first} né {second} può essere stampato accanto all&apos;altro: distano {gap:.1f}, alla testa serve {needed:.1f}</translation>
+        <source>the head may touch {first} or {second} beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}</source>
+        <translation>la testa può toccare {first} o {second} accanto all&apos;altro: distano {gap:.1f}, alla testa serve {needed:.1f}</translation>
     </message>
     <message>
         <source>{share:.2g} of {first} cannot be printed layer by layer: its layers tilt the head into {second}</source>

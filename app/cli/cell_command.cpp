@@ -32,7 +32,7 @@ ExitCode cellTipCommand(const MeasuredOptions& options) {
   return kDone;
 }
 
-ExitCode cellCheckCommand(const CheckCellOptions& options) {
+ExitCode cellCheckCommand(const CheckCellOptions& options, const base::RunContext& ctx) {
   const std::filesystem::path file =
       base::isDataFileName(options.cell)
           ? std::filesystem::path(options.cell)
@@ -41,7 +41,7 @@ ExitCode cellCheckCommand(const CheckCellOptions& options) {
                                        ? process::readProcess(options.process)
                                        : process::loadProcess(options.process);
   const pipeline::CheckedCell checked = pipeline::checkedCell(
-      base::readFile(file), file.stem().string(), process, options.partKg, {});
+      base::readFile(file), file.stem().string(), process, options.partKg, ctx);
   for (const cells::CellFault& fault : checked.faults)
     fmt::print("{}\n", fault.remedy.empty() ? base::english(fault.what)
                                             : fmt::format("{} ({})", base::english(fault.what),

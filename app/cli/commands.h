@@ -2,6 +2,7 @@
 // to stdout, progress and the one-line error message to stderr.
 #pragma once
 
+#include "base/run_context.h"
 #include "cli/exit_code.h"
 #include "cli/plate_options.h"
 #include "cli/progress.h"
@@ -81,8 +82,9 @@ ExitCode resumeCommand(const ResumeOptions& options);
 struct InspectOptions {
   std::string part;
   bool json = false;
+  int threads = 1;
 };
-ExitCode inspectCommand(const InspectOptions& options);
+ExitCode inspectCommand(const InspectOptions& options, const base::RunContext& ctx);
 
 struct OrientOptions {
   pipeline::PlanRequest request; // A part and its placement
@@ -124,7 +126,7 @@ struct ReachOptions {
 };
 // Print where the head of a cell reaches, and the best position of its stationary nozzle.
 ExitCode cellReachCommand(const ReachOptions& options);
-ExitCode cellNozzleCommand(const ReachOptions& options);
+ExitCode cellNozzleCommand(const ReachOptions& options, const base::RunContext& ctx);
 
 struct AdviseOptions {
   pipeline::PlanRequest request;
@@ -176,7 +178,7 @@ struct CheckCellOptions {
   double partKg = 0.0;
 };
 // Prints one line for each limitation of the cell.
-ExitCode cellCheckCommand(const CheckCellOptions& options);
+ExitCode cellCheckCommand(const CheckCellOptions& options, const base::RunContext& ctx);
 
 struct ListOptions {
   std::string what;

@@ -53,12 +53,13 @@ void printText(const Json& json, const std::string& heading) {
 
 namespace {
 // A voxel object has nothing to repair; lengths of its surface are in cells.
-ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
+ExitCode inspectCells(const InspectOptions& options, const std::string& bytes,
+                      const base::RunContext& ctx) {
   const voxel::VoxelObject object = voxel::readVoxelText(bytes, options.part);
   const Json cells{{"size", Json::array({object.size.x(), object.size.y(), object.size.z()})},
                    {"solid", std::count(object.solid.begin(), object.solid.end(), 1)},
                    {"platform", object.platform.size()}};
-  geometry::Diagnosis surface = geometry::diagnose(voxel::surfaceOf(object));
+  geometry::Diagnosis surface = geometry::diagnose(voxel::surfaceOf(object), ctx);
   surface.selfIntersections = {}; // These are where cells only touch
   const char* const kFormat = "voxel text";
   if (options.json) {
@@ -78,15 +79,15 @@ ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
 }
 } // namespace
 
-ExitCode inspectCommand(const InspectOptions& options) {
+ExitCode inspectCommand(const InspectOptions& options, const base::RunContext& ctx) {
   const bool foreign = geometry::isForeign(options.part);
   const std::string bytes = foreign ? std::string() : base::readFile(options.part);
   if (!foreign && project::isVoxelText(options.part, bytes))
-    return inspectCells(options, bytes);
+    return inspectCells(options, bytes, ctx);
   const geometry::MeshFile file =
       foreign ? geometry::readForeign(options.part, geometry::ForeignFrame::Upright)
               : geometry::readMesh(bytes, options.part);
-  const geometry::RepairResult repaired = geometry::repair(file.mesh, {});
+  const geometry::RepairResult repaired = geometry::repair(file.mesh, ctx);
   const std::string open = repaired.open ? base::english(repaired.open->sentence()) : "";
   Json found = diagnosisJson(repaired.found);
   Json mended = diagnosisJson(repaired.diagnosis);

@@ -112,8 +112,9 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
                    "place in the file");
   command
       .add_option("--place", options.places,
-                  "NUMBER:X,Y,TURN: place of a part in mm, and its rotation about z in degrees; "
-                  "parts are numbered from 1; default: arranged side by side")
+                  "NUMBER:X,Y,TURN,Z: place of a part in mm, its rotation about z in degrees, and "
+                  "the height of its lowest point; parts are numbered from 1; default: arranged "
+                  "side by side")
       ->allow_extra_args(false);
   command
       .add_option("--part", options.own, "NUMBER:KEY=VALUE: mode, scale or a parameter of one part")
@@ -316,13 +317,19 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
   });
 }
 
-void addInspect(CLI::App& app, Parsed& parsed) {
+void addInspect(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<InspectOptions>();
+  options->threads = threads;
   CLI::App* inspect = app.add_subcommand("inspect", "diagnose a mesh");
   inspect->add_option("PART", options->part, "mesh file")->required();
   inspect->add_flag("--json", options->json, "as JSON");
-  inspect->callback(
-      [options, &parsed] { parsed.run = [options] { return inspectCommand(*options); }; });
+  addThreads(*inspect, options->threads);
+  inspect->callback([options, &parsed] {
+    parsed.run = [options] {
+      return answered([&](const base::RunContext& ctx) { return inspectCommand(*options, ctx); },
+                      options->threads);
+    };
+  });
 }
 
 void addOrient(CLI::App& app, Parsed& parsed, int threads) {
@@ -380,7 +387,7 @@ void addRobot(CLI::App& app, Parsed& parsed, int threads) {
       throw CLI::RequiredError("ID");
     if (forward->count() + inverse->count() == 0)
       throw CLI::RequiredError("--fk or --ik");
-    parsed.run = [options] { return robotCommand(*options); };
+    parsed.run = quick([options] { return robotCommand(*options); });
   });
 }
 
@@ -412,7 +419,8 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   nozzle->callback([options, &parsed] {
     parsed.run = [options] {
       pipeline::takeOwnFiles(options->choices);
-      return cellNozzleCommand(*options);
+      return answered(
+          [&](const base::RunContext& ctx) { return cellNozzleCommand(*options, ctx); });
     };
   });
 }
@@ -427,8 +435,9 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
                    "three rows x,y,z: origin, a point on X, a point in the XY plane; or "
                    "at least three rows of six: nominal point, touched point")
       ->required();
-  frame->callback(
-      [measured, &parsed] { parsed.run = [measured] { return cellFrameCommand(*measured); }; });
+  frame->callback([measured, &parsed] {
+    parsed.run = quick([measured] { return cellFrameCommand(*measured); });
+  });
   CLI::App* tip = cell->add_subcommand(
       "tool-tip", "compute the tool tip from poses that touch one point, as JSON");
   tip->add_option("TABLE", measured->table,
@@ -436,8 +445,9 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
                   "robot's joints")
       ->required();
   tip->add_option("--robot", measured->robot, "robot whose joints the rows contain");
-  tip->callback(
-      [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
+  tip->callback([measured, &parsed] {
+    parsed.run = quick([measured] { return cellTipCommand(*measured); });
+  });
   auto checked = std::make_shared<CheckCellOptions>();
   CLI::App* check = cell->add_subcommand("check", "list the limitations of a cell, one per line");
   check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
@@ -445,8 +455,11 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
                     "nozzle, material, speeds (see: list processes), or FILE.json");
   check->add_option("--part-kg", checked->partKg, "mass of the part in kg")
       ->check(CLI::Range(0.0, 1000.0));
-  check->callback(
-      [checked, &parsed] { parsed.run = [checked] { return cellCheckCommand(*checked); }; });
+  check->callback([checked, &parsed] {
+    parsed.run = [checked] {
+      return answered([&](const base::RunContext& ctx) { return cellCheckCommand(*checked, ctx); });
+    };
+  });
   addReach(*cell, parsed, threads);
   addCellAdvice(*cell, threads,
                 [&parsed](std::function<ExitCode()> run) { parsed.run = std::move(run); });
@@ -460,7 +473,8 @@ void addMaterial(CLI::App& app, Parsed& parsed) {
                        ExitCode (*run)(const MaterialOptions&)) {
     CLI::App* command = material->add_subcommand(name, help);
     command->add_option("MATERIAL", options->material, what)->required();
-    command->callback([options, run, &parsed] { parsed.run = [=] { return run(*options); }; });
+    command->callback(
+        [options, run, &parsed] { parsed.run = quick([=] { return run(*options); }); });
     return command;
   };
   const char* any = "material (see: list materials), or FILE.json";
@@ -482,7 +496,8 @@ void addProcess(CLI::App& app, Parsed& parsed) {
     CLI::App* command = process->add_subcommand(name, help);
     if (what)
       command->add_option("PROCESS", options->process, what)->required();
-    command->callback([options, run, &parsed] { parsed.run = [=] { return run(*options); }; });
+    command->callback(
+        [options, run, &parsed] { parsed.run = quick([=] { return run(*options); }); });
     return command;
   };
   const char* any = "process (see: process list), or FILE.json";
@@ -507,25 +522,8 @@ void addList(CLI::App& app, Parsed& parsed) {
                    "modes, cells, robots, formats, processes, materials or parameters")
       ->required();
   list->add_flag("--json", options->json, "as JSON");
-  list->callback([options, &parsed] { parsed.run = [options] { return listCommand(*options); }; });
-}
-
-void addRender(CLI::App& app, Parsed& parsed) {
-  auto options = std::make_shared<RenderOptions>();
-  CLI::App* render = app.add_subcommand("render", "draw a picture of a job; needs no display");
-  render->add_option("JOB", options->job, "job.voluta")->required();
-  render->add_option("-o", options->picture, "PNG file to write")->required();
-  render->add_option("--show", options->look.show, "part, voxels, pieces, layers, paths or robot");
-  render->add_option("--layer", options->look.layer, "show layers 1 to this one");
-  render->add_option("--time", options->look.timeS, "robot: seconds from the program's start");
-  render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-  render->add_option("--colour", options->look.colour,
-                     "layer, group, kind, height, width, speed, time or direction");
-  render->add_option("--view", options->look.view,
-                     "isometric, front, back, left, right, top or bottom");
-  render->add_flag("--dark", options->look.dark, "dark background");
-  render->callback(
-      [options, &parsed] { parsed.run = [options] { return renderCommand(*options); }; });
+  list->callback(
+      [options, &parsed] { parsed.run = quick([options] { return listCommand(*options); }); });
 }
 
 // Joins values such as "-90,10" with their option, as they begin with a dash.
@@ -555,8 +553,8 @@ int run(int argc, char** argv) {
   addCompareRun(app, threads, [&parsed](std::function<ExitCode()> run) { parsed.run = run; });
   addResume(app, parsed, threads);
   addTogether(app, parsed.run, threads);
-  addRender(app, parsed);
-  addInspect(app, parsed);
+  addRender(app, parsed.run);
+  addInspect(app, parsed, threads);
   addOrient(app, parsed, threads);
   addRobot(app, parsed, threads);
   addCell(app, parsed, threads);

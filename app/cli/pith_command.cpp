@@ -31,10 +31,8 @@ struct Made {
 
 Made makePith(const PithOptions& options, const base::RunContext& ctx) {
   const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.2));
-  Made made{planar::pithBody(*loaded->mesh, options.rule, ctx.sub(0.2, 1.0)),
-            geometry::volume(*loaded->mesh)};
-  base::writeFile(options.file, geometry::writeStl(made.body.mesh));
-  return made;
+  return {planar::pithBody(*loaded->mesh, options.rule, ctx.sub(0.2, 1.0)),
+          geometry::volume(*loaded->mesh)};
 }
 
 ExitCode pithCommand(const PithOptions& options) {
@@ -44,6 +42,7 @@ ExitCode pithCommand(const PithOptions& options) {
   if (!made)
     return kCancelled;
   const planar::PithBody& body = made->body;
+  base::writeFile(options.file, geometry::writeStl(body.mesh));
   const double mm3 = geometry::volume(body.mesh);
   fmt::print("{} limbs, {:.1f} mm long, radius {:.2f} to {:.2f} mm, {:.0f} mm3 ({:.0f} % of the "
              "part)\n",

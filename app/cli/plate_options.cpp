@@ -37,11 +37,17 @@ std::pair<std::size_t, std::string> numbered(const std::string& option, const st
 }
 
 void place(project::ItemChoices& item, const std::string& text, const std::string& rest) {
-  constexpr const char* kForm = "NUMBER:X,Y or NUMBER:X,Y,TURN";
-  double x = 0.0, y = 0.0, turn = 0.0;
-  if (!base::readNumbers(rest, ',', {&x, &y}) && !base::readNumbers(rest, ',', {&x, &y, &turn}))
+  constexpr const char* kForm = "NUMBER:X,Y, NUMBER:X,Y,TURN or NUMBER:X,Y,TURN,Z";
+  double x = 0.0, y = 0.0, turn = 0.0, z = item.placement.liftMm;
+  if (!base::readNumbers(rest, ',', {&x, &y}) && !base::readNumbers(rest, ',', {&x, &y, &turn}) &&
+      !base::readNumbers(rest, ',', {&x, &y, &turn, &z}))
     throw badText("--place", text, kForm);
+  if (z < 0.0)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("--place {text}: the part would be below the plate"_text, text),
+                      {}, "give a height of 0 or more"_text);
   item.placement.centreMm = {x, y};
+  item.placement.liftMm = z;
   item.placement.rotation =
       Eigen::AngleAxisd(base::degreesToRadians(turn), Eigen::Vector3d::UnitZ()) *
       item.placement.rotation;
@@ -121,7 +127,7 @@ pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOption
     setOwn(request, number, text, rest);
   }
   for (const std::string& text : options.places) {
-    const auto [number, rest] = numbered("--place", text, "NUMBER:X,Y,TURN", count);
+    const auto [number, rest] = numbered("--place", text, "NUMBER:X,Y,TURN,Z", count);
     place(request.choices.item(number), text, rest);
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -88,7 +88,7 @@ ExitCode cellReachCommand(const ReachOptions& options) {
   return kDone;
 }
 
-ExitCode cellNozzleCommand(const ReachOptions& options) {
+ExitCode cellNozzleCommand(const ReachOptions& options, const base::RunContext& ctx) {
   const process::Process process = process::loadProcess(options.choices.tool().process);
   const robot::Cell cell = pipeline::cellToMap(options.choices, process);
   if (cell.nozzleMount() != robot::Mount::World)
@@ -98,6 +98,7 @@ ExitCode cellNozzleCommand(const ReachOptions& options) {
   cells::NozzleSearch search;
   search.flange_T_work = cell.flange_T_moved();
   const auto frames = cells::reachableFrames(cell.robot(), search);
+  ctx.checkpoint();
   const cells::NozzlePlace place = cells::bestNozzlePlace(frames, search.stepMm, search.boxSteps);
   const Eigen::Vector3d now = cell.base_T_fixed().translation();
   const Eigen::Vector3d box = search.stepMm * search.boxSteps.cast<double>();

@@ -2,10 +2,15 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "cli/run_interruptibly.h"
+#include "pictures/job_picture.h"
 #include "project/job.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
-#include <fmt/format.h>
+#include <filesystem>
+#include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +20,12 @@ namespace {
 
 using base::Error;
 using base::ErrorCode;
+
+struct RenderOptions {
+  std::filesystem::path job, picture;
+  std::string size = "1280x800";
+  pictures::PictureOptions look; // Except its size
+};
 
 std::pair<int, int> sizeOf(const std::string& text) {
   int width = 0, height = 0;
@@ -29,16 +40,42 @@ std::pair<int, int> sizeOf(const std::string& text) {
               "--size"_name, "give WIDTHxHEIGHT in pixels, such as 1280x800"_text);
 }
 
-} // namespace
-
+// Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode renderCommand(const RenderOptions& options) {
   pictures::PictureOptions look = options.look;
   std::tie(look.width, look.height) = sizeOf(options.size);
   look.where = options.job.string();
   pictures::checkNames(look);
-  const project::Job job = project::readJob(options.job);
-  base::writeFile(options.picture, scene::pngBytes(pictures::jobPicture(job, look)));
+  const auto png = endedWith(runInterruptibly(
+      [look, job = options.job](const base::RunContext& ctx) {
+        const project::Job read = project::readJob(job);
+        ctx.checkpoint();
+        return scene::pngBytes(pictures::jobPicture(read, look));
+      },
+      1, {}, [] {}));
+  if (!png)
+    return kCancelled;
+  base::writeFile(options.picture, *png);
   return kDone;
+}
+
+} // namespace
+
+void addRender(CLI::App& app, std::function<ExitCode()>& run) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* render = app.add_subcommand("render", "draw a picture of a job; needs no display");
+  render->add_option("JOB", options->job, "job.voluta")->required();
+  render->add_option("-o", options->picture, "PNG file to write")->required();
+  render->add_option("--show", options->look.show, "part, voxels, pieces, layers, paths or robot");
+  render->add_option("--layer", options->look.layer, "show layers 1 to this one");
+  render->add_option("--time", options->look.timeS, "robot: seconds from the program's start");
+  render->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+  render->add_option("--colour", options->look.colour,
+                     "layer, group, kind, height, width, speed, time or direction");
+  render->add_option("--view", options->look.view,
+                     "isometric, front, back, left, right, top or bottom");
+  render->add_flag("--dark", options->look.dark, "dark background");
+  render->callback([options, &run] { run = [options] { return renderCommand(*options); }; });
 }
 
 } // namespace voluta::cli

@@ -1,20 +1,17 @@
-// voluta-cli render: a picture of a job, with or without a display.
+// The sub-command "render": a picture of a job, with or without a display.
 #pragma once
 
 #include "cli/exit_code.h"
-#include "pictures/job_picture.h"
 
-#include <filesystem>
-#include <string>
+#include <functional>
+
+namespace CLI {
+class App;
+}
 
 namespace voluta::cli {
 
-struct RenderOptions {
-  std::filesystem::path job, picture;
-  std::string size = "1280x800";
-  pictures::PictureOptions look; // Except its size
-};
-// Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
-ExitCode renderCommand(const RenderOptions& options);
+// Adds the command; `run` is set when it is given.
+void addRender(CLI::App& app, std::function<ExitCode()>& run);
 
 } // namespace voluta::cli

@@ -23,7 +23,9 @@ void blockInterrupts() {
 
 bool waitOrInterrupted(const std::function<bool()>& done) {
   const sigset_t set = interruptSet();
-  constexpr timespec kPause{0, 10'000'000};
+  constexpr timespec kPause{0, 10'000'000}, kNone{0, 0};
+  if (sigtimedwait(&set, nullptr, &kNone) > 0)
+    return true;
   while (!done())
     if (sigtimedwait(&set, nullptr, &kPause) > 0)
       return true;

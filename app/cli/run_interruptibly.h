@@ -4,6 +4,7 @@
 #include "base/outcome.h"
 #include "base/run_context.h"
 #include "base/staged_folder.h"
+#include "cli/exit_code.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -75,6 +76,16 @@ std::optional<T> settled(base::Outcome<T> outcome, base::StagedFolder& staged,
   else
     fmt::print(stderr, "cancelled; {} is as it was\n", folder.string());
   return ended;
+}
+
+// Runs a command that only prints, or writes one file as a whole.
+template <typename F> ExitCode answered(F command, int threads = 1) {
+  const auto run = [&](const base::RunContext& ctx) { return command(ctx); };
+  return endedWith(runInterruptibly(run, threads, {}, [] {})).value_or(kCancelled);
+}
+// The same for a command that takes a moment.
+template <typename F> std::function<ExitCode()> quick(F command) {
+  return [command] { return answered([&](const base::RunContext&) { return command(); }); };
 }
 
 } // namespace voluta::cli

@@ -6,9 +6,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <vector>
 
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
 #endif
   limit(RLIMIT_CPU, kMaxSeconds);
   limit(RLIMIT_CORE, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody reads the result of a cancelled program
   const bool upright = std::strcmp(argv[1], "upright") == 0;
   const std::string file = argv[2];
   const bool collada = endsWith(file, ".dae");

@@ -204,8 +204,11 @@ StagedFolder::~StagedFolder() {
 }
 
 void StagedFolder::discard() noexcept {
-  std::error_code ignored;
-  fs::remove_all(staging_, ignored);
+  // Another thread may still be writing; it does not find the folder under the other name.
+  const fs::path gone = staging_.string() + "-gone";
+  std::error_code moved, ignored;
+  fs::rename(staging_, gone, moved);
+  fs::remove_all(moved ? staging_ : gone, ignored);
 }
 
 void StagedFolder::commit() {

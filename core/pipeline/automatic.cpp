@@ -81,6 +81,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   const base::ParameterValues values = parameterValues(choices);
   const robot::Cell cell = modes::cellOnAnyPlatform(choices, chosenProcess(choices, values));
   const bool rod = cell.rod().has_value();
+  bool tilts = canTilt(choices, cell);
   std::vector<project::Choices> all, hands; // Each way, and the equivalent manual choices
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
                        std::string_view id) {
@@ -89,7 +90,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     way.item().automaticWay = id;
     if (!choices.item().platformStays)
       way.item().platform = platform;
-    if (mode.aroundRod != rod || (!mode.upright && !cell.tilts()) ||
+    if (mode.aroundRod != rod || (!mode.upright && !tilts) ||
         !way.item().platform.isForAnyOf(mode.platforms))
       return;
     project::Choices hand = resolved(way);
@@ -102,11 +103,18 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     all.push_back(std::move(way));
     hands.push_back(std::move(hand));
   };
-  for (const AutomaticWay& way : automaticWays())
-    add(modes::findMode(way.mode), project::Platform(way.platform), way.id);
-  for (const modes::Mode& mode : modes::modeTable())
-    if (all.empty())
-      add(mode, mode.usual.platform, {});
+  const auto addAll = [&] {
+    for (const AutomaticWay& way : automaticWays())
+      add(modes::findMode(way.mode), project::Platform(way.platform), way.id);
+    for (const modes::Mode& mode : modes::modeTable())
+      if (all.empty())
+        add(mode, mode.usual.platform, {});
+  };
+  addAll();
+  if (all.empty() && cell.tilts()) { // The refusal of the format will say why
+    tilts = true;
+    addAll();
+  }
   if (all.empty())
     throw base::Error(
         base::ErrorCode::Usage,

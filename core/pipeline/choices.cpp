@@ -219,6 +219,13 @@ std::vector<std::string> chosenFormats(const project::Choices& choices, const ro
   return formats;
 }
 
+bool canTilt(const project::Choices& choices, const robot::Cell& cell) {
+  return cell.tilts() &&
+         std::ranges::all_of(chosenFormats(choices, cell), [](const std::string& format) {
+           return program::findDialect(format).tiltsNozzle;
+         });
+}
+
 void requireOptionsApply(const project::Choices& choices,
                          const std::vector<std::string>& assignments) {
   const auto formatsWith = [](std::string_view key) {

@@ -36,6 +36,9 @@ base::ParameterValues parameterValues(const project::Choices& choices);
 // Returns the ids of choices.formats, or this cell's default formats if the list is empty.
 std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell);
 
+// Returns whether the cell and each of its chosen formats can tilt the nozzle on the part.
+bool canTilt(const project::Choices& choices, const robot::Cell& cell);
+
 // Throws Error{Usage} if `assignments` ("key=value") contains an option of programs that none of
 // the formats to be written has.
 void requireOptionsApply(const project::Choices& choices,

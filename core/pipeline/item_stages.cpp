@@ -139,19 +139,25 @@ ItemOutcome ItemStages::load() {
     return out;
   }
   const auto size = context_.cachedOrMade<SizeStage>(
-      keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm),
+      keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm,
+                                         process_.layerHeightMinMm),
       slot("size"),
       [&] { return sizeStage(*shaped().part, *placed_, choices_, process_, span.quiet()); });
-  const auto stand = context_.cachedOrMade<StandStage>(
-      standKey(*loaded_, *placed_, choices_, process_) + base::keyText(hasGivenPaths_),
-      slot("stand"), [&] {
-        return hasGivenPaths_ ? std::make_shared<const StandStage>()
-                              : standStage(*placed_, choices_, process_, span.quiet());
-      });
   // A part that was drawn in other units is not planned.
   const bool isOdd = isOfOtherUnits(*size);
   out.findings = isOdd ? plan::Findings() : startFindings();
   out.goesOn = !isOdd && out.findings.empty();
+  // Its other orientations are not worth the time and the memory if it is larger than the plates.
+  const bool isTooLarge = std::ranges::any_of(out.findings, [](const plan::Finding& f) {
+    return f.kind == plan::FindingKind::LargerThanPlates;
+  });
+  const auto stand = context_.cachedOrMade<StandStage>(
+      standKey(*loaded_, *placed_, choices_, process_) + base::keyText(hasGivenPaths_, isTooLarge),
+      slot("stand"), [&] {
+        return hasGivenPaths_ || isTooLarge
+                   ? std::make_shared<const StandStage>()
+                   : standStage(*placed_, choices_, process_, span.quiet());
+      });
   append(out.findings, size->findings);
   append(out.findings, stand->findings);
   append(out.findings, remainingDefects(*loaded_));

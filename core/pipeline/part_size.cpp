@@ -37,7 +37,8 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   if (size > kHugeMm)
     return {plan::makeFinding(plan::FindingKind::HugePart, {{"size", base::mm(size)}})};
   const double least = process.beadWidthMinMm;
-  const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, least, ctx);
+  const std::vector<voxel::ThinPlace> places =
+      voxel::thinPlaces(part, least, ctx, process.layerHeightMinMm);
   const double area =
       std::accumulate(places.begin(), places.end(), 0.0,
                       [](double sum, const voxel::ThinPlace& p) { return sum + p.areaMm2; });

@@ -84,13 +84,13 @@ ProcessKeys keysOf(const process::Process& process) {
 std::string keyOfPaths(const toolpath::ToolpathOptions& options) {
   const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, turn, winding, step,
                edge, turnLimit, smooth, rims, prime, primeLength, brim, seam, islands, spiral,
-               cooling, fibre, stitches, infillTool, platform] = options;
+               tilts, cooling, fibre, stitches, infillTool, platform] = options;
   const toolpath::StitchOptions usual;
   const bool isUsual = stitches.excess == usual.excess && stitches.depthMm == usual.depthMm;
   return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle, turn,
                        winding, step, edge, turnLimit, smooth, rims, prime, primeLength, brim, seam,
                        islands, spiral, cooling, fibre, infillTool, platform) +
-         (isUsual ? std::string() : base::keyText(stitches));
+         (tilts ? "" : "upright\n") + (isUsual ? std::string() : base::keyText(stitches));
 }
 
 // The same of all tools.
@@ -197,7 +197,9 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
   put(project::Stage::Layers, mode.layers.key(in) + tools);
   const ProcessKeys processKeys = keysOf(tooling);
-  put(project::Stage::Toolpath, cellKey + keyOfPaths(toolpathOptionsOf(values, process)) +
+  toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);
+  paths.canTilt = canTilt(choices, cell);
+  put(project::Stage::Toolpath, cellKey + keyOfPaths(paths) +
                                     processKeys.bead + processKeys.head + loadKey(values));
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));

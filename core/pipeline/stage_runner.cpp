@@ -223,8 +223,11 @@ private:
                                   span(project::Stage::Toolpath));
       const auto joined = joinedLayers();
       std::vector<toolpath::ItemLayers> items;
-      for (const auto& item : items_)
+      requireFormatsTilt(directionsOf(*joined));
+      for (const auto& item : items_) {
         items.push_back(item->forToolpaths());
+        items.back().options.canTilt = canTilt(choices_, *result_.cell);
+      }
       MadeToolpaths made =
           toolpathStage(std::move(items), *joined, *result_.cell, project::platformOf(job()),
                         tooling_, span(project::Stage::Toolpath));
@@ -233,8 +236,7 @@ private:
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
-    for (const std::string& format : chosenFormats(choices_, *result_.cell))
-      program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
+    requireFormatsTilt(stage->toolPlan->direction);
     plan::Findings findings = stage->findings;
     if (const auto load =
             overload(*result_.cell, stage->report.materialMm3, process().material.densityGPerCm3))
@@ -245,6 +247,18 @@ private:
               massOutOfReach(*stage->toolPlan, *judgedPart(job(), tooling_, values_), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return goesOn;
+  }
+
+  static std::vector<Eigen::Vector3d> directionsOf(const layers::LayerStack& stack) {
+    std::vector<Eigen::Vector3d> all;
+    for (const layers::Patch& patch : stack.patches)
+      all.insert(all.end(), patch.direction.begin(), patch.direction.end());
+    return all;
+  }
+  // Throws Error{Usage} if a chosen format cannot state one of the nozzle's directions.
+  void requireFormatsTilt(std::span<const Eigen::Vector3d> directions) const {
+    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+      program::requireUpright(program::findDialect(format), directions);
   }
 
   // Of the first item, whose load is in the frame of its file.

@@ -98,7 +98,7 @@ constexpr auto kRows =
          "{first} and {second} overlap"_text, "arrange the parts"_text, kNoRemedies,
          "move one of the parts on the Prepare page, or arrange them"_text},
         {PartsBlock, "partsBlock", "partsBlock", Load, Info,
-         "neither {first} nor {second} can be printed beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}"_text,
+         "the head may touch {first} or {second} beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}"_text,
          "arrange the parts, or print them layer by layer"_text, kForBlocked},
         {PlatformAdrift, "platformAdrift", "platformAdrift", Decompose, Error,
          "platform {distance:.0f} beside its support: it would float"_text,

@@ -174,6 +174,8 @@ private:
 
   void choose(const collision::GrowingPart& part) {
     direction_ = plan_.direction;
+    if (!o_.canTilt)
+      return;
     base::parallelChunks(ctx_, direction_.size(), kGrain, [&](std::size_t b, std::size_t e) {
       std::optional<Vector3d> narrow;
       for (std::size_t i = b; i < e; ++i) {
@@ -343,7 +345,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   constexpr int kRounds = 4;
   // The cell has the head of the first tool.
   const HeadClearance head(cell, tooling.first().process);
-  const PassScene scene{cell, tooling, options.platform};
+  const PassScene scene{cell, tooling, options.platform, {}, options.canTilt};
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;

@@ -61,6 +61,9 @@ struct ToolpathOptions {
   std::string seam = "nearest"; // id in seamKinds()
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   bool spiral = false;          // one bead with rising height (spiral.h)
+  // Cell and programs can state nozzle directions other than the plate's normal. Otherwise beads
+  // keep the directions of their layers, and supports under rims are printed upright.
+  bool canTilt = true;
   CoolingOptions cooling;
   FibreOptions fibre;
   StitchOptions stitches;

@@ -209,7 +209,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (!hasBrim)
     addWaste(assembled, stack, cell, tooling, options, r.findings);
-  const PassScene scene{cell, tooling, options.platform, stack.pockets};
+  const PassScene scene{cell, tooling, options.platform, stack.pockets, options.canTilt};
   plan::Findings told;
   std::shared_ptr<const collision::GrowingPart> grown;
   if (options.rimSupports) {

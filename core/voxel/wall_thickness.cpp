@@ -37,8 +37,16 @@ std::vector<int> divisions(const geometry::TriangleMesh& mesh, double width) {
   return out;
 }
 
+// Returns whether beads of this width do not fit into a wall with this normal.
+bool isThin(double thickness, const Eigen::Vector3d& normal, double width,
+            std::optional<double> layerMm) {
+  return !layerMm || thickness < width * normal.head<2>().norm() ||
+         thickness < *layerMm * std::abs(normal.z());
+}
+
 void measureFacet(const geometry::TriangleMesh& mesh, const geometry::MeshQuery& query,
-                  std::size_t t, int n, double width, std::vector<ThinPoint>& out) {
+                  std::size_t t, int n, double width, std::optional<double> layerMm,
+                  std::vector<ThinPoint>& out) {
   const double area = geometry::triangleArea(mesh, t);
   const Eigen::Vector3d normal = geometry::triangleNormal(mesh, t);
   if (!(area > 0.0) || !(normal.squaredNorm() > 0.5))
@@ -53,7 +61,9 @@ void measureFacet(const geometry::TriangleMesh& mesh, const geometry::MeshQuery&
     if (!hit || normal.dot(geometry::triangleNormal(
                     mesh, static_cast<std::size_t>(hit->triangle))) > kFacing)
       return;
-    out.push_back({at, (from + hit->t * (to - from) - at).norm(), area / (n * n), t});
+    const double thickness = (from + hit->t * (to - from) - at).norm();
+    if (isThin(thickness, normal, width, layerMm))
+      out.push_back({at, thickness, area / (n * n), t});
   };
   // Centres of the n^2 triangles into which it is divided.
   for (int i = 0; i < n; ++i)
@@ -121,7 +131,7 @@ ThinPlace placeOf(const std::vector<ThinPoint>& points, std::vector<std::size_t>
 } // namespace
 
 std::vector<ThinPlace> thinPlaces(const geometry::TriangleMesh& mesh, double width,
-                                  const base::RunContext& ctx) {
+                                  const base::RunContext& ctx, std::optional<double> layerMm) {
   base::require(width > 0.0, "thinPlaces: width > 0");
   const geometry::MeshQuery query(mesh);
   const std::vector<int> parts = divisions(mesh, width);
@@ -129,7 +139,7 @@ std::vector<ThinPlace> thinPlaces(const geometry::TriangleMesh& mesh, double wid
   std::vector<std::vector<ThinPoint>> found((mesh.triangles.size() + kGrain - 1) / kGrain);
   base::parallelChunks(ctx, mesh.triangles.size(), kGrain, [&](std::size_t b, std::size_t e) {
     for (std::size_t t = b; t < e && !ctx.cancelled(); ++t)
-      measureFacet(mesh, query, t, parts[t], width, found[b / kGrain]);
+      measureFacet(mesh, query, t, parts[t], width, layerMm, found[b / kGrain]);
   });
   std::vector<ThinPoint> points;
   for (const auto& chunk : found)

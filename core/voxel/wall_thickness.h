@@ -5,6 +5,7 @@
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace voluta::voxel {
@@ -24,7 +25,12 @@ struct ThinPlace {
 // sharp edges do not count; places smaller than one square of `width` are dropped. Points are at
 // most about `width` apart, until there are 60,000. An open sheet has no thickness. Preconditions
 // (Error{Internal}): width > 0; coordinates finite. Throws Cancelled.
+//
+// `layerMm`: the part is made of horizontal layers at least that high. Then only those places are
+// thin whose horizontal section is narrower than `width`, or that are lower than a layer: a plate
+// of one layer is not.
 std::vector<ThinPlace> thinPlaces(const geometry::TriangleMesh& mesh, double width,
-                                  const base::RunContext& ctx);
+                                  const base::RunContext& ctx,
+                                  std::optional<double> layerMm = std::nullopt);
 
 } // namespace voluta::voxel

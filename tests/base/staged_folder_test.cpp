@@ -9,6 +9,7 @@
 #include "helpers/temporary_folder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -20,6 +21,7 @@
 #include <sys/ptrace.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -107,6 +109,29 @@ TEST_F(StagedFolders, ACommitThatFailsLeavesTheTargetAsItWas) {
     EXPECT_EQ(readFile(target / name), "old") << name;
   EXPECT_EQ(entries(target), 3u);
   EXPECT_EQ(entries(folder_.path()), 1u) << "staged files stay behind";
+}
+
+// A process that is cancelled ends while its threads still write.
+TEST_F(StagedFolders, DiscardedWhileAThreadWritesNothingIsLeft) {
+  for (int trial = 0; trial < 20; ++trial) {
+    StagedFolder staged(folder_ / "out");
+    std::atomic<bool> began = false;
+    std::thread writer([&] {
+      try {
+        for (int file = 0;; ++file) {
+          fs::create_directory(staged.path() / "pieces");
+          writeFile(staged.path() / "pieces" / std::to_string(file), "1");
+          began = true;
+        }
+      } catch (const std::exception&) { // The folder is gone
+      }
+    });
+    while (!began)
+      std::this_thread::yield();
+    staged.discard();
+    writer.join();
+    ASSERT_EQ(entries(folder_.path()), 0u);
+  }
 }
 
 TEST_F(StagedFolders, RefuseAFile) {

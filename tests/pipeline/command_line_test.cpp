@@ -30,7 +30,8 @@ struct Ended {
 
 class CommandLine : public ::testing::Test {
 protected:
-  pid_t start(const std::vector<std::string>& words) const {
+  // With `cancelled`, the program begins with a SIGTERM that waits for it.
+  pid_t start(const std::vector<std::string>& words, bool cancelled = false) const {
     std::vector<std::string> all{VOLUTA_CLI};
     all.insert(all.end(), words.begin(), words.end());
     std::vector<char*> argv;
@@ -43,6 +44,13 @@ protected:
       const int err = ::open((folder_ / "stderr").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
       ::dup2(out, STDOUT_FILENO);
       ::dup2(err, STDERR_FILENO);
+      if (cancelled) {
+        sigset_t set;
+        sigemptyset(&set);
+        sigaddset(&set, SIGTERM);
+        ::sigprocmask(SIG_BLOCK, &set, nullptr);
+        ::raise(SIGTERM);
+      }
       ::execv(argv[0], argv.data());
       ::_exit(127);
     }
@@ -141,6 +149,17 @@ TEST_F(CommandLine, SeveralPartsArePlacedAndPlanned) {
   };
   EXPECT_NEAR(centreX(0), -20.0, 1e-6);
   EXPECT_NEAR(centreX(1), 20.0, 1e-6);
+}
+
+TEST_F(CommandLine, APartIsPlacedAboveThePlate) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  run({"plan", part, part, "-o", out, "--mode", "flat", "--until", "load", "--place", "1:0,0",
+       "--place", "2:0,0,90,8"});
+  const auto report = nlohmann::json::parse(base::readFile(folder_ / "out" / "report.json"));
+  ASSERT_EQ(report["items"].size(), 2u);
+  EXPECT_NEAR(report["items"][0]["model"]["boundsMm"][0][2].get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(report["items"][1]["model"]["boundsMm"][0][2].get<double>(), 8.0, 1e-6);
+  expectOneLine(run({"plan", part, "-o", out, "--place", "1:0,0,0,-1"}), 2, {"below the plate"});
 }
 
 TEST_F(CommandLine, PlacesOfPartsAreCheckedInOneLine) {
@@ -376,6 +395,35 @@ TEST_F(CommandLine, CancelLeavesTheFolderAsItWas) {
     EXPECT_EQ(entries(), before) << "something was left beside the folder";
   }
   EXPECT_GE(cancelled, 1);
+}
+
+TEST_F(CommandLine, EveryCommandObeysATermination) {
+  const std::string part = smallBox(), out = (folder_ / "out").string(),
+                    job = (folder_ / "job.voluta").string();
+  const std::vector<std::vector<std::string>> commands{
+      {"plan", part, "-o", out},
+      {"compare", part, "-o", out},
+      {"inspect", part},
+      {"orient", part},
+      {"mill", part, "-o", out},
+      {"pith", part, "-o", out + ".stl"},
+      {"render", job, "-o", out + ".png"},
+      {"verify", out + "/a.script", "--job", job},
+      {"resume", job, "--bead", "1", "-o", out},
+      {"compare-run", job, out + ".csv"},
+      {"together", job, job, "--place", "1000,0,0,180", "-o", out},
+      {"together", "--verify", out},
+      {"cell", "reach"},
+      {"cell", "nozzle", "--cell", "ur5-fixed"},
+      {"cell", "check", "ur5-fixed"},
+      {"cell", "advise", part, "--cells", "ur5-fixed,ur5-moving"},
+      {"cell", "place", part, "--robot", "ur5"},
+      {"robot", "ur5", "--fk", "0,0,0,0,0,0"},
+      {"process", "show", "fdm-1.0"},
+      {"material", "show", "pla"}};
+  for (const std::vector<std::string>& words : commands)
+    EXPECT_EQ(finish(start(words, true)).code, 5) << words[0] << ' ' << words[1];
+  EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a cancelled command left something";
 }
 
 nlohmann::json jsonOf(const fs::path& file) {

@@ -2,7 +2,10 @@
 #include "geometry/meshes_meet.h"
 #include "helpers/shapes.h"
 #include "pipeline/items/arrangement.h"
+#include "pipeline/items/plate_parts.h"
 #include "pipeline/items/print_sequence.h"
+#include "plan/finding_kinds.h"
+#include "process/process.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -115,6 +118,61 @@ TEST(Arrangement, RefusesWhatDoesNotFit) {
   pipeline::ArrangeOptions options;
   options.plate = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
   EXPECT_FALSE(pipeline::arranged(parts, kHead, options));
+}
+
+// The outline of a ring is the hull of all that is in it.
+geometry::TriangleMesh ring(double inner, double outer) {
+  geometry::TriangleMesh mesh;
+  for (const double low : {-outer, inner})
+    for (const bool along : {false, true}) {
+      const double high = low + outer - inner;
+      test::append(mesh, along ? test::box({-inner, low, 0}, {inner, high, 5})
+                               : test::box({low, -outer, 0}, {high, outer, 5}));
+    }
+  return mesh;
+}
+
+TEST(PartsOnAPlate, RingsInEachOtherAreAsFarApartAsTheyAre) {
+  const auto inner = std::make_shared<const geometry::TriangleMesh>(ring(6.0, 10.0)),
+             outer = std::make_shared<const geometry::TriangleMesh>(ring(14.0, 18.0));
+  project::Choices choices;
+  choices.items.resize(2);
+  for (project::ItemChoices& item : choices.items) {
+    item.automatic = false;
+    item.mode = "flat";
+  }
+  const plan::Findings findings = pipeline::findingsBetween(
+      {inner, outer}, choices, process::loadProcess("fdm-1.0"), {"inner", "outer"});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, plan::FindingKind::PartsBlock);
+  EXPECT_NE(plan::englishReason(findings[0]).find("they are 4.0 mm apart"), std::string::npos)
+      << plan::englishReason(findings[0]);
+}
+
+TEST(MeshesMeet, PartsThatTouchShareNothing) {
+  const auto box = test::box({0, 0, 0}, {10, 10, 10});
+  constexpr double kDepthMm = 0.02;
+  const auto shared = [&](const geometry::TriangleMesh& other) {
+    return geometry::sharedPoint(box, other, kDepthMm).has_value();
+  };
+  EXPECT_FALSE(shared(test::box({10, 0, 0}, {20, 10, 10}))) << "a whole face";
+  EXPECT_FALSE(shared(test::box({2, 3, 10}, {7, 8, 15}))) << "on top";
+  EXPECT_FALSE(shared(test::box({10, 10, 0}, {20, 20, 10}))) << "an edge";
+  EXPECT_FALSE(shared(test::box({9.99, 0, 0}, {20, 10, 10}))) << "less than it counts";
+  EXPECT_TRUE(shared(box)) << "the same";
+  EXPECT_TRUE(shared(test::box({5, 0, 0}, {15, 10, 10}))) << "edges on faces";
+  EXPECT_TRUE(shared(test::box({9.9, 0, 0}, {20, 10, 10})));
+  EXPECT_TRUE(shared(test::box({4, 4, 4}, {5, 5, 5}))) << "swallowed";
+  EXPECT_TRUE(shared(test::box({-5, 4, 4}, {15, 5, 5}))) << "a cross";
+  EXPECT_TRUE(shared(test::box({-5, 0, 0}, {15, 10, 10}))) << "longer";
+  EXPECT_TRUE(geometry::sharedPoint(test::box({-5, -5, 0}, {15, 15, 10}), box, kDepthMm));
+}
+
+TEST(MeshesMeet, DistancesAreThoseOfTheSurfaces) {
+  const auto box = test::box({0, 0, 0}, {10, 10, 10});
+  EXPECT_NEAR(geometry::distanceBetween(box, test::box({13, 14, 0}, {20, 20, 9})), 5.0, 1e-9);
+  EXPECT_NEAR(geometry::distanceBetween(ring(6.0, 10.0), ring(14.0, 18.0)), 4.0, 1e-9);
+  EXPECT_NEAR(geometry::distanceBetween(box, test::box({10, 0, 0}, {20, 10, 10})), 0.0, 1e-9);
 }
 
 TEST(MeshesMeet, FindsCrossingsAndEnclosures) {

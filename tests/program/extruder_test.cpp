@@ -151,6 +151,25 @@ TEST_F(Extruders, drawBackAndReturnTheSame) {
   }
 }
 
+// Each file sets its extruder up and ends it: opens and closes a connection, for one.
+TEST_F(Extruders, areUsedFromSeveralFiles) {
+  int inSeveral = 0;
+  for (const Dialect& d : dialects())
+    for (const std::string_view id : d.extruders) {
+      SCOPED_TRACE(std::string(d.id) + " with " + std::string(id));
+      randomFor(d, 5, 200);
+      ProgramInput in = inputFor(id);
+      in.options.motionsPerFile = 60;
+      const plan::Program program = writeProgram(d.id, in);
+      inSeveral += program.files.size() > 3;
+      const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
+      for (const plan::ProgramDefect& defect : back.defects)
+        ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
+      EXPECT_EQ(back.motions.size(), trajectory_.pointCount());
+    }
+  EXPECT_GE(inSeveral, 3);
+}
+
 TEST_F(Extruders, thatAChoiceOrTheCellAsksForAreTaken) {
   randomFor(findDialect("urscript"), 1, 100);
   const auto textFor = [&](std::string_view id) {

@@ -41,6 +41,15 @@ TEST(ThinPlaces, TheWallOfAHollowPartIsMeasuredNotItsCavity) {
   EXPECT_TRUE(thinPlaces(gap, 0.8, kQuiet).empty());
 }
 
+TEST(ThinPlaces, APlateOfOneLayerIsNotThinWhereLayersAreHorizontal) {
+  const geometry::TriangleMesh plate = test::box({0, 0, 0}, {40, 30, 0.6}),
+                               wall = test::box({0, 0, 0}, {0.6, 30, 40});
+  EXPECT_EQ(thinPlaces(plate, 0.8, kQuiet).size(), 1u);
+  EXPECT_TRUE(thinPlaces(plate, 0.8, kQuiet, 0.4).empty());
+  EXPECT_EQ(thinPlaces(plate, 0.8, kQuiet, 0.7).size(), 1u) << "lower than a layer";
+  EXPECT_EQ(thinPlaces(wall, 0.8, kQuiet, 0.4).size(), 1u);
+}
+
 TEST(ThinPlaces, SharpEdgesAreNotWalls) {
   // A wedge of 45 degrees.
   geometry::TriangleMesh wedge;

@@ -1,5 +1,6 @@
 #include "geometry/repair/orientation.h"
 
+#include "geometry/box_grid.h"
 #include "geometry/edges.h"
 #include "geometry/mesh_query.h"
 
@@ -67,18 +68,31 @@ std::vector<bool> insideOutComponents(const TriangleMesh& mesh, const Components
                     shell.mesh.corner(largest, 2)) /
                    3.0;
   }
-  std::vector<bool> insideOut(count, false);
+  std::vector<Eigen::AlignedBox3d> boxes; // of the closed shells
+  std::vector<std::size_t> shellOf;       // the shell of each box
+  double width = 1e-6;
   for (std::size_t c = 0; c < count; ++c) {
     if (!closed[c])
       continue;
+    boxes.push_back(shells[c].box);
+    shellOf.push_back(c);
+    width = std::max(width, shells[c].box.sizes().maxCoeff());
+  }
+  // Wide cells suit a few large shells, narrow ones many small.
+  const BoxGrid grid(boxes,
+                     width / std::cbrt(static_cast<double>(std::max(count, std::size_t{1}))));
+  std::vector<bool> insideOut(count, false);
+  for (const std::size_t c : shellOf) {
     double outside = 0.0;
-    for (std::size_t other = 0; other < count; ++other) {
-      if (other == c || !closed[other] || !shells[other].box.contains(shells[c].sample))
-        continue;
+    grid.any({shells[c].sample, shells[c].sample}, [&](std::size_t box) {
+      const std::size_t other = shellOf[box];
+      if (other == c || !boxes[box].contains(shells[c].sample))
+        return false;
       if (!shells[other].query)
         shells[other].query = std::make_unique<MeshQuery>(shells[other].mesh);
       outside += std::round(shells[other].query->windingNumber(shells[c].sample));
-    }
+      return false;
+    });
     insideOut[c] = std::min(outside, outside + shells[c].sign) < 0.0;
   }
   return insideOut;

@@ -88,20 +88,23 @@ plan::Findings
 findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
                 const project::Choices& choices, const process::Process& process,
                 const std::vector<std::string>& names) {
+  constexpr double kTouchMm = 0.02; // parts that touch share less
   plan::Findings findings;
   for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b)
-      if (const auto where = geometry::meetingPoint(*parts[a], *parts[b]))
+      if (const auto where = geometry::sharedPoint(*parts[a], *parts[b], kTouchMm))
         findings.push_back(plan::makeFinding(plan::FindingKind::PartsOverlap,
                                              {{"first", names[a]}, {"second", names[b]}}, *where));
   if (!findings.empty() || choices.printOrder != layers::PrintOrder::OneAfterAnother)
     return findings;
-  if (const auto blocked = printSequence(parts, choices, process).blocked)
+  if (const auto blocked = printSequence(parts, choices, process).blocked) {
+    const double gapMm = geometry::distanceBetween(*parts[blocked->first], *parts[blocked->second]);
     findings.push_back(plan::makeFinding(plan::FindingKind::PartsBlock,
                                          {{"first", names[blocked->first]},
                                           {"second", names[blocked->second]},
-                                          {"gap", base::mm(blocked->gapMm)},
+                                          {"gap", base::mm(gapMm)},
                                           {"needed", base::mm(blocked->neededMm)}}));
+  }
   return findings;
 }
 

@@ -48,8 +48,12 @@ public:
   // Checks a word at this place; extruderOn: whether the extruder is on.
   void word(std::string_view word, std::uint8_t places, std::size_t file, std::size_t line,
             bool extruderOn);
-  // Begins a section that runs separately and sets the machine up again.
-  void begin() { moved_ = false; }
+  // Begins a section that runs separately and sets the machine up again. The section before has
+  // ended.
+  void begin() {
+    moved_ = false;
+    waiting_.clear();
+  }
   void motion();
   // Material flows, moving or not.
   void material();

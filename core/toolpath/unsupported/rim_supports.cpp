@@ -108,12 +108,12 @@ struct Room {
 // Finds room for support beads below one path.
 class Underlayer {
 public:
-  // `process`: of the path's tool; `before`: the first waypoint of its patch.
-  Underlayer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
-             const platform::PlatformSolid& platform, const HeadClearance& head,
-             const process::Process& process, const plan::ToolPath& path, std::size_t before)
-      : plan_(plan), part_(part), platform_(platform), head_(head), process_(process), path_(path),
-        before_(before) {}
+  // `before`: the first waypoint of the path's patch.
+  Underlayer(const plan::ToolPlan& plan, const collision::GrowingPart& part, const PassScene& scene,
+             const HeadClearance& head, const plan::ToolPath& path, std::size_t before)
+      : plan_(plan), part_(part), platform_(scene.platform), head_(head),
+        process_(scene.tooling.of(path).process), path_(path), before_(before),
+        canTilt_(scene.canTilt) {}
 
   // Returns the courses, from the lowest upwards. `unsupported`: unsupportedWaypoints() of the plan
   // and its beads.
@@ -184,6 +184,8 @@ private:
   // Returns candidate nozzle directions over a stretch, best first: upright, as for the supported
   // bead, tilted to either side of the path.
   std::vector<std::vector<Vector3d>> nozzles(std::size_t b, std::size_t e) const {
+    if (!canTilt_)
+      return {std::vector<Vector3d>(e - b, Vector3d::UnitZ())};
     std::vector<std::vector<Vector3d>> ways(2 + kLeansDeg.size());
     for (std::size_t i = b; i < e; ++i) {
       ways[0].push_back(Vector3d::UnitZ());
@@ -281,6 +283,7 @@ private:
   const process::Process& process_;
   const plan::ToolPath& path_;
   std::size_t before_;
+  bool canTilt_;
 };
 
 // Returns the courses per path that has some.
@@ -298,9 +301,7 @@ std::map<std::size_t, std::vector<Course>> coursesOf(const UnsupportedBeads& bea
   base::parallelChunks(ctx, of.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
       const plan::ToolPath& path = plan.paths[p];
-      of[p] = Underlayer(plan, part, scene.platform, head, scene.tooling.of(path).process, path,
-                         patchFirst[p])
-                  .courses(beads.unsupported);
+      of[p] = Underlayer(plan, part, scene, head, path, patchFirst[p]).courses(beads.unsupported);
     }
   });
   ctx.checkpoint();

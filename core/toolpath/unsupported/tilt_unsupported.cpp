@@ -126,7 +126,7 @@ std::optional<PassResult> tiltUnsupportedBeads(const UnsupportedBeads& beads, co
                     beads.middle.size() == plan.waypointCount(),
                 "a mark and a middle for each waypoint");
   ctx.checkpoint();
-  if (!canTilt(beads, scene.tooling))
+  if (!scene.canTilt || !canTilt(beads, scene.tooling))
     return std::nullopt;
   std::vector<Vector3d> directions = plan.direction;
   const Bracer bracer(plan, part(), scene.platform);

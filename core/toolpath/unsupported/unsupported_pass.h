@@ -59,6 +59,7 @@ struct PassScene {
   process::Tooling tooling; // the process of the first tool is the cell's
   const platform::PlatformSolid& platform;
   std::span<const layers::Pocket> pockets = {}; // filled before the beads above them
+  bool canTilt = true;                          // ToolpathOptions::canTilt
 };
 
 // Returns the part that a pass sees. It is grown at the first call, so passes that find nothing to
