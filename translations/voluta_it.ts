@@ -9889,6 +9889,62 @@ facce %</translation>
         <source>not used: {count} strips of triangles (element &apos;tristrips&apos;)</source>
         <translation>non usate: {count} strisce di triangoli (elemento «tristrips»)</translation>
     </message>
+    <message>
+        <source>&apos;{word}&apos; is not followed by a joint motion: it changes the speed of a later travel</source>
+        <translation>dopo &apos;{word}&apos; non segue un moto dei giunti: cambia la velocità di uno spostamento successivo</translation>
+    </message>
+    <message>
+        <source>the tape&apos;s cutter is out already</source>
+        <translation>la lama del nastro è già fuori</translation>
+    </message>
+    <message>
+        <source>the tape&apos;s cutter is not out</source>
+        <translation>la lama del nastro non è fuori</translation>
+    </message>
+    <message>
+        <source>the tape&apos;s cutter is out for {time:.2f}: it needs {least:.1f} to {most:.1f}</source>
+        <translation>la lama del nastro resta fuori per {time:.2f}: servono da {least:.1f} a {most:.1f}</translation>
+    </message>
+    <message>
+        <source>the tape&apos;s cutter is not drawn back</source>
+        <translation>la lama del nastro non viene ritirata</translation>
+    </message>
+    <message>
+        <source>outside the function of a part: &apos;{code}&apos;</source>
+        <translation>fuori dalla funzione di una parte: &apos;{code}&apos;</translation>
+    </message>
+    <message>
+        <source>the cutter&apos;s output needs S255 or S0</source>
+        <translation>l&apos;uscita della lama vuole S255 o S0</translation>
+    </message>
+    <message>
+        <source>the cutter&apos;s output runs ahead of the motions: M400 is missing before it</source>
+        <translation>l&apos;uscita della lama precede i moti: prima manca M400</translation>
+    </message>
+    <message>
+        <source>the first module declares &apos;{procedure}&apos;, too</source>
+        <translation>anche il primo modulo dichiara &apos;{procedure}&apos;</translation>
+    </message>
+    <message>
+        <source>frame {id} follows frame {before}: frames are missing or in another order</source>
+        <translation>il pacchetto {id} segue il pacchetto {before}: mancano pacchetti o sono in un altro ordine</translation>
+    </message>
+    <message>
+        <source>the velocity at this point leads off the path</source>
+        <translation>la velocità in questo punto porta fuori dal percorso</translation>
+    </message>
+    <message>
+        <source>the motors&apos; power for the first motion</source>
+        <translation>la potenza dei motori per il primo moto</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>piena</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>ridotta</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

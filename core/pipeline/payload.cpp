@@ -4,13 +4,10 @@
 
 namespace voluta::pipeline {
 
-std::optional<plan::Finding> overload(const robot::Cell& cell, double materialMm3,
-                                      double densityGPerCm3) {
-  constexpr double kNearly = 0.9, kKgPerGram = 1e-3, kCm3PerMm3 = 1e-3;
+std::optional<plan::Finding> overload(const robot::Cell& cell, double materialG) {
+  constexpr double kNearly = 0.9, kKgPerGram = 1e-3;
   const std::optional<double>& most = cell.robot().payloadKg;
-  const double material = cell.nozzleMount() == robot::Mount::World
-                              ? materialMm3 * kCm3PerMm3 * densityGPerCm3 * kKgPerGram
-                              : 0.0;
+  const double material = cell.nozzleMount() == robot::Mount::World ? materialG * kKgPerGram : 0.0;
   const double carried = cell.carriedKg() + material;
   if (!most || carried <= kNearly * *most)
     return std::nullopt;

@@ -9,9 +9,8 @@
 namespace voluta::pipeline {
 
 // Returns a finding if the flange carries more than 90 % of the robot's payload once everything is
-// printed: the tool, or the plate with the printed material, `materialMm3` of that density. It
-// blocks above the payload. nullopt also if the payload is unknown.
-std::optional<plan::Finding> overload(const robot::Cell& cell, double materialMm3,
-                                      double densityGPerCm3);
+// printed: the tool, or the plate with the printed material. It blocks above the payload. nullopt
+// also if the payload is unknown.
+std::optional<plan::Finding> overload(const robot::Cell& cell, double materialG);
 
 } // namespace voluta::pipeline

@@ -238,8 +238,7 @@ private:
     report().toolpath = stage->report;
     requireFormatsTilt(stage->toolPlan->direction);
     plan::Findings findings = stage->findings;
-    if (const auto load =
-            overload(*result_.cell, stage->report.materialMm3, process().material.densityGPerCm3))
+    if (const auto load = overload(*result_.cell, tooling_.printedG(*stage->toolPlan)))
       findings.push_back(*load);
     const bool goesOn = done(project::Stage::Toolpath, findings, stage->timings);
     if (goesOn && context_.isTrial() && !given && report().item().model.watertight)

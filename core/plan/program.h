@@ -94,6 +94,7 @@ struct ProgramPause {
   double volumeMm3 = 0.0; // Material extruded during the pause
   double drawnMm = 0.0;   // Filament retracted or returned during the pause
   int tool = 0;           // Whose material it is
+  bool cuts = false;      // The tape's cutter is out meanwhile
 };
 
 // The payload that the program states.

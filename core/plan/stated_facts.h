@@ -27,6 +27,7 @@ enum class FactKind : std::uint8_t {
   PassingOutput,   // An extruder output is set at a motion that does not stop
   ToolSelected,    // `tool` deposits from here on
   TapeCut,         // Cuts the tape
+  FullPower,       // Number 1: the motors have their full power; 0: they are limited to a low one
   ToolLocked,      // Number 1: the tool changer locks the tool; 0: releases it
   BedHeat,         // Number: degrees C, 0: off
   BedHeatWait,     // Waits until the bed is that hot

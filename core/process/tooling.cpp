@@ -1,6 +1,7 @@
 #include "process/tooling.h"
 
 #include "base/error.h"
+#include "process/bead_to.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +52,24 @@ double Tooling::printedG(const plan::Trajectory& trajectory) const {
   double g = 0.0;
   for (std::size_t tool = 0; tool < uses.size(); ++tool)
     g += 1e-3 * uses[tool].printedMm3 * (*tools_)[tool].process.material.densityGPerCm3;
+  return g;
+}
+
+double Tooling::printedG(const plan::ToolPlan& plan) const {
+  const auto volumeTo = [&](const plan::ToolPath& path, std::size_t i) {
+    if (path.kind != plan::PathKind::Tape)
+      return beadTo(plan, i);
+    return static_cast<double>(plan.widthMm[i]) * static_cast<double>(plan.heightMm[i]) *
+           (plan.position[i] - plan.position[i - 1]).norm();
+  };
+  double g = 0.0;
+  for (const plan::ToolPath& path : plan.paths) {
+    const bool isShot = path.kind == plan::PathKind::Shot;
+    double mm3 = isShot ? plan.shotMm3(path) : 0.0;
+    for (std::size_t i = path.first + 1; !isShot && i < path.first + path.count; ++i)
+      mm3 += volumeTo(path, i);
+    g += 1e-3 * mm3 * of(path).process.material.densityGPerCm3;
+  }
   return g;
 }
 

@@ -40,6 +40,8 @@ public:
   std::vector<ToolUse> usesOf(const plan::Trajectory& trajectory) const;
   // The mass of all that is printed, without purges [g].
   double printedG(const plan::Trajectory& trajectory) const;
+  // The same of planned paths.
+  double printedG(const plan::ToolPlan& plan) const;
   // The flow that outputs state as full [mm3/s]: that of the tool with the largest one.
   double fullFlowMm3PerS() const;
   // The tools that print after a point of the trajectory: all of them if it changes the tool there,

@@ -1,6 +1,7 @@
 #include "program/program_builder.h"
 
 #include "plan/marks.h"
+#include "program/common/tape_cut.h"
 #include "program/filament.h"
 #include "program/gcode/castelli_serial.h"
 
@@ -103,6 +104,14 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
 
 void ProgramBuilder::motion(plan::ProgramMotion m) {
   settleTool();
+  tellCutterOut();
+  const std::optional<Statement> speed = std::exchange(jointSpeed_, std::nullopt);
+  if (speed && !m.jointInterpolated && !program_.motions.empty())
+    defects_.add(
+        speed->file, speed->line,
+        base::message("'{word}' is not followed by a joint motion: it changes the speed of "
+                      "a later travel"_text,
+                      speed->word));
   m.file = static_cast<std::uint32_t>(file);
   m.line = static_cast<std::uint32_t>(line);
   m.tool = static_cast<std::uint8_t>(selected_);
@@ -219,6 +228,50 @@ bool ProgramBuilder::awaitInput(int input, bool on) {
   return true;
 }
 
+void ProgramBuilder::setCutter(bool on) {
+  if (on) {
+    if (cutterOut_)
+      defect("the tape's cutter is out already"_text);
+    state(plan::FactKind::TapeCut);
+    cutterOut_ = Statement{file, line, program_.pauses.size()};
+    return;
+  }
+  if (!cutterOut_) {
+    if (!program_.motions.empty())
+      defect("the tape's cutter is not out"_text);
+    return;
+  }
+  double seconds = 0.0;
+  for (std::size_t p = cutterOut_->pause; p < program_.pauses.size(); ++p) {
+    program_.pauses[p].cuts = true;
+    seconds += program_.pauses[p].durationS;
+  }
+  cutterOut_.reset();
+  tellCutLasts(seconds);
+}
+
+void ProgramBuilder::cutFor(double seconds) {
+  state(plan::FactKind::TapeCut);
+  tellCutLasts(seconds);
+}
+
+void ProgramBuilder::tellCutLasts(double seconds) {
+  if (!(seconds >= kMinCutPulseS && seconds <= kMaxCutPulseS))
+    defect(base::message("the tape's cutter is out for {time:.2f}: it needs {least:.1f} to "
+                         "{most:.1f}"_text,
+                         base::seconds(seconds), base::seconds(kMinCutPulseS),
+                         base::seconds(kMaxCutPulseS)));
+}
+
+void ProgramBuilder::tellCutterOut() {
+  if (const auto out = std::exchange(cutterOut_, std::nullopt))
+    defects_.add(out->file, out->line, "the tape's cutter is not drawn back"_text);
+}
+
+void ProgramBuilder::setJointSpeed(std::string_view word) {
+  jointSpeed_ = Statement{file, line, 0, std::string(word)};
+}
+
 void ProgramBuilder::settleTool() {
   if (!outputLine_)
     return;
@@ -256,6 +309,7 @@ void ProgramBuilder::load(std::string_view word, double kg) {
 }
 
 plan::ReadProgram ProgramBuilder::take(bool complete) {
+  tellCutterOut();
   program_.complete = complete;
   return std::move(program_);
 }

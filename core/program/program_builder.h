@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -82,6 +83,16 @@ public:
   // Waits without time limit for an input of marks. Returns false if the input is another one.
   bool awaitInput(int input, bool on);
 
+  // Sets the output of the tape's cutter. A cut (tape_cut.h) is the output on, a wait and the
+  // output off: another order, a wait of another duration and a motion amid it are defects.
+  void setCutter(bool on);
+  // Adds a cut by a statement that states the whole pulse.
+  void cutFor(double seconds);
+
+  // Sets the speed of joint motions alone. A defect if a straight motion follows, unless it is the
+  // first motion: programs state it at the joint motion that needs it.
+  void setJointSpeed(std::string_view word);
+
   // Sets the arm's payload. A different payload during the print is a defect.
   void load(std::string_view word, double kg);
 
@@ -99,6 +110,9 @@ private:
   void settleTool();
   // Adds a defect if too much filament is retracted.
   void tellDrawn(double mm);
+  void tellCutLasts(double seconds);
+  // Adds a defect if the tape's cutter is out.
+  void tellCutterOut();
 
   const process::Material& material() const { return tooling_.at(selected_).process.material; }
 
@@ -111,6 +125,13 @@ private:
   WordPlaces places_;
   ReadOutputs outputs_;
   bool toolSet_ = false;
+  struct Statement {
+    std::size_t file, line;
+    std::size_t pause = 0; // index of the next one
+    std::string word = {};
+  };
+  std::optional<Statement> cutterOut_;  // that set the cutter's output
+  std::optional<Statement> jointSpeed_; // that no joint motion has followed
   // The extruder's reverse flow [mm3/s], and the retracted volume of filament [mm3].
   double drawsMm3PerS_ = 0.0, drawnMm3_ = 0.0;
   FilamentCount axis_;

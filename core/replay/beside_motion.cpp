@@ -30,6 +30,7 @@ constexpr double kMaxPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
 constexpr std::size_t kMaxPauses = 100; // maximum number of findings
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
 constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
+constexpr double kFlowSlack = 1.05; // as for motions
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
 constexpr double kHarder = 1.5;
 // Writers may let the speed change within half of the motion.
@@ -46,6 +47,7 @@ public:
 
   std::vector<TextFinding> judge() {
     pauses();
+    flows();
     waits();
     prime();
     load();
@@ -72,6 +74,19 @@ private:
     }
   }
 
+  // Material that flows out at rest: a prime, a purge, a shot.
+  void flows() {
+    for (const plan::ProgramPause& p : program_.pauses) {
+      const double most = process::flowLimit(tooling_.at(p.tool).process);
+      if (p.volumeMm3 <= kMinMm3 || p.volumeMm3 <= kFlowSlack * most * p.durationS)
+        continue;
+      const double flow = p.volumeMm3 / std::max(p.durationS, kPauseS);
+      add(plan::FindingKind::Flow, placeOfPause(p),
+          {{"flow", base::Quantity{flow, base::Unit::Mm3PerS}},
+           {"limit", base::Quantity{most, base::Unit::Mm3PerS}}});
+    }
+  }
+
   // A hot nozzle drips while it dwells.
   void waits() {
     std::vector<const plan::ProgramPause*> unplanned;
@@ -79,7 +94,7 @@ private:
     for (const plan::ProgramPause& p : program_.pauses) {
       const bool amid = p.before > program_.firstMotion && p.before < program_.motions.size();
       const double over = p.durationS - (1.0 + kPauseShare) * plannedPauseS(p);
-      if (!amid || p.volumeMm3 > kMinMm3 || over <= kPauseS || waitsBefore(p.before))
+      if (!amid || p.cuts || p.volumeMm3 > kMinMm3 || over <= kPauseS || waitsBefore(p.before))
         continue;
       unplanned.push_back(&p);
       seconds += over;

@@ -24,7 +24,7 @@ bool needs(const plan::ReadProgram& program, FactKind kind) {
 struct Heater {
   FactKind heat, wait;
   int tool = 0; // of nozzles
-  double usualC = 0.0, leastC = 0.0;
+  double usualC = 0.0, toleranceC = 0.0;
   base::Message name, waitName, offName;
 
   bool isNozzle() const { return heat == FactKind::NozzleHeat; }
@@ -35,13 +35,13 @@ std::vector<Heater> heatersOf(std::span<const process::Tool> tools) {
   for (std::size_t t = 0; t < tools.size(); ++t)
     if (const process::Material& m = tools[t].process.material; m.nozzleC)
       heaters.push_back({FactKind::NozzleHeat, FactKind::NozzleHeatWait, static_cast<int>(t),
-                         static_cast<double>(*m.nozzleC), static_cast<double>(m.nozzleMinC),
+                         static_cast<double>(*m.nozzleC), kNozzleToleranceC,
                          "the nozzle temperature, °C"_text, "a wait until the nozzle is hot"_text,
                          "turning off the nozzle's heating"_text});
   if (const double bed = tools.front().process.material.bedC.value_or(0); bed > 0.0)
-    heaters.push_back({FactKind::BedHeat, FactKind::BedHeatWait, 0, bed,
-                       std::max(1.0, bed - kBedToleranceC), "the bed temperature, °C"_text,
-                       "a wait until the bed is hot"_text, "turning off the bed's heating"_text});
+    heaters.push_back({FactKind::BedHeat, FactKind::BedHeatWait, 0, bed, kBedToleranceC,
+                       "the bed temperature, °C"_text, "a wait until the bed is hot"_text,
+                       "turning off the bed's heating"_text});
   return heaters;
 }
 
@@ -75,7 +75,7 @@ private:
       return;
     }
     celsius_ = fact.number;
-    isOn_ = fact.number >= heater_.leastC;
+    isOn_ = fact.number > 0.0 && std::abs(fact.number - heater_.usualC) <= heater_.toleranceC;
     isWaited_ = isWaited_ && isOn_;
     if (isOn_)
       off_ = nullptr;

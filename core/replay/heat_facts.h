@@ -15,14 +15,15 @@ namespace voluta::replay {
 
 // For languages that can heat (ReadProgram::neededFacts), and materials with a known temperature.
 // Returns a finding, with its line, for each of these:
-// - a tool extrudes before its nozzle is commanded to the coldest temperature that prints its
-//   material or, if the language has a word for it, before the program has waited for that;
-// - a nozzle is turned off or set below that temperature, and its tool extrudes later;
-// - the same for the bed, if the first tool's material needs one: within kBedToleranceC of the
-//   material's temperature;
+// - a tool extrudes before its nozzle is commanded to its material's own temperature, within
+//   kNozzleToleranceC, or, if the language has a word for it, before the program has waited for
+//   that;
+// - a nozzle is turned off or set to another temperature, and its tool extrudes later;
+// - the same for the bed, if the first tool's material needs one: within
+//   kBedToleranceC of its temperature;
 // - a complete program ends with one of them heated.
 // `firstPoint`: of the trajectory, where the text begins.
-inline constexpr double kBedToleranceC = 30.0;
+inline constexpr double kNozzleToleranceC = 5.0, kBedToleranceC = 10.0;
 std::vector<TextFinding> compareHeat(const plan::ReadProgram& program,
                                      const plan::Trajectory& trajectory,
                                      const process::Tooling& tooling, std::size_t firstPoint = 0);

@@ -75,7 +75,7 @@ private:
     std::vector<double> stated(planned.size(), 0.0);
     std::vector<const plan::ProgramPause*> pauseAt(planned.size(), nullptr);
     for (const plan::ProgramPause& pause : program_.pauses)
-      if (pause.before < planned.size() && pause.drawnMm <= 0.0) {
+      if (pause.before < planned.size() && pause.drawnMm <= 0.0 && !pause.cuts) {
         stated[pause.before] += pause.durationS;
         pauseAt[pause.before] = &pause;
       }

@@ -42,6 +42,8 @@ base::Message nameOf(FactKind kind) {
     return "the mechanical unit"_text;
   case FactKind::OpenRounding:
     return "the rounding distances of corners"_text;
+  case FactKind::FullPower:
+    return "the motors' power for the first motion"_text;
   case FactKind::ToolSelected: // events: planned_events.h
   case FactKind::ToolLocked:
   case FactKind::TapeCut:
@@ -78,6 +80,7 @@ public:
         needed(kind);
     for (const StatedFact& fact : program_.facts)
       stated(fact);
+    power();
     postures();
     return std::move(found_);
   }
@@ -164,6 +167,16 @@ private:
     default:
       break;
     }
+  }
+
+  // The arm's position is unknown then.
+  void power() {
+    const StatedFact* last = nullptr;
+    for (const StatedFact& fact : program_.facts)
+      if (fact.kind == FactKind::FullPower && isBeforeMotion(fact))
+        last = &fact;
+    if (last && last->number > 0.0)
+      changed(last->kind, placeOfFact(*last), "full"_text, "low"_text);
   }
 
   void fullFlow(const StatedFact& fact) {

@@ -345,7 +345,8 @@ std::optional<plan::Finding> addBrim(plan::ToolPlan& plan, const layers::LayerSt
   if (!(options.brimWidthMm > 0.0) || plan.paths.empty() || platform.polygon.size() < 3 ||
       platform.mesh || platform.rod)
     return std::nullopt;
-  const process::Process& process = tooling.first().process;
+  const int tool = plan.paths.front().tool; // that prints first
+  const process::Process& process = tooling.at(tool).process;
   const double first = process.features.of(process::Feature::FirstLayer).widthMm;
   const double width = first > 0.0 ? first : process.beadWidthMm;
   const double height = std::min(firstHeight(stack, process), width);
@@ -364,6 +365,8 @@ std::optional<plan::Finding> addBrim(plan::ToolPlan& plan, const layers::LayerSt
       std::min(process.speedMmPerS, process::flowLimit(process) / process::beadArea(width, height));
   for (const BrimLoop& loop : brim.loops)
     append(front, loop, options.stepMm, width, height, speed);
+  for (plan::ToolPath& path : front.paths)
+    path.tool = tool;
   if (!front.paths.empty())
     prepend(plan, front);
   if (!brim.cutAt)

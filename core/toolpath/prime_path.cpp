@@ -127,8 +127,10 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
       options.platform.rod)
     return std::nullopt;
-  // It fills the nozzle of the tool that the job begins with.
-  const process::Process& process = tooling.first().process;
+  // It fills the nozzle of the tool that prints first.
+  const bool isTape = tooling.of(plan.paths.front()).process.tape.has_value();
+  const int tool = isTape ? 0 : plan.paths.front().tool;
+  const process::Process& process = tooling.at(tool).process;
   const PrimePlace place = primePlace(
       plate->polygon, plan.position, cell.work_T_tool(cell.home()).translation().head<2>(),
       options.prime == "skirt", options.primeLengthMm, process.beadWidthMm);
@@ -162,6 +164,7 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   path.patch = plan.paths.front().patch;
   path.group = plan.paths.front().group;
   path.item = plan.paths.front().item;
+  path.tool = tool;
   path.closed = place.corners.size() > 2;
   path.kind = path.closed ? plan::PathKind::Skirt : plan::PathKind::Prime;
   plan.paths.insert(plan.paths.begin(), path);

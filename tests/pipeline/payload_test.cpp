@@ -19,18 +19,14 @@ robot::Cell cellOf(const std::string& id) {
   return robot::loadCell(id, process::loadProcess("fdm-1.0"), curved::platformDisc(200.0));
 }
 
-double mm3Of(double kg, double densityGPerCm3) {
-  return kg * 1e6 / densityGPerCm3;
-}
-
 // The UR5 carries 5 kg; the plate is taken as 0.5 kg.
 TEST(Payload, ThePrintOnACarriedPlateCounts) {
   const robot::Cell cell = cellOf("ur5-fixed");
-  EXPECT_FALSE(pipeline::overload(cell, mm3Of(3.9, 1.24), 1.24));
-  const auto nearly = pipeline::overload(cell, mm3Of(4.2, 1.24), 1.24);
+  EXPECT_FALSE(pipeline::overload(cell, 1000.0 * 3.9));
+  const auto nearly = pipeline::overload(cell, 1000.0 * 4.2);
   ASSERT_TRUE(nearly);
   EXPECT_FALSE(nearly->blocking);
-  const auto above = pipeline::overload(cell, mm3Of(4.6, 1.24), 1.24);
+  const auto above = pipeline::overload(cell, 1000.0 * 4.6);
   ASSERT_TRUE(above);
   EXPECT_TRUE(above->blocking);
   EXPECT_EQ(plan::englishReason(*above), "the flange carries 5.1 kg, 4.6 kg of it printed "
@@ -42,15 +38,14 @@ TEST(Payload, IsThatOfTheMassForRandomPrints) {
   std::mt19937 random(7);
   for (int run = 0; run < 300; ++run) {
     const double kg = std::uniform_real_distribution(0.0, 8.0)(random);
-    const double density = std::uniform_real_distribution(0.8, 8.0)(random);
-    const auto found = pipeline::overload(cell, mm3Of(kg, density), density);
+    const auto found = pipeline::overload(cell, 1000.0 * kg);
     EXPECT_EQ(found.has_value(), kg + 0.5 > 4.5) << kg;
     EXPECT_EQ(found && found->blocking, kg + 0.5 > 5.0) << kg;
   }
 }
 
 TEST(Payload, APrintOnAFixedPlateDoesNotCount) {
-  EXPECT_FALSE(pipeline::overload(cellOf("ur5-moving"), mm3Of(100.0, 2.2), 2.2));
+  EXPECT_FALSE(pipeline::overload(cellOf("ur5-moving"), 1000.0 * 100.0));
 }
 
 } // namespace

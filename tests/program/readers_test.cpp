@@ -1,8 +1,8 @@
 // Programs as people write them, and what the readers must not swallow.
 #include "base/units.h"
 #include "process/process.h"
-#include "program/filament.h"
 #include "program/dialect.h"
+#include "program/filament.h"
 #include "program_defects.h"
 
 #include <cmath>
@@ -258,6 +258,23 @@ TEST(GcodeReader, countsABlobAsAPauseWithMaterial) {
   ASSERT_EQ(program.pauses.size(), 2u); // the first one is the prime
   EXPECT_EQ(program.pauses[1].before, 1u);
   EXPECT_NEAR(program.pauses[1].volumeMm3, 3.0 * program::filamentArea(), 1e-9);
+}
+
+// The first of two tools moves to the change, at most.
+TEST(GcodeReader, endsWhenTheToolsThatExtrudedAreCold) {
+  process::Process process;
+  const process::Tooling two({{process}, {process}});
+  const auto isComplete = [&](const std::string& end) {
+    return readProgram("gcode",
+                       {{"file", "G21\nG90\nM82\nM109 T1 S210\nG92 E0\nG0 X0 Y0 Z1 F600\nT1\n"
+                                 "G1 X1 E0.1\n" +
+                                     end + "M84\n; end\n"}},
+                       two)
+        .complete;
+  };
+  EXPECT_TRUE(isComplete("M104 T1 S0\n"));
+  EXPECT_FALSE(isComplete("M104 T0 S0\n"));
+  EXPECT_FALSE(isComplete(""));
 }
 
 TEST(GcodeReader, namesWhatItCannotTake) {

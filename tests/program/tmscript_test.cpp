@@ -7,6 +7,9 @@
 #include "program/tmscript/tmscript.h"
 #include "program/tmscript/tmscript_frames.h"
 
+#include <algorithm>
+#include <random>
+
 namespace voluta::program {
 namespace {
 
@@ -45,6 +48,60 @@ TEST(TmFrames, anyChangeOfAByteIsSeen) {
   for (std::size_t length = 1; length + 2 < frame.size(); ++length)
     EXPECT_FALSE(takeTmFrame(frame.substr(0, length)).sound) << length;
   EXPECT_TRUE(takeTmFrame(frame).sound);
+}
+
+// A frame that was lost, sent twice or out of turn; the ids of other programs need not be numbers.
+TEST(TmFrames, gapsInTheirNumbersAreSeen) {
+  const auto gapsOf = [](const std::vector<std::string>& ids) {
+    TmFrameNumbers numbers;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      numbers.add(ids[i], i + 1);
+    std::vector<std::size_t> lines;
+    for (const TmFrameGap& gap : numbers.gaps())
+      lines.push_back(gap.line);
+    return lines;
+  };
+  using Lines = std::vector<std::size_t>;
+  EXPECT_EQ(gapsOf({"1", "2", "3", "x", "5", "6", "99999999999"}), Lines());
+  EXPECT_EQ(gapsOf({"1", "2", "3", "5", "6", "7"}), Lines{4});
+  EXPECT_EQ(gapsOf({"1", "2", "3", "3", "4", "5"}), Lines{4});
+  EXPECT_EQ(gapsOf({"1", "3", "2", "4", "5", "6", "7", "8", "9"}), (Lines{2, 3, 4}));
+  EXPECT_EQ(gapsOf({"1", "1", "1", "1"}), Lines());
+  EXPECT_EQ(gapsOf({"home", "1", "print", "1"}), Lines());
+}
+
+TEST_F(Tmscript, aLostFrameIsToldAtTheNext) {
+  appendRandom(3, 200);
+  std::string text = writeProgram("tmscript", input()).files[0].text;
+  const std::size_t flow = text.find(",IO[\"ControlBox\"].AO[0]=", text.size() / 2);
+  ASSERT_NE(flow, std::string::npos);
+  const std::size_t begin = text.rfind('\n', flow) + 1;
+  const auto line = static_cast<std::size_t>(std::count(
+                        text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n')) +
+                    1;
+  text.erase(begin, text.find('\n', begin) + 1 - begin);
+  expectDefect(read(text), line, "follows frame");
+}
+
+// The suitable velocity passes, with the other sign it does not.
+TEST(PvtVelocities, ofTheOtherSignLeadOffThePath) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int n = 0; n < 200; ++n) {
+    PvtMotion in, out;
+    in.seconds = 0.05 + 0.1 * std::abs(unit(random));
+    out.seconds = 0.05 + 0.1 * std::abs(unit(random));
+    in.way << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
+    out.way << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
+    const PvtVector suits = pvtVelocity(in, out, 0.02);
+    const PvtFit same = pvtFit(suits, in, out, 0.02), back = pvtFit(-suits, in, out, 0.02);
+    EXPECT_TRUE(same.isSpeedSuitable && same.isDirectionSuitable && !same.goesBack);
+    EXPECT_TRUE(back.isSpeedSuitable && !back.isDirectionSuitable && back.goesBack);
+    PvtVector turned = suits; // of the angles alone
+    turned[3] = -turned[3];
+    EXPECT_FALSE(pvtFit(turned, in, out, 0.02).isDirectionSuitable);
+    EXPECT_FALSE(pvtFit(PvtVector::Zero(), in, out, 0.02).goesBack) << "it may stop";
+  }
 }
 
 TEST(PvtVelocities, stayNearTheLine) {

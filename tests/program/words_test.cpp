@@ -272,7 +272,7 @@ TEST(Words, OfMelfaAreKnownOrRefused) {
       "SetExtArea Skip Spd SpdOpt SplSpd SplPos Title Tool Torq Trk TrChk TrClr TrOut TrRst TrWcur "
       "VxDr Wait While WEnd Wth WthIf XClr XLoad XRst XRun XStp ZoneChk";
   expectAllKnownOrRefused("melfa", wordsOf(kManual, " 1"), melfa, kAmid,
-                          {"Dim", "Rem", "Title", "Spd", "Ovrd", "JOvrd"});
+                          {"Dim", "Rem", "Title", "Spd", "Ovrd"});
 }
 
 TEST(Words, OfTmscriptAreKnownOrRefused) {

@@ -11,6 +11,7 @@
 #include "replay/verification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <random>
@@ -201,13 +202,22 @@ TEST(HeatFacts, TextsThatExtrudeColdAreRefused) {
   expectAllRefused("spel", textEdits(), 1);
 }
 
-TEST(HeatFacts, OtherTemperaturesThatPrintPass) {
-  ProgramText text = write(scene(), "gcode-extended");
-  replaceAll(text, "M104 S210", "M104 S225");
-  replaceAll(text, "M109 S210", "M109 S225");
-  replaceAll(text, "M190 S60", "M190 S50");
-  const Verification v = verify(scene(), text);
-  EXPECT_TRUE(v.passed) << told(v);
+TEST(HeatFacts, OnlyTemperaturesNearTheMaterialsOwnPass) {
+  const struct {
+    const char *nozzle, *bed;
+    bool passes;
+  } cases[] = {{"215", "50", true},  {"205", "70", true},  {"216", "60", false},
+               {"204", "60", false}, {"225", "60", false}, {"210", "49", false},
+               {"210", "71", false}, {"240", "85", false}};
+  for (const auto& c : cases) {
+    ProgramText text = write(scene(), "gcode-extended");
+    replaceAll(text, "M104 S210", std::string("M104 S") + c.nozzle);
+    replaceAll(text, "M109 S210", std::string("M109 S") + c.nozzle);
+    replaceAll(text, "M140 S60", std::string("M140 S") + c.bed);
+    replaceAll(text, "M190 S60", std::string("M190 S") + c.bed);
+    const Verification v = verify(scene(), text);
+    EXPECT_EQ(v.passed, c.passes) << c.nozzle << ", " << c.bed << "\n" << told(v);
+  }
 }
 
 TEST(HeatFacts, AMaterialWithoutTemperaturesNeedsNone) {
@@ -281,9 +291,9 @@ TEST(HeatFacts, AgreesWithAWalkOverSingleSteps) {
       switch (random() % 4) {
       case 0:
         fact.kind = plan::FactKind::NozzleHeat;
-        fact.number = random() % 3 == 0 ? 0.0 : 160.0 + static_cast<double>(random() % 50);
+        fact.number = random() % 3 == 0 ? 0.0 : 202.0 + static_cast<double>(random() % 14);
         program.facts.push_back(fact);
-        on = fact.number >= s.process.material.nozzleMinC;
+        on = std::abs(fact.number - *s.process.material.nozzleC) <= kNozzleToleranceC;
         hot = hot && on;
         break;
       case 1:

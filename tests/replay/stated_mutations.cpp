@@ -225,6 +225,19 @@ void tmscript(std::vector<Mutation>& all) {
     return std::regex_replace(line, std::regex(R"((PVTPoint\((?:[^,]*,){6})(?:[^,]*,){6})"),
                               "$010,0,0,0,0,0,");
   };
+  // Signs of the velocities (7th to 12th number) of a point.
+  const auto turned = [](const std::string& kind, std::size_t first, std::size_t count) {
+    return Mutation{kind, [=](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+                      std::string& line = lineOf(s, m);
+                      for (std::size_t k = first; k < first + count; ++k) {
+                        const auto where = numbersIn(line).at(k);
+                        line = withNumber(line, where, -std::stod(line.substr(where.first)));
+                      }
+                      return s.read.motions[m].line;
+                    }};
+  };
+  all.push_back(turned("the velocities of a point are reversed", 6, 6));
+  all.push_back(turned("the way's velocity of a point is reversed", 6, 3));
   all.push_back(erasedAll("no base", "^ChangeBase"));
   all.push_back({"a point on a bead has no velocity",
                  [standing](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
@@ -241,6 +254,16 @@ void tmscript(std::vector<Mutation>& all) {
                      }
                    return first;
                  }});
+}
+
+void spel(std::vector<Mutation>& all) {
+  all.push_back(replacedInHead("full power for the first motion", "Power Low", "Power High"));
+  all.push_back(
+      {"full power before the first motion", [](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+         const std::size_t motion = s.read.motions.front().line;
+         s.text.lines.insert(lineAt(s, motion), ended(s, "  Power High"));
+         return motion;
+       }});
 }
 
 void urscript(std::vector<Mutation>& all) {
@@ -281,6 +304,8 @@ std::vector<Mutation> statedMutations(const std::string& format) {
     tmscript(all);
   else if (format == "urscript")
     urscript(all);
+  else if (format == "spel")
+    spel(all);
   return all;
 }
 

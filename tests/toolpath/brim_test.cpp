@@ -257,6 +257,12 @@ TEST(Brim, comesBeforeAllOtherPathsAndIsWaste) {
   EXPECT_EQ(plan.paths.back().first + 2, plan.waypointCount());
   EXPECT_EQ(plan.position.back(), before.position.back());
 
+  plan = before;
+  plan.paths[0].tool = 1;
+  addBrim(plan, stack, process::Tooling({{process}, {process}}), options);
+  for (const plan::ToolPath& path : plan.paths)
+    EXPECT_EQ(path.tool, 1) << "of the tool that prints first";
+
   options.platform = square(24);
   plan = before;
   const auto cut = addBrim(plan, stack, process::Tooling(process), options);

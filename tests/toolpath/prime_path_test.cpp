@@ -108,6 +108,24 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
   EXPECT_EQ(plan.position[31], corners(40)[0]);
 }
 
+// The other tool of the job may not print at all.
+TEST(PrimePath, isPrintedByTheToolThatPrintsFirst) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  const process::Process process = process::loadProcess("fdm-1.0");
+  process::Process narrow = process;
+  narrow.beadWidthMm = 0.9;
+  const process::Tooling tooling({{process}, {narrow}});
+  const robot::Cell cell = robot::loadCell("ur5-moving", process, square(200));
+  plan::ToolPlan plan = onePath();
+  plan.paths[0].tool = 1;
+  ToolpathOptions options;
+  options.prime = "line";
+  addPrimePath(plan, cell, tooling, options);
+  ASSERT_EQ(plan.paths.size(), 2u);
+  EXPECT_EQ(plan.paths[0].tool, 1);
+  EXPECT_FLOAT_EQ(plan.widthMm[0], 0.9f);
+}
+
 TEST(PrimePath, isPrintedWithTheFirstTool) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   process::Tool first, second;

@@ -29,7 +29,6 @@ bool namesAxes(GcodeWords& w) {
 GcodeReader::GcodeReader(std::string_view format, const process::Tooling& tooling,
                          const base::RunContext& ctx)
     : out_(format, tooling), tooling_(tooling), ctx_(ctx), nozzles_(tooling.tools().size()) {
-  nozzles_.front().used = true;
   out_.program().tellsPauses = true;
 }
 
@@ -132,7 +131,7 @@ void GcodeReader::executeG(double g, GcodeWords& w) {
   if (g == 0.0 || g == 1.0 || (hasArcs() && (g == 2.0 || g == 3.0)))
     motion(g, w);
   else if (g == 4.0)
-    out_.pause(std::max(0.0, dwellS(w)), 0.0);
+    wait(w);
   else if (g == 92.0)
     setPosition(w);
   else if (g == 20.0)
@@ -156,11 +155,11 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
   } else if (heats(m)) {
     heat(m, w);
   } else if (m == kSwitchPin && w['P'] == static_cast<double>(kGcodeCutPin)) {
-    if (w['S'].value_or(0.0) > 0.0)
-      out_.state(TapeCut);
+    switchCutter(w);
   } else if (!inTable('M', m)) {
     defect("unknown M command"_text);
   }
+  isSettled_ = isSettled_ || m == 400.0;
   if (m == 140.0 || m == 190.0)
     heatBed(m, w);
   else if (m == 106.0 || m == 107.0)
@@ -170,6 +169,21 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
     out_.state(OperatorStop, m == 0.0 && !w['P'] && !w['S'] ? 1.0 : 0.0);
   if (m == 84.0 || m == 18.0)
     motorsOff_ = true;
+}
+
+void GcodeReader::wait(GcodeWords& w) {
+  isSettled_ = false;
+  out_.pause(std::max(0.0, dwellS(w)), 0.0);
+}
+
+// M42 acts at once, while motions and waits are queued.
+void GcodeReader::switchCutter(GcodeWords& w) {
+  const double value = w['S'].value_or(-1.0);
+  if (value != 0.0 && value != kGcodeFullPin)
+    defect("the cutter's output needs S255 or S0"_text);
+  else if (!isSettled_)
+    defect("the cutter's output runs ahead of the motions: M400 is missing before it"_text);
+  out_.setCutter(value > 0.0);
 }
 
 bool GcodeReader::inTable(char letter, double number) {
@@ -245,6 +259,7 @@ double GcodeReader::secondsOf(GcodeWords&, double filamentMm) {
 }
 
 void GcodeReader::motion(double g, GcodeWords& w) {
+  isSettled_ = false;
   const bool isArc = g > 1.0;
   for (const char c : std::string_view("ABCDHIJKLOPQRSTUVW"))
     if (w[c] && !isTargetWord(c) && !(isArc && (c == 'I' || c == 'J'))) {
@@ -271,6 +286,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   const bool moves = w.any("XYZ") || isArc || movesBeside(w);
   // Material that is extruded at rest: a prime, a purge, or a blob.
   if (!moves) {
+    nozzleOf(out_.selectedTool()).used |= pushedMm > 0.0;
     out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
     return;
   }
@@ -289,7 +305,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   if (perS_ == 0.0)
     defect("a motion before any speed (F)"_text);
   out_.motion(std::move(m));
-  nozzleOf(out_.selectedTool()).used = true;
+  nozzleOf(out_.selectedTool()).used |= pushedMm > 0.0;
   for (Nozzle& nozzle : nozzles_)
     nozzle.cold = false;
   motorsOff_ = ended_ = false;

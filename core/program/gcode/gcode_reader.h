@@ -78,8 +78,10 @@ private:
   void heat(double m, GcodeWords& words);
   void heatBed(double m, GcodeWords& words);
   void cool(double m, GcodeWords& words);
+  void switchCutter(GcodeWords& words);
   void setPosition(GcodeWords& words);
   void motion(double g, GcodeWords& words);
+  void wait(GcodeWords& words);
   bool arc(const Eigen::Vector3d& from, double g, GcodeWords& words, plan::ProgramMotion& motion);
 
   // Returns the tool that the line heats: its T, else the selected one; nullopt if the job has no
@@ -87,7 +89,7 @@ private:
   std::optional<int> heatedTool(GcodeWords& words) const;
   bool isCold() const;
 
-  // A tool that was heated or has moved must be cold at the end.
+  // A tool that was heated or has extruded must be cold at the end.
   struct Nozzle {
     double celsius = 0.0;
     bool used = false, cold = false;
@@ -101,6 +103,7 @@ private:
   double filamentMm2_ = filamentArea();
   FilamentCount e_;
   bool relativeE_ = false, motorsOff_ = false, ended_ = false;
+  bool isSettled_ = true; // all motions and waits are done (M400)
 };
 
 } // namespace voluta::program

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "program/common/arc.h"
 #include "program/common/motion_targets.h"
+#include "program/common/tape_cut.h"
 #include "program/common/text.h"
 #include "program/common/walk.h"
 #include "program/job_head.h"
@@ -44,8 +45,13 @@ private:
   void pause(std::string_view message) override { text_.out += joined({"M0 ; ", message, "\n"}); }
   void purge(double filamentMm, double seconds) override { text_.purge(filamentMm, seconds); }
   void cut() override {
-    text_.line(joined({"M42 P", std::to_string(kGcodeCutPin), " S255 ; cuts the tape"}));
-    text_.line(joined({"M42 P", std::to_string(kGcodeCutPin), " S0"}));
+    const std::string pin = joined({"M42 P", std::to_string(kGcodeCutPin), " S"});
+    // M42 acts at once, while motions and waits are queued.
+    text_.line("M400");
+    text_.line(joined({pin, fixedText(kGcodeFullPin, 0), " ; cuts the tape"}));
+    text_.wait(kCutPulseS);
+    text_.line("M400");
+    text_.line(pin + "0");
   }
   void wait(double seconds) override { text_.wait(seconds); }
   void remark(std::string_view text) override { text_.remark(text); }

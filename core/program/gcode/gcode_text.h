@@ -18,6 +18,7 @@ inline constexpr int kGcodePositionDecimals = 4, kDirectionDecimals = 6;
 inline constexpr double kGcodeFullFan = 255.0;
 // Pin of the tape's cutter (M42), which cuts when it turns on.
 inline constexpr int kGcodeCutPin = 1;
+inline constexpr double kGcodeFullPin = 255.0;
 // Speed of retracting and returning filament.
 inline constexpr double kDrawnMmPerS = 30.0;
 inline constexpr std::string_view kGcodeEnd = "; end";

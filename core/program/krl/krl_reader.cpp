@@ -163,10 +163,13 @@ private:
     if (!line.takeMark('(') || !takeKrlPath(line, path))
       return false;
     if (path != inSmallLetters(kKrlCutOutput))
-      out_.wordAt("PULSE", kAside);
-    else if (line.takeMark(',') && line.takeWord("true"))
-      out_.state(plan::FactKind::TapeCut);
-    return takeRest(line);
+      return out_.wordAt("PULSE", kAside), takeRest(line);
+    double seconds = 0.0;
+    if (!line.takeMark(',') || !line.takeWord("true") || !line.takeMark(',') ||
+        !variables_.takeNumber(line, seconds) || !line.takeMark(')'))
+      return false;
+    out_.cutFor(seconds);
+    return true;
   }
 
   bool zeroExtruder() {
@@ -188,7 +191,7 @@ private:
     if (!line.takeName(type))
       return false;
     do {
-      if (!takeKrlPath(line, path))
+      if (!takeKrlPath(line, path) || path.front() == '$')
         return false;
       declared_.insert(rootOf(path));
       KrlValue value;
@@ -238,6 +241,8 @@ private:
       return fail("the tool does not turn evenly along its way"_text);
     if (root == "$ori_type" && value.words[""] != "var")
       return fail("the tool does not turn evenly along its way"_text);
+    if (root == "$vel_axis")
+      out_.wordAt(path, kSetUp);
     if (root == "$vel_extax") {
       variables_.set(path, value);
       if (externals_.extruder())
@@ -314,19 +319,10 @@ private:
       if (!(value >= 0.0 && value <= 1.0))
         return fail("an analogue output outside 0..1"_text);
       out_.flow(value);
-    } else if (const int tool = toolOf(path); tool < 1 || !out_.toolOutput(tool, value == 1.0)) {
+    } else if (const int tool = krlToolOf(path); tool < 1 || !out_.toolOutput(tool, value == 1.0)) {
       out_.wordAt(path, kAside);
     }
     return true;
-  }
-  // $OUT[n]: returns the index of the tool that it selects; 0 if the path is another one.
-  static int toolOf(std::string_view path) {
-    constexpr std::string_view kOutput = "$out[";
-    double number = 0.0;
-    if (!path.starts_with(kOutput) || !path.ends_with("]") ||
-        !parseNumber(path.substr(kOutput.size(), path.size() - kOutput.size() - 1), number))
-      return 0;
-    return number >= 2.0 && number <= 255.0 ? static_cast<int>(number) - 1 : 0;
   }
 
   // TRIGGER WHEN DISTANCE=0 DELAY=0 DO output=value: takes effect at the start of the next motion.
@@ -377,6 +373,7 @@ private:
     if ((given && !variables_.takeNumber(line, number)) || !line.takeMark(')'))
       return false;
     if (word == "vel_ptp" && number > 0.0 && number <= 100.0) {
+      out_.setJointSpeed("BAS #VEL_PTP");
       for (int axis = 1; axis <= 6; ++axis)
         for (const char* of : {"$vel_axis[", "$vel_extax["})
           variables_.set(of + std::to_string(axis) + "]", number);

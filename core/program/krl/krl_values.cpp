@@ -78,6 +78,15 @@ bool takeKrlInput(LineCursor& line, int& input, bool& on) {
   return true;
 }
 
+int krlToolOf(std::string_view path) {
+  constexpr std::string_view kOutput = "$out[";
+  double number = 0.0;
+  if (!path.starts_with(kOutput) || !path.ends_with("]") ||
+      !parseNumber(path.substr(kOutput.size(), path.size() - kOutput.size() - 1), number))
+    return 0;
+  return number >= 2.0 && number <= 255.0 ? static_cast<int>(number) - 1 : 0;
+}
+
 bool takeKrlPath(LineCursor& line, std::string& path) {
   if (!line.takeName(path))
     return false;

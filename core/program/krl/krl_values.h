@@ -29,6 +29,8 @@ bool takeKrlPath(LineCursor& line, std::string& path);
 
 // Parses the condition $IN[n]==TRUE or FALSE and nothing behind it; `input`: n - 1.
 bool takeKrlInput(LineCursor& line, int& input, bool& on);
+// Returns the number (ProgramEmitter::setOutput) of the output $OUT[n]; 0 if the path is none.
+int krlToolOf(std::string_view path);
 
 // The parts of a value, keyed by their paths within it: {X 1,B {Y 2}} has "x" and "b.y"; a number
 // has the path "". A boolean is 0 or 1.

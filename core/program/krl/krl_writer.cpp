@@ -3,6 +3,7 @@
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
 #include "program/common/steps.h"
+#include "program/common/tape_cut.h"
 #include "program/common/tcp_motions.h"
 #include "program/common/text.h"
 #include "program/common/walk.h"
@@ -245,7 +246,10 @@ private:
     line(joined({"; ", message}));
     line("HALT");
   }
-  void cut() override { line(joined({"PULSE(", kKrlCutOutput, ",TRUE,0.2) ; cuts the tape"})); }
+  void cut() override {
+    line(
+        joined({"PULSE(", kKrlCutOutput, ",TRUE,", fixedText(kCutPulseS, 1), ") ; cuts the tape"}));
+  }
   void prompt() override {
     line(joined({"; ", startQuestion(in_)}));
     line("HALT");

@@ -51,12 +51,13 @@ private:
     defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
   }
 
-  // Reads the values listed after the program; they are valid from its beginning.
+  // Reads the values of variables listed after the program; they are valid from its beginning.
   void takeValues(const MelfaText& text) {
     bool behind = false;
     for (const MelfaStep& step : text.steps) {
       out_.line = step.line;
-      if (behind)
+      const std::string name = MelfaScanner(step.code, variables_).variableName();
+      if (behind && !name.starts_with("m_") && !name.starts_with("p_"))
         assign(step.code);
       behind = behind || sameWord(step.code, "end");
     }
@@ -200,7 +201,7 @@ private:
     return true;
   }
 
-  bool indexed(const std::string& name, MelfaScanner& scanner) {
+  bool indexed(const std::string& name, MelfaScanner& scanner, bool isTriggered = false) {
     double index = 0.0;
     ScriptValue value;
     if (!scanner.take('(') || !scanner.number(index) || !scanner.take(')') || !scanner.take('=') ||
@@ -210,7 +211,7 @@ private:
       return workCoordinates(index, value);
     if (value.kind != ScriptKind::Number)
       return false;
-    output(name, index, value.number);
+    output(name, index, value.number, isTriggered);
     return true;
   }
   bool workCoordinates(double index, const ScriptValue& value) {
@@ -221,7 +222,8 @@ private:
     workAt_[static_cast<std::size_t>(index) - 1] = {out_.file, out_.line};
     return true;
   }
-  void output(std::string_view name, double first, double value) {
+  // isTriggered: at the start of the next motion.
+  void output(std::string_view name, double first, double value, bool isTriggered) {
     const double count = name == "m_out"                         ? 1.0
                          : name == "m_outb" || name == "m_out8"  ? 8.0
                          : name == "m_outw" || name == "m_out16" ? 16.0
@@ -229,6 +231,10 @@ private:
     const auto touches = [&](double from, double many) {
       return first < from + many && from < first + count;
     };
+    const bool isExtruder = (name == "m_out" && first == kMelfaExtruder) ||
+                            (count == kOutputsOfWord && first == kMelfaFlow);
+    if (isExtruder && !isTriggered)
+      out_.statePassingOutput();
     if (name == "m_out" && first == kMelfaExtruder) {
       if (value != 0.0 && value != 1.0)
         defect("an output is 0 or 1"_text);
@@ -262,6 +268,8 @@ private:
       return;
     }
     (way ? mmPerS_ : word == "ovrd" ? override_ : jointOverride_) = *value;
+    if (word == "jovrd")
+      out_.setJointSpeed("JOvrd");
   }
 
   void acceleration(MelfaScanner& scanner) {
@@ -484,7 +492,7 @@ private:
       } else if (word == "wth") {
         MelfaScanner output(scanner.rest, variables_);
         const std::string name = output.variableName();
-        if (name.starts_with("m_out") && indexed(name, output))
+        if (name.starts_with("m_out") && indexed(name, output, true))
           return true;
         defect("'Wth' without an output"_text);
         return false;

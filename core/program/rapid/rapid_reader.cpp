@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace voluta::program {
@@ -90,12 +91,11 @@ private:
       defect("invalid module attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
       out_.line = token_.line;
-      if (isWord("local"))
-        advance();
+      const bool isLocal = takeWord("local");
       if (takeWord("endmodule"))
         ended = true;
       else if (takeWord("proc"))
-        procedureEnded = procedure() && procedureEnded;
+        procedureEnded = procedure(isLocal) && procedureEnded;
       else if (isWord("pers") || isWord("const") || isWord("var"))
         whole([&] { return declaration(false); });
       else if (takeWord("endproc"))
@@ -121,10 +121,15 @@ private:
   }
 
   // Reads a procedure after PROC. Returns false if it has no end.
-  bool procedure() {
+  bool procedure(bool isLocal) {
     std::string name;
     if (!takeName(name) || !takeMark('(') || !takeMark(')'))
       defect("not a valid procedure header"_text);
+    // The first module stays loaded.
+    if (modules_ == 0 && !isLocal)
+      ofFirst_.insert(name);
+    else if (!isLocal && ofFirst_.contains(name))
+      defect(base::message("the first module declares '{procedure}', too"_text, name));
     Procedure body{tokens_, token_};
     while (token_.kind != RapidTokenKind::End && !isWord("endmodule") && !isWord("endproc"))
       advance();
@@ -267,16 +272,21 @@ private:
                : skipStatement();
   }
 
-  // PulseDO [\High] [\PLength:=seconds,] signal
+  // PulseDO [\High] [\PLength:=seconds,] signal;
   bool pulse() {
-    bool cuts = false;
-    for (; token_.kind != RapidTokenKind::End && !isMark(';'); advance())
-      cuts = cuts || isWord(inSmallLetters(kRapidCutSignal));
-    if (cuts)
-      out_.state(plan::FactKind::TapeCut);
+    double seconds = 0.2; // the controller's default
+    std::string signal;
+    while (takeMark('\\'))
+      if (!takeWord("high") && (!takeWord("plength") || !takeAssign() || !takeNumberToken(seconds)))
+        return false;
+    takeMark(',');
+    if (!takeName(signal) || !takeEnd())
+      return false;
+    if (signal == inSmallLetters(kRapidCutSignal))
+      out_.cutFor(seconds);
     else
       out_.wordAt("PulseDO", kAside);
-    return skipStatement();
+    return true;
   }
 
   bool operatorStop() {
@@ -439,6 +449,8 @@ private:
       return false;
     if (active)
       out_.state(plan::FactKind::MechanicalUnit, 0.0, name);
+    else
+      out_.wordAt("DeactUnit", kBeforeMotion | kAtEnd);
     motions_.unit(name, active);
     return true;
   }
@@ -549,6 +561,7 @@ private:
   std::string loaded_;                                       // Loaded file
   bool called_ = false;                                      // The loaded file was run
   std::map<std::string, Procedure, std::less<>> procedures_; // Of the module
+  std::set<std::string, std::less<>> ofFirst_; // global procedures of the first module
   std::vector<std::string> running_;
   bool linearOff_ = false, jointOff_ = false;
   RapidMotions motions_{out_};

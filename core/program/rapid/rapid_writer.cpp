@@ -2,6 +2,7 @@
 #include "program/common/arm_branch.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
+#include "program/common/tape_cut.h"
 #include "program/common/tcp_motions.h"
 #include "program/common/text.h"
 #include "program/common/walk.h"
@@ -301,7 +302,9 @@ private:
   void pause(std::string_view message) override {
     line(joined({"    UIMsgBox \"", message, "\";"}));
   }
-  void cut() override { line(joined({"    PulseDO\\PLength:=0.2,", kRapidCutSignal, ";"})); }
+  void cut() override {
+    line(joined({"    PulseDO\\PLength:=", fixedText(kCutPulseS, 1), ",", kRapidCutSignal, ";"}));
+  }
   void prompt() override { line(joined({"    UIMsgBox \"", startQuestion(in_), "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm, so the flow is an

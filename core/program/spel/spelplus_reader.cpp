@@ -227,6 +227,7 @@ private:
       return false;
     if (word == "power") {
       powerHigh_ = how == "high";
+      out_.state(plan::FactKind::FullPower, powerHigh_ ? 1.0 : 0.0);
       return powerHigh_ || how == "low";
     }
     if (how != "on" && how != "off")
@@ -278,6 +279,8 @@ private:
     if (!(least > 0.0 && least <= (word == "speed" ? 100.0 : kMaxSpeed)))
       return fail("an invalid speed"_text);
     settings_[word] = least;
+    if (word == "speed")
+      out_.setJointSpeed("Speed");
     return true;
   }
   bool load(LineCursor& line) {

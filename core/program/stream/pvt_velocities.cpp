@@ -51,6 +51,33 @@ bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to) {
   return off <= 2.0 * ((kTurnShare + kMaxOfOne) * std::abs(motion.way[k]) + kMinTurnDeg);
 }
 
+PvtFit pvtFit(const PvtVector& stated, const PvtMotion& in, const PvtMotion& out,
+              double toleranceMm) {
+  // Tolerated deviation from the suitable velocity, as a share of the mean ones of both motions,
+  // and of the angles [degrees/s] in addition.
+  constexpr double kShare = 0.2, kSlackDegPerS = 1.0, kBackShare = 0.1;
+  const PvtVector suits = pvtVelocity(in, out, toleranceMm);
+  const auto meanOf = [&](int first) {
+    return 0.5 * (in.way.segment<3>(first).norm() / in.seconds +
+                  out.way.segment<3>(first).norm() / out.seconds);
+  };
+  const auto offBy = [&](int first) {
+    return (stated.segment<3>(first) - suits.segment<3>(first)).norm();
+  };
+  const auto goesBack = [&](int first, double slack) {
+    const Eigen::Vector3d a = stated.segment<3>(first), b = suits.segment<3>(first);
+    return a.dot(b) < -kBackShare * b.squaredNorm() && a.norm() > slack;
+  };
+  PvtFit fit;
+  fit.statedMmPerS = stated.head<3>().norm();
+  fit.suitsMmPerS = suits.head<3>().norm();
+  fit.isSpeedSuitable = std::abs(fit.statedMmPerS - fit.suitsMmPerS) <= kShare * meanOf(0);
+  fit.isDirectionSuitable =
+      offBy(0) <= kShare * meanOf(0) && offBy(3) <= kShare * meanOf(3) + kSlackDegPerS;
+  fit.goesBack = goesBack(0, 0.0) || goesBack(3, kSlackDegPerS);
+  return fit;
+}
+
 PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm) {
   const double s = in.seconds + out.seconds;
   PvtVector velocity =

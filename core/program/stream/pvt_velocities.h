@@ -29,6 +29,15 @@ PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const 
 // ends [degrees/s]. True for all velocities of pvtVelocity() and for 0.
 bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to);
 
+// How the stated velocity at the point between two motions fits that of pvtVelocity().
+struct PvtFit {
+  double statedMmPerS = 0.0, suitsMmPerS = 0.0;
+  bool isSpeedSuitable = true, isDirectionSuitable = true; // the latter of the angles, too
+  bool goesBack = false; // position or angles go against the suitable velocity
+};
+PvtFit pvtFit(const PvtVector& stated, const PvtMotion& in, const PvtMotion& out,
+              double toleranceMm);
+
 // Returns the velocity at the point between two motions: that of the parabola through them, reduced
 // if either motion would deviate from its line by more than `toleranceMm`, exceed its mean speed by
 // more than half, or turn unevenly.

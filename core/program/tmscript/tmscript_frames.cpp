@@ -3,7 +3,6 @@
 #include "program/common/text.h"
 
 #include <charconv>
-#include <optional>
 
 namespace voluta::program {
 
@@ -30,7 +29,11 @@ std::optional<unsigned> hexadecimal(std::string_view digits) {
 }
 
 TmFrame broken(std::string_view line, std::string_view script, base::Message reason) {
-  return {.script = script, .length = line.size(), .sound = false, .reason = std::move(reason)};
+  return {.id = {},
+          .script = script,
+          .length = line.size(),
+          .sound = false,
+          .reason = std::move(reason)};
 }
 
 // Returns the text between the third comma of a broken frame and its end.
@@ -77,7 +80,29 @@ TmFrame takeTmFrame(std::string_view text) {
   const std::size_t comma = content.find(',');
   if (comma == 0 || comma == std::string_view::npos)
     return broken(line, script, "frame without a name"_text);
-  return {.script = content.substr(comma + 1), .length = end, .sound = true, .reason = {}};
+  return {.id = content.substr(0, comma),
+          .script = content.substr(comma + 1),
+          .length = end,
+          .sound = true,
+          .reason = {}};
+}
+
+void TmFrameNumbers::add(std::string_view id, std::size_t line) {
+  constexpr std::size_t kMostDigits = 9;
+  long number = 0;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
+  if (error != std::errc() || id.size() > kMostDigits || end != id.data() + id.size())
+    number = last_.value_or(0) + 1;
+  else if (last_ && number == *last_ + 1)
+    ++steps_;
+  else if (last_)
+    others_.push_back({line, std::string(id), lastId_});
+  last_ = number;
+  lastId_ = id;
+}
+
+std::vector<TmFrameGap> TmFrameNumbers::gaps() const {
+  return steps_ > others_.size() ? others_ : std::vector<TmFrameGap>();
 }
 
 } // namespace voluta::program

@@ -26,9 +26,6 @@ constexpr double kMaxMm = 1e5, kMaxDeg = 1e5, kMaxMmPerS = 1e4, kMaxSeconds = 1e
 // Tolerated deviation of a cubic from its line, and from even motion along it, beyond that of
 // starting and stopping.
 constexpr double kMaxAcrossMm = 0.05, kMaxAlongShare = 0.25;
-// Within a bead: tolerated deviation of the speed at a point from the suitable one, as a share of
-// the speeds of the motions to and from it.
-constexpr double kSpeedShare = 0.2;
 
 enum class Block { None, Joints, Poses };
 
@@ -81,6 +78,10 @@ private:
         statement(withoutRemark(trimmed(rest.substr(0, rest.find('\n')))));
       behindLine(rest);
     }
+    for (const TmFrameGap& gap : std::exchange(numbers_, {}).gaps())
+      out_.defectAt(gap.line, base::message("frame {id} follows frame {before}: frames are missing "
+                                            "or in another order"_text,
+                                            gap.id, gap.before));
     out_.line = std::max<std::size_t>(out_.line, 2) - 1;
     if (text.find('\n') != std::string_view::npos && text.find('\r') == std::string_view::npos)
       defect("lines end with LF only: a listen node needs CR LF"_text);
@@ -101,6 +102,7 @@ private:
   void takeFrame(std::string_view& rest) {
     rest.remove_prefix(rest.find('$'));
     const TmFrame frame = takeTmFrame(rest);
+    numbers_.add(frame.id, out_.line);
     if (!frame.sound)
       defect(frame.reason);
     std::string_view script = frame.script;
@@ -381,33 +383,30 @@ private:
     passPoint(motion, velocity);
   }
 
-  // The flow is constant along a motion: within a bead the arm must pass each point at the speed
-  // that suits the motions to and from it.
+  // The flow is constant along a motion: within a bead the arm must pass each point at the velocity
+  // that suits the motions to and from it. In travels it must not go back.
   void passPoint(const std::optional<PvtMotion>& motion, const PvtVector& velocity) {
-    const bool prints = motion && block_ == Block::Poses && !out_.program().motions.empty() &&
-                        out_.program().motions.back().extruding;
-    if (prints && passed_)
-      checkSpeed(*passed_, *motion);
-    passed_ = prints ? std::optional(Passed{*motion, velocity, out_.line}) : std::nullopt;
+    const bool known = motion && block_ == Block::Poses && !out_.program().motions.empty();
+    const bool prints = known && out_.program().motions.back().extruding;
+    if (known && passed_ && passed_->prints == prints)
+      checkVelocity(*passed_, *motion);
+    passed_ = known ? std::optional(Passed{*motion, velocity, out_.line, prints}) : std::nullopt;
   }
   struct Passed {
     PvtMotion to;
     PvtVector velocity;
     std::size_t line;
+    bool prints;
   };
-  void checkSpeed(const Passed& point, const PvtMotion& from) {
-    const auto speedOf = [](const PvtMotion& motion) {
-      return motion.way.head<3>().norm() / motion.seconds;
-    };
-    const double suits = pvtVelocity(point.to, from, kBlendToleranceMm).head<3>().norm();
-    const double stated = point.velocity.head<3>().norm();
-    if (std::abs(stated - suits) <= kSpeedShare * 0.5 * (speedOf(point.to) + speedOf(from)))
-      return;
-    const std::size_t here = std::exchange(out_.line, point.line);
-    defect(base::message("the arm passes this point at {stated:.1f} mm/s with unchanged flow; "
-                         "the path requires {suits:.1f} mm/s"_text,
-                         base::number(stated), base::number(suits)));
-    out_.line = here;
+  void checkVelocity(const Passed& point, const PvtMotion& from) {
+    const PvtFit fit = pvtFit(point.velocity, point.to, from, kBlendToleranceMm);
+    if (point.prints && !fit.isSpeedSuitable)
+      out_.defectAt(point.line,
+                    base::message("the arm passes this point at {stated:.1f} mm/s with unchanged "
+                                  "flow; the path requires {suits:.1f} mm/s"_text,
+                                  base::number(fit.statedMmPerS), base::number(fit.suitsMmPerS)));
+    else if (fit.goesBack || (point.prints && !fit.isDirectionSuitable))
+      out_.defectAt(point.line, "the velocity at this point leads off the path"_text);
   }
   bool joints() const { return block_ == Block::Joints; }
 
@@ -542,7 +541,8 @@ private:
   std::optional<Last> last_;
   Block block_ = Block::None;
   PvtVector velocity_ = PvtVector::Zero(); // At the last PVT point
-  std::optional<Passed> passed_;           // The last point, if it is on a bead
+  std::optional<Passed> passed_;           // The last point
+  TmFrameNumbers numbers_;                 // of the file
   bool first_ = false;                     // The next point is the first of the block
   bool left_ = false, tcpSet_ = false, everSet_ = false;
   bool isQueueDone_ = false;              // the arm has reached its last target

@@ -1,18 +1,16 @@
 #include "base/error.h"
 #include "program/common/arc_motion.h"
-#include "program/common/language_words.h"
 #include "program/common/rotation_vector.h"
 #include "program/common/text.h"
 #include "program/full_flow.h"
 #include "program/program_builder.h"
 #include "program/urscript/urscript.h"
+#include "program/urscript/urscript_functions.h"
 #include "program/urscript/urscript_outputs.h"
 #include "program/urscript/urscript_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,68 +28,24 @@ public:
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
-    files_.resize(files.size());
-    for (out_.file = 0; out_.file < files.size(); ++out_.file) {
-      collect(files[out_.file].text);
-      findFunctions();
-    }
+    functions_.find(files);
     bool complete = !files.empty();
     for (out_.file = 0; out_.file < files.size(); ++out_.file)
-      if (!here().cameTo)
+      if (!here().isReached)
         complete = runFile() && complete;
+    functions_.refuseBesideParts();
     return out_.take(complete);
   }
 
 private:
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
-  struct Line {
-    std::size_t number;
-    std::string_view code;
-  };
-  // Lines [first, end) of its body.
-  struct Function {
-    std::size_t file, first, end;
-  };
-  struct File {
-    std::vector<Line> lines; // Lines with code
-    std::map<std::size_t, std::size_t>
-        behind;               // Per definition at top level, by its own line: the line after it
-    std::size_t last = 0;     // Last line of the text
-    std::string_view defined; // Function defined last
-    bool mustCall = false, isPart = false; // As the file's notes say
-    bool closed = true, cameTo = false;
-  };
-  File& here() { return files_[out_.file]; }
+  using Line = UrscriptFunctions::Line;
+  UrscriptFunctions::File& here() { return functions_.file(); }
   const std::vector<Line>& lines() { return here().lines; }
 
-  void collect(std::string_view text) {
-    LineReader reader(text);
-    for (std::string_view line; reader.next(line);) {
-      here().last = reader.number();
-      here().mustCall = here().mustCall || trimmed(line).starts_with(kCalledNote);
-      here().isPart = here().isPart || trimmed(line).starts_with(kPartNote);
-      if (const std::string_view code = trimmed(line.substr(0, findUnquoted(line, "#")));
-          !code.empty())
-        here().lines.push_back({reader.number(), code});
-    }
-  }
-  void findFunctions() {
-    for (std::size_t i = 0; i < lines().size();) {
-      out_.line = lines()[i].number;
-      if (!isDefinition(lines()[i].code)) {
-        ++i;
-        continue;
-      }
-      const std::size_t head = i;
-      here().defined = nameOfDefinition(lines()[i].code);
-      here().closed = define(i);
-      here().behind[head] = i;
-    }
-  }
-
   void begin() {
-    here().cameTo = true;
+    here().isReached = true;
     tcpSet_ = false;
     out_.beginOutputs();
   }
@@ -109,6 +63,7 @@ private:
       return false;
     }
     variables_.clear();
+    here().isRun = true;
     begin();
     const bool ran = runTop();
     out_.line = here().last;
@@ -161,58 +116,8 @@ private:
       defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
   }
 
-  static std::string_view wordOf(std::string_view code) {
-    static const UrscriptVariables kNone;
-    return UrscriptScanner{code, kNone}.name();
-  }
-  static bool isDefinition(std::string_view code) {
-    const std::string_view word = wordOf(code);
-    return word == "def" || word == "sec" || word == "thread";
-  }
-  static std::string_view nameOfDefinition(std::string_view code) {
-    static const UrscriptVariables kNone;
-    UrscriptScanner scanner{code, kNone};
-    scanner.name();
-    return scanner.name();
-  }
-  // Returns whether this line begins a block that must be closed by an `end`.
-  static bool opensBlock(std::string_view code) {
-    const std::string_view word = wordOf(code);
-    return isDefinition(code) || word == "while" || word == "for" || word == "if";
-  }
-
-  // Reads the definition in line i and sets i to the line after its end. Returns false if there is
-  // none.
-  bool define(std::size_t& i) {
-    UrscriptScanner scanner{lines()[i].code, variables_};
-    const std::string_view kind = scanner.name(), name = scanner.name();
-    if (name.empty() || !scanner.take('(') || !scanner.take(')') || !scanner.take(':') ||
-        !scanner.ended())
-      defect("not the definition of a function without arguments"_text);
-    else if (kind == "thread")
-      defect("threads are not supported"_text);
-    else if (isUrscriptWord(name))
-      defect(base::message("'{name}' is a reserved word and cannot name a function"_text, name));
-    else if (functions_.contains(name))
-      defect(base::message("the function '{defined}' is defined twice"_text, name));
-    const std::size_t first = ++i;
-    for (std::size_t open = 1; i < lines().size(); ++i) {
-      open += opensBlock(lines()[i].code) ? 1 : 0;
-      if (lines()[i].code == "end" && --open == 0) {
-        functions_.try_emplace(std::string(name), Function{out_.file, first, i++});
-        return true;
-      }
-    }
-    functions_.try_emplace(std::string(name), Function{out_.file, first, i});
-    if (!lines().empty())
-      out_.line = lines().back().number;
-    defect(base::message("the function '{defined}' has no end"_text, name));
-    return false;
-  }
-
   void run(const Call& call) {
     constexpr std::size_t kMaxDepth = 16;
-    const auto at = functions_.find(call.name);
     const bool again = std::find(running_.begin(), running_.end(), call.name) != running_.end();
     if (again || running_.size() == kMaxDepth || call.count > 0) {
       if (again)
@@ -221,7 +126,7 @@ private:
         defect(base::message("invalid call of '{name}'"_text, call.name));
       return;
     }
-    const Function function = at->second;
+    const UrscriptFunctions::Function function = functions_.call(call.name);
     running_.emplace_back(call.name);
     const std::size_t callLine = out_.line, callFile = out_.file;
     const bool goesOver = function.file != callFile;
@@ -232,8 +137,8 @@ private:
       out_.line = lines()[i].number;
       if (i % 4096 == 0)
         ctx_.checkpoint();
-      if (isDefinition(lines()[i].code))
-        define(i);
+      if (UrscriptFunctions::isDefinition(lines()[i].code))
+        functions_.define(i);
       else if (!awaitInput(i, function.end))
         statement(lines()[i++].code);
     }
@@ -520,15 +425,10 @@ private:
     } else if (channel == 0) {
       out_.turn(value > 0.0);
     } else if (channel == kCutOutput) {
-      cut(value > 0.0);
+      out_.setCutter(value > 0.0);
     } else if (channel > kCutOutput || !out_.toolOutput(channel, value > 0.0)) {
       out_.wordAt(call.name, kAside);
     }
-  }
-  // The cutter works when its output turns on.
-  void cut(bool on) {
-    if (on)
-      out_.state(plan::FactKind::TapeCut);
   }
   void analogOut(const Call& call) {
     int channel = 0;
@@ -576,8 +476,7 @@ private:
 
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::vector<File> files_;
-  std::map<std::string, Function, std::less<>> functions_;
+  UrscriptFunctions functions_{out_};
   UrscriptVariables variables_;
   std::vector<std::string> running_; // Functions, the innermost last
   bool tcpSet_ = false, everSet_ = false;

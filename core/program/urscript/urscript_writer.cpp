@@ -3,6 +3,7 @@
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
 #include "program/common/rotation_vector.h"
+#include "program/common/tape_cut.h"
 #include "program/common/tcp_motions.h"
 #include "program/common/text.h"
 #include "program/common/walk.h"
@@ -199,7 +200,7 @@ private:
   void aboutCutter() {
     if (cutsTape(in_))
       line(joined({"  # cutter of the tape: digital output ", std::to_string(kCutOutput),
-                   ", cuts when it turns on"}));
+                   ", cuts when it turns on, is drawn back when it turns off"}));
   }
 
   void setOutput(int output, bool on) override {
@@ -215,6 +216,7 @@ private:
   }
   void cut() override {
     line(joined({"  set_standard_digital_out(", std::to_string(kCutOutput), ",True) # cuts"}));
+    wait(kCutPulseS);
     line(joined({"  set_standard_digital_out(", std::to_string(kCutOutput), ",False)"}));
   }
   void prompt() override {
