@@ -9381,6 +9381,10 @@ previsto</translation>
         <translation>la macchina {machine} attende alla riga {line} un segnale che l&apos;altra non raggiunge</translation>
     </message>
     <message>
+        <source>machine {machine} passes the mark in line {line} before machine {other} has reached it, if signals are still on or the programs are not started at once</source>
+        <translation>la macchina {machine} supera il segnale alla riga {line} prima che la macchina {other} lo raggiunga, se vi sono segnali ancora attivi o i programmi non partono insieme</translation>
+    </message>
+    <message>
         <source>collisions of the machines: {count}, first at {time}</source>
         <translation>urti delle macchine: {count}, il primo a {time}</translation>
     </message>
@@ -13468,6 +13472,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Together %1; one after the other %2; the longest alone %3</source>
         <translation>Insieme %1; una dopo l&apos;altra %2; la più lunga da sola %3</translation>
+    </message>
+    <message>
+        <source>Start the programs in any order: each waits at its first point for the others, whatever their signals are, and ends with its signals off. If one is stopped, stop all, and start all again.</source>
+        <translation>Avviare i programmi in qualsiasi ordine: ognuno attende gli altri al suo primo punto, qualunque sia lo stato dei segnali, e termina con i propri segnali disattivati. Se uno viene fermato, fermarli tutti e riavviarli tutti.</translation>
     </message>
     <message>
         <source>Machine %1: marks %2, waits %3, ends after %4</source>

@@ -17,7 +17,7 @@ void sayRun(const replay::SharedRun& run) {
   for (std::size_t k = 0; k < run.clock.machines.size(); ++k) {
     const replay::MachineClock& clock = run.clock.machines[k];
     fmt::print("machine {}: ends at {:.0f} s, {} marks, waits {:.0f} s\n", k + 1, clock.totalS,
-               clock.marks.size(), clock.waitS());
+               clock.meetings().size(), clock.waitS());
   }
   for (const replay::Meeting& m : run.meetings)
     fmt::print("at {:.1f} s: {} of machine {} meets {} of machine {} at ({:.0f}, {:.0f}, "

@@ -20,6 +20,7 @@ Json wiringJson(const plan::Trajectory& trajectory, std::size_t own) {
   for (const int signal : plan::markSignalsOf(trajectory)) {
     const std::size_t other = plan::markPeer(own, signal / 2);
     wiring.push_back({{"signal", signal + 1},
+                      {"use", signal % 2 == 0 ? "each mark" : "start mark"},
                       {"otherMachine", other + 1},
                       {"otherSignal", 2 * plan::markChannel(other, own) + signal % 2 + 1}});
   }
@@ -34,6 +35,7 @@ Json runJson(const replay::SharedRun& run) {
                         {"machines", {m.machines[0] + 1, m.machines[1] + 1}},
                         {"bodies", {base::english(m.bodies[0]), base::english(m.bodies[1])}}});
   return {{"makespanS", run.makespanS},
+          {"keepsTogetherFromAnyStart", !run.unsafeStart.has_value()},
           {"stuck", run.clock.stuck.has_value()},
           {"collisions", run.collisions},
           {"meetings", meetings},
@@ -53,7 +55,7 @@ Json machineJson(const TogetherResult& result, std::size_t k) {
     json["program"] = replayed->program.files.front().name;
   if (result.replay) {
     const replay::MachineClock& clock = result.replay->clock.machines[k];
-    json["marks"] = clock.marks.size();
+    json["marks"] = clock.meetings().size();
     json["waitS"] = clock.waitS();
     json["endS"] = clock.totalS;
     json["wiring"] = wiringJson(*plan.job.trajectory, k);
@@ -68,6 +70,17 @@ Json orderJson(const together::Order& order) {
         {{"machines", {r.first + 1, r.second + 1}}, {"segmentsDone", {r.firstRest, r.secondRest}}});
   return {{"marks", order.meetings.size()}, {"seconds", order.seconds}, {"meetings", meetings}};
 }
+
+// What the programs expect of their signals and their operator (plan/marks.h).
+Json startJson(const together::Order& order) {
+  if (order.meetings.empty())
+    return {};
+  return {{"order", "any"},
+          {"signalsBefore", "any"},
+          {"signalsAfterTheEnd", "off"},
+          {"waits", "each machine waits at its first point until those that it meets are there"},
+          {"afterAStop", "stop all programs, then start all again from the beginning"}};
+}
 } // namespace
 
 std::string togetherJson(const TogetherResult& result) {
@@ -77,6 +90,7 @@ std::string togetherJson(const TogetherResult& result) {
     machines.push_back(machineJson(result, k));
   Json json{{"passed", !why}, {"refusal", why ? Json(base::english(*why)) : Json()}};
   json["machines"] = machines;
+  json["start"] = result.work.order ? startJson(*result.work.order) : Json();
   json["order"] = result.work.order ? orderJson(*result.work.order) : Json();
   json["replay"] = result.replay ? runJson(*result.replay) : Json();
   return json.dump(2) + "\n";

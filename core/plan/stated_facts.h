@@ -34,8 +34,8 @@ enum class FactKind : std::uint8_t {
   FanSpeed,        // Number: part cooling, 0..1
   BeadStartWord,   // Word: a statement of the process at the start of a bead
   BeadEndWord,     // Word: a statement of the process at the end of a bead
-  MarkSet,         // Number: the place in the cycle of marks (plan/marks.h) that an output states
-  MarkAwaited      // Number: that which an input waits for, without time limit
+  MarkSet,         // Number: the code of a mark's output and its value (plan/marks.h)
+  MarkAwaited      // Number: that of an input that is waited for, without time limit
 };
 
 struct StatedFact {

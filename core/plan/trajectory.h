@@ -32,7 +32,7 @@ enum class EventKind : std::uint8_t {
   Release,    // the tool changer releases the tool, which takes `seconds`
   Lock,       // the tool changer locks the tool, which takes `seconds`
   Shot,       // `volumeMm3` of material fills a pocket of the part in `seconds`
-  Mark        // waits until the machine on a channel is at the mark with the same number there
+  Mark        // waits until another machine is at the mark with the same number (plan/marks.h)
 };
 // Returns whether the arm is at rest meanwhile.
 inline bool stopsArm(EventKind kind) {
@@ -43,7 +43,7 @@ inline bool stopsArm(EventKind kind) {
 struct TrajectoryEvent {
   std::size_t point = 1; // 1 .. pointCount() - 1; of a Mark also pointCount(): at the end
   EventKind kind = EventKind::Pause;
-  int tool = 0;           // ToolChange: index in the job's tooling; Mark: channel (plan/marks.h)
+  int tool = 0;           // ToolChange: index in the job's tooling; Mark: link (plan/marks.h)
   double feedMm = 0.0;    // Feed
   double seconds = 0.0;   // Wait, StartLag, Purge, Release, Lock, Shot
   double volumeMm3 = 0.0; // Purge, Shot

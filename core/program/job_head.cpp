@@ -232,6 +232,18 @@ std::string startQuestion(const ProgramInput& input) {
   return question;
 }
 
+namespace {
+std::vector<std::string> markLines(const ProgramInput& input) {
+  if (!hasEvent(input, plan::EventKind::Mark))
+    return {};
+  return {"works together with other machines: start all programs, in any order, whatever their "
+          "signals are",
+          "each goes to its first point and waits there until the others are there; at its end "
+          "its signals are off",
+          "if one is stopped, stop all, and start all again from the beginning"};
+}
+} // namespace
+
 std::vector<std::string> headLines(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   const process::Process& p = input.process();
@@ -253,6 +265,8 @@ std::vector<std::string> headLines(const ProgramInput& input) {
     lines.push_back(joined({kStreamNote, streamName(input),
                             ", played from each moment on at which the extruder's output goes "
                             "on; the analogue one stays at 0"}));
+  for (std::string& line : markLines(input))
+    lines.push_back(std::move(line));
   if (input.foreign)
     return lines;
   // If all joints are revolute, the unit is stated once.

@@ -25,7 +25,7 @@ std::string jobHash(const ProgramInput& input);
 
 // Returns lines without a dialect's comment mark: part, job, cell, robot, process; amount and
 // duration; temperatures and fan, if known; the ranges and the start values of the joints (unless
-// foreign: those of the cell's own arm).
+// foreign: those of the cell's own arm); how programs with marks are started.
 std::vector<std::string> headLines(const ProgramInput& input);
 // Same for controllers that limit lines to `most` characters: longer lines are continued in the
 // next one at a blank; lines that names from files make too long are cut.

@@ -210,7 +210,7 @@ bool ProgramBuilder::toolOutput(int tool, bool on) {
   }
   if (isMark(tool)) {
     statePassingOutput();
-    state(plan::FactKind::MarkSet, plan::markPlaceOf(tool - kMarkOutput, on));
+    state(plan::FactKind::MarkSet, plan::markCode(tool - kMarkOutput, on));
     return true;
   }
   if (tool < 1 || static_cast<std::size_t>(tool) >= toolOutputs_.size())
@@ -224,7 +224,7 @@ bool ProgramBuilder::toolOutput(int tool, bool on) {
 bool ProgramBuilder::awaitInput(int input, bool on) {
   if (!isMark(input))
     return false;
-  state(plan::FactKind::MarkAwaited, plan::markPlaceOf(input - kMarkOutput, on));
+  state(plan::FactKind::MarkAwaited, plan::markCode(input - kMarkOutput, on));
   return true;
 }
 

@@ -98,7 +98,7 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
                              [&](const plan::TrajectoryEvent& e) {
                                const bool mayEnd = e.kind == plan::EventKind::Mark;
                                return e.point > 0 && (e.point < n || (mayEnd && e.point == n)) &&
-                                      e.tool >= 0 && (!mayEnd || e.tool < plan::kMarkChannels) &&
+                                      e.tool >= 0 && (!mayEnd || e.tool < plan::kMarkLinks) &&
                                       std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Mark &&
                                       std::isfinite(e.seconds) && e.seconds >= 0.0 &&
                                       std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;

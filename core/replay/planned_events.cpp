@@ -5,8 +5,8 @@
 #include "program/dialect.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <utility>
 
 namespace voluta::replay {
 
@@ -118,37 +118,23 @@ private:
                                          {"planned", base::mm3(planned[m])}}));
     }
   }
-  // A mark is announced and then awaited. Before the first motion signals may be withdrawn.
+  // All statements of marks in their order, from the withdrawal at the start to that at the end.
   void compareMarks() {
-    struct Wanted {
-      std::size_t event;
-      FactKind kind;
-      int place;
-    };
-    std::vector<Wanted> wanted;
-    std::array<std::size_t, plan::kMarkChannels> numbers{};
-    for (std::size_t e = 0; e < trajectory_.events.size(); ++e)
-      if (trajectory_.events[e].kind == EventKind::Mark) {
-        const int channel = trajectory_.events[e].tool;
-        const int place = plan::markPlace(channel, ++numbers.at(static_cast<std::size_t>(channel)));
-        wanted.push_back({e, FactKind::MarkSet, place});
-        wanted.push_back({e, FactKind::MarkAwaited, place});
-        found_[e] = true;
-      }
+    const std::vector<plan::MarkStatement> wanted = plan::markStatements(trajectory_);
+    for (const plan::MarkStatement& w : wanted)
+      if (w.event != plan::kNoEvent)
+        found_[w.event] = true;
     std::size_t next = 0;
     for (const StatedFact& fact : program_.facts) {
-      const bool isSet = fact.kind == FactKind::MarkSet;
-      if ((!isSet && fact.kind != FactKind::MarkAwaited) ||
-          (isSet && fact.before <= program_.firstMotion))
+      const bool sets = fact.kind == FactKind::MarkSet;
+      if (!sets && fact.kind != FactKind::MarkAwaited)
         continue;
-      const std::size_t point = fact.before < program_.motions.size()
-                                    ? alignment_.pointAhead(fact.before)
-                                    : trajectory_.pointCount();
-      const auto isIt = [&](const Wanted& w) {
-        return trajectory_.events[w.event].point == point && w.kind == fact.kind &&
-               w.place == static_cast<int>(fact.number);
+      const std::size_t point = pointOfMark(fact);
+      const auto isIt = [&](const plan::MarkStatement& w) {
+        return w.point == point && w.sets == sets &&
+               plan::markCode(w.signal, w.on) == static_cast<int>(fact.number);
       };
-      constexpr std::size_t kAhead = 3; // so that one lost mark is one finding
+      constexpr std::size_t kAhead = 12; // so that one lost mark is one finding
       const auto from = wanted.begin() + static_cast<std::ptrdiff_t>(next),
                  to = wanted.begin() +
                       static_cast<std::ptrdiff_t>(std::min(wanted.size(), next + kAhead));
@@ -158,22 +144,27 @@ private:
         continue;
       }
       for (auto lost = from; lost != at; ++lost)
-        found_[lost->event] = false;
+        lose(*lost);
       next = static_cast<std::size_t>(at - wanted.begin()) + 1;
     }
     for (; next < wanted.size(); ++next)
-      found_[wanted[next].event] = false;
-    if (!wanted.empty() && !withdrawsSignals())
-      found_[wanted.front().event] = false;
+      lose(wanted[next]);
   }
-  // Whether all signals are off before the first motion: an earlier run may have left one.
-  bool withdrawsSignals() const {
-    return std::ranges::all_of(plan::markSignalsOf(trajectory_), [&](int signal) {
-      return std::ranges::any_of(program_.facts, [&](const StatedFact& fact) {
-        return fact.kind == FactKind::MarkSet && fact.before <= program_.firstMotion &&
-               static_cast<int>(fact.number) == plan::markPlaceOf(signal, false);
-      });
-    });
+  std::size_t pointOfMark(const StatedFact& fact) const {
+    if (fact.before <= program_.firstMotion)
+      return 0;
+    return fact.before < program_.motions.size() ? alignment_.pointAhead(fact.before)
+                                                 : trajectory_.pointCount();
+  }
+  void lose(const plan::MarkStatement& statement) {
+    if (statement.event != plan::kNoEvent) {
+      found_[statement.event] = false;
+      return;
+    }
+    bool& isReported = statement.point == 0 ? lostAtStart_ : lostAtEnd_;
+    if (!std::exchange(isReported, true))
+      missingAt(statement.point == 0 ? program_.firstMotion : program_.motions.size(),
+                EventKind::Mark);
   }
   void mark(EventKind kind, std::size_t point) {
     for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))
@@ -209,16 +200,20 @@ private:
     const auto motion = static_cast<std::size_t>(at - alignment_.pointOf.begin());
     if (motion < program_.firstMotion)
       return;
+    missingAt(motion, event.kind);
+  }
+  void missingAt(std::size_t motion, EventKind kind) {
     findings_.push_back(
         textFinding(program_, StatementMissing,
                     placeOf(program_, std::min(motion, program_.motions.size() - 1)),
-                    {{"statement", program::nameOf(event.kind)}}));
+                    {{"statement", program::nameOf(kind)}}));
   }
 
   const plan::ReadProgram& program_;
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
   std::vector<bool> found_; // per event of the trajectory
+  bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
   std::vector<TextFinding> findings_;
 };
 

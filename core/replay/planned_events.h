@@ -14,8 +14,8 @@ namespace voluta::replay {
 // or states with another tool, and for each stop, tool change or cut between the first and the last
 // motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
 // Before the first motion only the last selection counts: a program begins with tool 0.
-// Marks (plan/marks.h) have to be announced and awaited in their order, each with its own signal;
-// before the first motion the signals of all channels used have to be off.
+// All statements of marks (plan/marks.h) have to be there in their order, each with its own signal
+// and value: those that withdraw signals before the first motion and behind the last one, too.
 // The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge or
 // a shot by 2 %.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "replay/any_start.h"
 #include "replay/controller_time.h"
 #include "replay/distances.h"
 #include "replay/executed_path.h"
@@ -318,7 +319,8 @@ SharedRun runTogether(std::span<const RunningMachine> machines, const base::RunC
     paths.push_back(executeProgram(machine.program, machine.cell, ctx));
     times.push_back(controllerTimes(machine.program, paths.back(), TurnLaw::Text));
   }
-  out.clock = commonClock(programs, times);
+  out.unsafeStart = unsafeStart(programs, times);
+  out.clock = commonClock(programs, times, out.unsafeStart ? out.unsafeStart->start : Start{});
   for (const MachineClock& clock : out.clock.machines)
     out.makespanS = std::max(out.makespanS, clock.totalS);
   std::vector<Follower> followers;

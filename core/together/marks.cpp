@@ -9,11 +9,24 @@ namespace voluta::together {
 
 std::vector<MarkPlace> marksOf(const Order& order, std::size_t machine, const Rests& rests) {
   std::vector<MarkPlace> marks;
-  for (const Rendezvous& r : order.meetings)
-    if (r.first == machine)
-      marks.push_back({rests.point[r.firstRest], plan::markChannel(machine, r.second)});
-    else if (r.second == machine)
-      marks.push_back({rests.point[r.secondRest], plan::markChannel(machine, r.first)});
+  std::vector<std::size_t> others;
+  for (const Rendezvous& r : order.meetings) {
+    if (r.first != machine && r.second != machine)
+      continue;
+    const bool isFirst = r.first == machine;
+    const std::size_t other = isFirst ? r.second : r.first;
+    others.push_back(other);
+    marks.push_back({rests.point[isFirst ? r.firstRest : r.secondRest],
+                     plan::markLinkOf(machine, other)});
+  }
+  // By the lower and then by the higher number of both, which is ascending for each machine.
+  std::ranges::sort(others);
+  const auto repeated = std::ranges::unique(others);
+  others.erase(repeated.begin(), repeated.end());
+  std::vector<MarkPlace> starts;
+  for (const std::size_t other : others)
+    starts.push_back({rests.point.front(), plan::markLinkOf(machine, other)});
+  marks.insert(marks.begin(), starts.begin(), starts.end());
   return marks;
 }
 
@@ -30,7 +43,7 @@ plan::Trajectory withMarks(const plan::Trajectory& trajectory,
            at->kind == plan::EventKind::Mark)
       ++at;
     marked.events.insert(
-        at, {.point = mark.point + 1, .kind = plan::EventKind::Mark, .tool = mark.channel});
+        at, {.point = mark.point + 1, .kind = plan::EventKind::Mark, .tool = mark.link});
   }
   return marked;
 }

@@ -90,7 +90,7 @@ TEST(Together, MarksKeepTwoArmsApart) {
   EXPECT_EQ(result.replay->collisions, 0u);
   EXPECT_GE(result.replay->leastDistanceMm, 10.0);
   for (const replay::MachineClock& clock : result.replay->clock.machines)
-    EXPECT_EQ(clock.marks.size(), result.work.order->meetings.size());
+    EXPECT_EQ(clock.meetings().size(), result.work.order->meetings.size());
   EXPECT_GT(unmarked(result).collisions, 0u);
 }
 
@@ -143,7 +143,8 @@ protected:
     for (std::string line; std::getline(text, line);)
       lines_.push_back(line);
   }
-  // Returns the lines of the n-th mark, counted from 0: remark, signal, three lines that wait.
+  // Returns the lines of the n-th mark behind the start mark, counted from 0: remark, and twice a
+  // signal and three lines that wait.
   std::size_t markAt(std::size_t n) const {
     for (std::size_t i = 0; i < lines_.size(); ++i)
       if (lines_[i].find("# mark ") != std::string::npos && n-- == 0)
@@ -163,7 +164,7 @@ protected:
       return f.blocking && f.program.line >= first && f.program.line <= last;
     });
   }
-  static constexpr std::size_t kLines = 5; // of a mark
+  static constexpr std::size_t kLines = 9; // of a mark
 
   test::TemporaryFolder folder_;
   std::filesystem::path file_;
@@ -174,7 +175,7 @@ TEST_F(WrittenPair, PassesFromDisk) {
   const TogetherCheck check = verified();
   EXPECT_FALSE(refusal(check)) << base::english(*refusal(check));
   EXPECT_EQ(check.replay.collisions, 0u);
-  EXPECT_EQ(check.replay.clock.machines[0].marks.size(), pair().work.order->meetings.size());
+  EXPECT_EQ(check.replay.clock.machines[0].meetings().size(), pair().work.order->meetings.size());
   EXPECT_NEAR(check.replay.makespanS, pair().replay->makespanS, 0.1);
 }
 
@@ -189,13 +190,30 @@ TEST_F(WrittenPair, ARemovedMarkIsRefusedAtItsLine) {
   EXPECT_TRUE(check.replay.clock.stuck || check.replay.collisions > 0);
 }
 
-TEST_F(WrittenPair, SwappedMarksAreRefusedAtTheirLine) {
-  const std::size_t one = markAt(0), other = markAt(1);
-  for (std::size_t k = 1; k < kLines; ++k)
-    std::swap(lines_[one + k], lines_[other + k]);
+TEST_F(WrittenPair, ASignalWithdrawnTooEarlyIsRefusedAtItsLine) {
+  const std::size_t at = markAt(0);
+  std::swap(lines_[at + 1], lines_[at + 5]); // on, and off again
   const TogetherCheck check = verified();
   ASSERT_TRUE(refusal(check));
-  EXPECT_TRUE(isAtLine(check, one + 1, one + kLines) || isAtLine(check, other + 1, other + kLines));
+  EXPECT_TRUE(isAtLine(check, at + 1, at + kLines + 1));
+}
+
+// Signals that an earlier run has left count: without its start mark a machine would go on.
+TEST_F(WrittenPair, AMissingStartMarkIsRefused) {
+  std::size_t from = 0;
+  while (lines_.at(from).find("# start mark") == std::string::npos)
+    ++from;
+  std::size_t to = from + 1;
+  while (lines_.at(to).find("set_standard_digital") != std::string::npos ||
+         lines_.at(to).find("get_standard_digital") != std::string::npos ||
+         lines_.at(to) == "    sync()" || lines_.at(to) == "  end")
+    ++to;
+  ASSERT_GT(to, from + 10);
+  lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(from),
+               lines_.begin() + static_cast<std::ptrdiff_t>(to));
+  const TogetherCheck check = verified();
+  ASSERT_TRUE(refusal(check));
+  EXPECT_TRUE(check.replay.unsafeStart);
 }
 
 TEST(Together, AFolderWithoutProgramsIsRefused) {

@@ -34,6 +34,7 @@ public:
       zeros_ = axisCount(input).zeros;
     for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)
       lastPrint_ = isPrint(input.trajectory, i) ? i : lastPrint_;
+    marks_ = plan::markStatements(input.trajectory);
   }
 
   void run() {
@@ -45,7 +46,7 @@ public:
       if (file == 0 && in_.trajectory.changesTool())
         selectTool();
       if (file == 0)
-        withdrawMarks();
+        marks(0);
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
@@ -97,11 +98,14 @@ private:
       emitter_.jointMotion(i);
     else
       emitter_.straightMotion(i, last || zeroesAt(i + 1) || t.stopsBefore(i + 1));
-    if (i == 0)
+    if (i == 0) {
+      marks(1); // so that the nozzle does not wait primed
       prime();
+    }
   }
 
   void events(std::size_t i) {
+    marks(i);
     bool isChanged = false; // a pause after a change is for the change
     for (const plan::TrajectoryEvent& event : in_.trajectory.eventsBefore(i))
       switch (event.kind) {
@@ -135,8 +139,7 @@ private:
         emitter_.setOutput(kChangerOutput, event.kind == plan::EventKind::Lock);
         emitter_.wait(event.seconds);
         break;
-      case plan::EventKind::Mark:
-        mark(event.tool);
+      case plan::EventKind::Mark: // said by marks()
         break;
       case plan::EventKind::StartLag:
         startLag(i, event.seconds);
@@ -153,22 +156,28 @@ private:
       emitter_.setOutput(k, k == tool_);
   }
 
-  // An earlier run may have left the signals of a mark.
-  void withdrawMarks() {
-    for (const int signal : plan::markSignalsOf(in_.trajectory))
-      emitter_.setOutput(kMarkOutput + signal, false);
+  // Says those before the motion to a point that are not said yet.
+  void marks(std::size_t point) {
+    for (; mark_ < marks_.size() && marks_[mark_].point <= point; ++mark_) {
+      const plan::MarkStatement& said = marks_[mark_];
+      if (mark_ == 0 || said.event != marks_[mark_ - 1].event)
+        emitter_.remark(markRemark(said));
+      if (said.sets)
+        emitter_.setOutput(kMarkOutput + said.signal, said.on);
+      else
+        emitter_.awaitInput(kMarkOutput + said.signal, said.on);
+    }
   }
 
-  void mark(int channel) {
-    std::size_t& number = marks_.at(static_cast<std::size_t>(channel));
-    const int place = plan::markPlace(channel, ++number);
-    const int signal = kMarkOutput + plan::markSignal(place);
-    std::string name = "mark " + std::to_string(number);
+  std::string markRemark(const plan::MarkStatement& said) {
+    if (said.event == plan::kNoEvent)
+      return "signals for other machines off";
+    const int channel = said.signal / 2;
+    const std::size_t number = reached_.at(static_cast<std::size_t>(channel))++;
+    std::string name = number == 0 ? std::string("start mark") : "mark " + std::to_string(number);
     if (channel > 0)
       name += " of channel " + std::to_string(channel + 1);
-    emitter_.remark(name);
-    emitter_.setOutput(signal, plan::markIsOn(place));
-    emitter_.awaitInput(signal, plan::markIsOn(place));
+    return name;
   }
 
   // The filament is drawn back before and after it, if it was before.
@@ -309,9 +318,11 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
-  int tool_ = 0;                                         // selected
-  std::array<std::size_t, plan::kMarkChannels> marks_{}; // reached, by channel
-  std::size_t path_ = 0;                                 // printed last
+  int tool_ = 0; // selected
+  std::vector<plan::MarkStatement> marks_;
+  std::size_t mark_ = 0;                                   // said next
+  std::array<std::size_t, plan::kMarkChannels> reached_{}; // marks, by channel
+  std::size_t path_ = 0;                                   // printed last
   double fan_ = 0.0;
   std::size_t lastPrint_ = 0;      // point
   std::string said_;               // last text sent

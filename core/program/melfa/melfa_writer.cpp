@@ -118,7 +118,7 @@ private:
                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
                 " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.tooling)}));
     for (const std::string& note : toolNotes(in_, [](int k) {
-           return joined({"output ", std::to_string(kMelfaExtruder + k)});
+           return joined({"output ", std::to_string(melfaSignal(k))});
          }))
       say(note);
     say(joined({"load assumed: ", fixedText(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));

@@ -35,6 +35,11 @@ std::string signalListText(std::string_view unit, bool omniCore, bool extrudes,
             "10\r\n";
   for (const std::string& output : outputs)
     text += joined({"\r\n      -Name \"", output, "\" -SignalType \"DO\"\r\n"});
+  constexpr std::string_view kMarkOutputs = "doMark"; // each has an input
+  for (const std::string& output : outputs)
+    if (output.starts_with(kMarkOutputs))
+      text += joined({"\r\n      -Name \"diMark", output.substr(kMarkOutputs.size()),
+                      "\" -SignalType \"DI\"\r\n"});
   return text;
 }
 

@@ -326,12 +326,16 @@ void TogetherDialog::showResult() {
     for (std::size_t k = 0; k < clocks.size(); ++k)
       lines << tr("Machine %1: marks %2, waits %3, ends after %4")
                    .arg(k + 1)
-                   .arg(clocks[k].marks.size())
+                   .arg(clocks[k].meetings().size())
                    .arg(forms::durationText(clocks[k].waitS()),
                         forms::durationText(clocks[k].totalS));
     lines << tr("Least distance %1 mm; collisions: %2")
                  .arg(number(result->replay->leastDistanceMm, 1))
                  .arg(result->replay->collisions);
+    if (!refusal && !result->work.order->meetings.empty())
+      lines << tr("Start the programs in any order: each waits at its first point for the others, "
+                  "whatever their signals are, and ends with its signals off. If one is stopped, "
+                  "stop all, and start all again.");
     std::vector<double> collisions;
     for (const replay::Meeting& meeting : result->replay->meetings)
       collisions.push_back(meeting.whenS);
@@ -370,7 +374,7 @@ void TogetherDialog::listPlaces() {
   std::vector<std::size_t> passed(result->plans.size(), 0);
   for (std::size_t r = 0; r < meetings.size(); ++r)
     for (const std::size_t machine : {meetings[r].first, meetings[r].second}) {
-      const auto& marks = result->replay->clock.machines[machine].marks;
+      const auto marks = result->replay->clock.machines[machine].meetings();
       const std::size_t own = passed[machine]++;
       if (own >= marks.size() || marks[own].toS - marks[own].fromS < kShownWaitS)
         continue;
