@@ -8861,8 +8861,8 @@ previsto</translation>
         <translation>Numero dell&apos;utensile che stampa i supporti; 0: quello del pezzo.</translation>
     </message>
     <message>
-        <source>Number of the tool that prints the part.</source>
-        <translation>Numero dell&apos;utensile che stampa il pezzo.</translation>
+        <source>Number of the tool that prints the part. The tips of all tools are in one place, that of the cell&apos;s nozzle.</source>
+        <translation>Numero dell&apos;utensile che stampa il pezzo. Le punte di tutti gli utensili sono in un solo punto, quello dell&apos;ugello della cella.</translation>
     </message>
     <message>
         <source>Tool changes</source>
@@ -8907,6 +8907,82 @@ previsto</translation>
     <message>
         <source>locking the tool</source>
         <translation>il blocco dell&apos;utensile</translation>
+    </message>
+    <message>
+        <source>the selection of the first tool</source>
+        <translation>la scelta del primo utensile</translation>
+    </message>
+    <message>
+        <source>the tool that the program begins with</source>
+        <translation>l&apos;utensile con cui comincia il programma</translation>
+    </message>
+    <message>
+        <source>before {event}</source>
+        <translation>prima di: {event}</translation>
+    </message>
+    <message>
+        <source>behind {event}</source>
+        <translation>dopo: {event}</translation>
+    </message>
+    <message>
+        <source>the text of the stop</source>
+        <translation>il testo dell&apos;arresto</translation>
+    </message>
+    <message>
+        <source>a motion that begins with no tool</source>
+        <translation>un movimento che comincia senza utensile</translation>
+    </message>
+    <message>
+        <source>the output of a tool is not set: an earlier run may have left it on</source>
+        <translation>l&apos;uscita di un utensile non è impostata: un&apos;esecuzione precedente può averla lasciata attiva</translation>
+    </message>
+    <message>
+        <source>the arm does not get to the place for purges without a collision</source>
+        <translation>il braccio non raggiunge senza collisioni il punto di spurgo</translation>
+    </message>
+    <message>
+        <source>move the place or the part</source>
+        <translation>sposta il punto o il pezzo</translation>
+    </message>
+    <message>
+        <source>the nozzle does not move</source>
+        <translation>l&apos;ugello non si muove</translation>
+    </message>
+    <message>
+        <source>a prime or a purge of {volume:.0f} falls on the {body}</source>
+        <translation>un innesco o uno spurgo di {volume:.0f} cade su: {body}</translation>
+    </message>
+    <message>
+        <source>a prime or a purge of {volume:.0f} falls on the plate, beside the print</source>
+        <translation>un innesco o uno spurgo di {volume:.0f} cade sul piano, accanto alla stampa</translation>
+    </message>
+    <message>
+        <source>state a place for purges in the cell (purgeMm), or move the part</source>
+        <translation>indica nella cella un punto di spurgo (purgeMm), oppure sposta il pezzo</translation>
+    </message>
+    <message>
+        <source>remove the strand before it is dragged along, or state a place for purges in the cell (purgeMm)</source>
+        <translation>togli il filo prima che venga trascinato, oppure indica nella cella un punto di spurgo (purgeMm)</translation>
+    </message>
+    <message>
+        <source>print</source>
+        <translation>stampa</translation>
+    </message>
+    <message>
+        <source>workpiece</source>
+        <translation>pezzo di base</translation>
+    </message>
+    <message>
+        <source>the arm does not reach the place for purges</source>
+        <translation>il braccio non raggiunge il punto di spurgo</translation>
+    </message>
+    <message>
+        <source>the arm collides at the place for purges</source>
+        <translation>il braccio urta nel punto di spurgo</translation>
+    </message>
+    <message>
+        <source>move the place for purges</source>
+        <translation>sposta il punto di spurgo</translation>
     </message>
     <message>
         <source>move the dock or the part</source>

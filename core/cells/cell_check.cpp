@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "cells/reach_map.h"
 #include "robot/plate.h"
+#include "robot/pointing_down.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,6 +154,27 @@ void checkLoad(const robot::Cell& cell, double partKg, std::vector<CellFault>& f
                       "reduce the payload, or use a stronger robot"_text});
 }
 
+
+void checkPurgePlace(const robot::Cell& cell, const CellCollision& collision,
+                     std::vector<CellFault>& faults) {
+  const std::optional<Eigen::Vector3d>& place = cell.purgePlaceMm();
+  if (!place)
+    return;
+  const robot::JointVector home = cell.home();
+  const std::vector<robot::JointVector> solutions =
+      robot::pointingDownAt(cell, cell.base_T_world(home) * *place, home);
+  Frames frames;
+  const bool isFree = std::ranges::any_of(solutions, [&](const robot::JointVector& q) {
+    cell.framePoses(q, frames);
+    return !collision.bodies(frames, {});
+  });
+  if (solutions.empty())
+    faults.push_back({"the arm does not reach the place for purges"_text,
+                      "move the place for purges"_text});
+  else if (!isFree)
+    faults.push_back({"the arm collides at the place for purges"_text,
+                      "move the place for purges"_text});
+}
 } // namespace
 
 std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Process& process,
@@ -163,6 +185,7 @@ std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Proces
   checkNozzle(cell, process, frames, faults);
   checkRest(collision, frames, faults);
   checkPlate(cell, process, collision, {}, ctx, faults);
+  checkPurgePlace(cell, collision, faults);
   checkLoad(cell, partKg, faults);
   return faults;
 }

@@ -22,6 +22,8 @@ struct CellFault {
 // - the arm cannot bring the nozzle upright to the first layer anywhere over the plate (25 places,
 //   12 turns), or it always collides there: the most frequent pair, for the solutions nearest to
 //   the home pose;
+// - the arm cannot bring the nozzle, pointing down, to the cell's place for purges, or always
+//   collides there;
 // - the flange's payload (with partKg >= 0 on a plate held by the arm) exceeds the robot's rating.
 //
 // Cells with a rod skip the check of the plate. Deterministic. Throws Cancelled.

@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "motion/change_place.h"
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
@@ -298,6 +299,8 @@ private:
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
     const TimedSequence timed = timesOfSequence(sequence, scene_, tooling_, home_, ctx);
 
+    if (runs > 0)
+      result_.trajectory.firstTool = toolOf(sequence.runs.front());
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
     plan::MotionStatistics& s = result_.statistics;
@@ -359,18 +362,22 @@ private:
       add({.kind = plan::EventKind::Release, .seconds = kChangerS});
       break;
     case ToolStep::Kind::Take:
-      add({.kind = plan::EventKind::ToolChange, .tool = tool});
-      ++result_.statistics.toolChanges;
+      // The operator fits the tool before an output selects it.
       if (by == By::Hand)
         add({.kind = plan::EventKind::Pause});
+      add({.kind = plan::EventKind::ToolChange, .tool = tool});
+      ++result_.statistics.toolChanges;
       if (by == By::Changer)
         add({.kind = plan::EventKind::Lock, .seconds = kChangerS});
       break;
     case ToolStep::Kind::Purge:
-      if (options_.purgeMm3 > 0.0 && !tooling_.at(tool).process.tape)
-        add({.kind = plan::EventKind::Purge,
-             .seconds = options_.purgeMm3 / process::primeFlow(tooling_.at(tool).process),
-             .volumeMm3 = options_.purgeMm3});
+      if (const auto purge = purgeEvent(tooling_.at(tool).process, options_.purge.changeMm3))
+        add(*purge);
+      break;
+    case ToolStep::Kind::Prime:
+      if (const auto purge =
+              purgeEvent(tooling_.at(tool).process, primeMm3(tooling_.at(tool).process)))
+        add(*purge);
     }
   }
 

@@ -78,7 +78,7 @@ base::ParameterTable motionParameters() {
            kMaxLayerTime, "s", 0.0, 0.0, 36000.0, "Cooling"_text, "maximum layer time"_text,
            "Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit."_text),
        base::numberParameter(
-           "purgeMm3", "mm3", d.purgeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
+           "purgeMm3", "mm3", d.purge.changeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
            "Material that flows out at the place of the tool change after each change of the tool."_text),
        base::numberParameter("stitchFlow", "mm3/s", d.shotFlowMm3PerS, 0.0, 10000.0,
                              "Stitches"_text, "flow of a shot"_text,
@@ -107,7 +107,8 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.blendsBranches = values.text(kBranchChange) == kBlend;
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
   o.leastLayerTimeS = layerTimes(values).leastS;
-  o.purgeMm3 = values.number("purgeMm3");
+  o.purge.changeMm3 = values.number("purgeMm3");
+  o.purge.primesBeside = true;
   o.shotFlowMm3PerS = values.number("stitchFlow");
   o.shotWaitS = values.number("stitchWait");
   return o;

@@ -25,6 +25,13 @@ enum class NozzleTurn {
   Rodrigues
 };
 
+// Material that flows out beside the part.
+struct PurgeOptions {
+  double changeMm3 = 100.0; // after each tool change
+  // Whether a nozzle that would be primed above the part goes beside it for that
+  bool primesBeside = false;
+};
+
 struct MotionOptions {
   int samples = 24;          // Number of rotations about the nozzle that are tried
   double rungMm = 5.0;       // Distance of the ladder graph's rungs along a path
@@ -53,7 +60,7 @@ struct MotionOptions {
   double nearCost = 1.0;        // Cost [rad] of a rung of the ladder graph at the clearance limit
   double wipeMm = 0.0;          // Along the bead before the lift, extruder off
   double leastLayerTimeS = 0.0; // plan::LayerTimes
-  double purgeMm3 = 100.0;      // flows out after each tool change
+  PurgeOptions purge;
   // Of shots into pockets: their flow, 0: the limit of the process; and the wait after each.
   double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
 

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "motion/change_place.h"
 #include "motion/external_axes.h"
 #include "motion/motion_scene.h"
 #include "motion/sequence.h"
@@ -49,6 +50,39 @@ void appendWay(plan::Trajectory& to, const RobotState& from, const Transfer& way
   for (std::size_t k = 0; k < way.points.size(); ++k)
     append(to, way.points[k].at.q, start + times[k + 1], way.points[k].move,
            k + 1 == way.points.size() ? arrivesAt : plan::kNoWaypoint, volume);
+}
+
+// Appends the trip on which the rest's nozzle is filled, away from the part printed so far: a purge
+// if the tool may have been fitted just now, else a prime.
+void purgeBeside(plan::Trajectory& to, const MotionScene& scene, const RobotState& home,
+                 const process::Process& process, bool isChanged, std::size_t before,
+                 const TimingLimits& limits, const base::RunContext& ctx) {
+  const auto purge =
+      purgeEvent(process, isChanged ? std::max(scene.options.purge.changeMm3, primeMm3(process))
+                                    : primeMm3(process));
+  if (!purge)
+    return;
+  const TransferPlanner planner(scene);
+  const auto trip =
+      purgeTrip(scene, home, purgePlaces(scene, home.q),
+                [&](const RobotState& from, const RobotState& at, bool isStraight) {
+                  return isStraight ? planner.straight(from, at, before)
+                                    : planner.between(from, at, before,
+                                                      scene.options.seed + before, ctx);
+                });
+  const auto go = [&](const RobotState& from, const std::vector<TransferPoint>& points) {
+    if (!points.empty())
+      appendWay(to, from, {points}, plan::kNoWaypoint, process.travelSpeedMmPerS, limits);
+  };
+  if (trip)
+    go(home, trip->there);
+  to.events.push_back(*purge);
+  to.events.back().point = to.pointCount();
+  if (!trip)
+    return;
+  const RobotState at = trip->there.empty() ? home : trip->there.back().at;
+  go(at, trip->wipe);
+  go(trip->wipe.empty() ? at : trip->wipe.back().at, trip->back);
 }
 
 // Returns the times [s] from `point` for each point up to the end of its run, which starts from
@@ -113,6 +147,7 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
   };
   plan::Trajectory part;
   part.dof = t.dof;
+  part.firstTool = t.toolAt(first);
   part.joints = span(t.joints, static_cast<std::size_t>(t.dof));
   part.timeS = span(t.timeS);
   part.move = span(t.move);
@@ -164,11 +199,14 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   all = partOf(t, 0, point + 1);
   appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, first.travelSpeedMmPerS, limits);
   resumed.firstPoint = all.pointCount();
-  append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
-  // A program begins with the first tool.
-  if (const int tool = plan.paths[path].tool; tool != 0)
+  // The rest begins with the bead's own tool, which the operator fits before it starts.
+  if (const int tool = plan.paths[path].tool; tool != all.toolAt(all.pointCount()))
     all.events.push_back(
-        {.point = all.pointCount(), .kind = plan::EventKind::ToolChange, .tool = tool});
+        {.point = resumed.firstPoint, .kind = plan::EventKind::ToolChange, .tool = tool});
+  append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
+  if (!tooling.isOne() || (options.purge.primesBeside && dropsOnPart(scene, home.q)))
+    purgeBeside(all, scene, home, tooling.of(plan.paths[path]).process, !tooling.isOne(),
+                waypoint + 1, limits, ctx);
   appendWay(all, home, *way, waypoint, first.travelSpeedMmPerS, limits);
 
   std::size_t end = point + 1; // End of the run

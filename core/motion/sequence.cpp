@@ -209,9 +209,11 @@ private:
   // Prepends the way home after the last kept run, if there is one, and the change to the run's
   // tool, if another one is mounted.
   void setOut(Transfer& way, const Run& run) {
-    const int mounted = kept().empty() ? 0 : toolOf(kept().back()), wanted = toolOf(run);
-    if (mounted != wanted)
-      prepend(toolChange(mounted, wanted, run.points.front().next), way);
+    const std::size_t before = run.points.front().next;
+    if (kept().empty())
+      prepend(prime(before), way);
+    else if (toolOf(kept().back()) != toolOf(run))
+      prepend(toolChange(toolOf(kept().back()), toolOf(run), before), way);
     if (wayHome_)
       prepend(*wayHome_, way);
     wayHome_.reset();
@@ -236,22 +238,49 @@ private:
       putTool(all, mounted, before, Kind::Release);
       putTool(all, wanted, before, Kind::Take);
     }
-    // If there is no way beside the part, the tool is changed at rest.
-    const bool isBeside = tryGo(all, stateAt(scene_.cell, placeBeside(rest().q)), before);
-    if (!isBeside && isChanger)
+    if (isChanger)
       goTo(all, rest(), wanted, before);
+    std::vector<Kind> steps = {Kind::Purge};
     if (!isChanger)
-      all.toolSteps.push_back({all.points.size(), Kind::Take});
-    all.toolSteps.push_back({all.points.size(), Kind::Purge});
-    if (isBeside)
-      goTo(all, rest(), wanted, before);
+      steps.insert(steps.begin(), Kind::Take);
+    doBeside(all, steps, before);
     return all;
   }
 
-  // Returns changePlace(), which looks at all waypoints, once for each rest pose.
-  const robot::JointVector& placeBeside(const robot::JointVector& home) {
+  // Returns the trip on which the first tool is primed; empty if a path primes it, or the program
+  // may prime it at rest.
+  Transfer prime(std::size_t before) {
+    Transfer all;
+    if (scene_.options.purge.primesBeside && !scene_.plan.primes() && dropsOnPart(scene_, rest().q))
+      doBeside(all, {ToolStep::Kind::Prime}, before);
+    return all;
+  }
+
+  // Appends a trip from rest to the place beside the part, the steps there, a wipe, and the way
+  // back. If there is no such place, the steps are done at rest.
+  void doBeside(Transfer& all, const std::vector<ToolStep::Kind>& steps, std::size_t before) {
+    const auto trip =
+        purgeTrip(scene_, rest(), placesBeside(rest().q),
+                  [&](const RobotState& from, const RobotState& to, bool isStraight) {
+                    return go(from, to, isStraight, before);
+                  });
+    if (trip)
+      append(all, trip->there);
+    for (const ToolStep::Kind step : steps)
+      all.toolSteps.push_back({all.points.size(), step});
+    if (trip) {
+      append(all, trip->wipe);
+      append(all, trip->back);
+    }
+  }
+  static void append(Transfer& to, const std::vector<TransferPoint>& points) {
+    to.points.insert(to.points.end(), points.begin(), points.end());
+  }
+
+  // Returns purgePlaces(), which looks at all waypoints, once for each rest pose.
+  const std::vector<PurgePlace>& placesBeside(const robot::JointVector& home) {
     if (!beside_ || beside_->first != home)
-      beside_.emplace(home, changePlace(scene_, home));
+      beside_.emplace(home, purgePlaces(scene_, home));
     return beside_->second;
   }
 
@@ -273,22 +302,24 @@ private:
     return stateAt(scene_.cell, q);
   }
 
-  // Appends the motion from where the change has come so far. Returns whether there is one.
-  bool tryGo(Transfer& all, const RobotState& to, std::size_t before, bool isStraight = false) {
-    const RobotState from = all.points.empty() ? rest() : all.points.back().at;
-    const auto way = known_.of(KnownTransfers::Way::Dock, from, to, before, before, {}, [&] {
+  // Returns the motion between two states away from the part.
+  std::optional<Transfer> go(const RobotState& from, const RobotState& to, bool isStraight,
+                             std::size_t before) {
+    const auto kind = isStraight ? KnownTransfers::Way::DockStraight : KnownTransfers::Way::Dock;
+    return known_.of(kind, from, to, before, before, {}, [&] {
       return isStraight ? usual_.straight(from, to, before)
                         : usual_.between(from, to, before, scene_.options.seed + before, ctx_);
     });
-    if (way)
-      all.points.insert(all.points.end(), way->points.begin(), way->points.end());
-    return way.has_value();
   }
 
-  // The same to or from the dock of a tool; throws if there is no motion.
+  // Appends the motion to or from the dock of a tool; throws if there is none.
   void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before,
             bool isStraight = false) {
-    if (!tryGo(all, to, before, isStraight))
+    const auto way =
+        go(all.points.empty() ? rest() : all.points.back().at, to, isStraight, before);
+    if (way)
+      append(all, way->points);
+    else
       throw base::Error(base::ErrorCode::UnusableInput,
                         base::message("the arm does not get to the dock of tool {number} without "
                                       "a collision"_text,
@@ -366,7 +397,7 @@ private:
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
   std::vector<PrintedBounds> bounds_;
-  std::optional<std::pair<robot::JointVector, robot::JointVector>> beside_; // of placeBeside()
+  std::optional<std::pair<robot::JointVector, std::vector<PurgePlace>>> beside_; // placesBeside()
   ConnectedRuns result_;
   std::optional<Transfer> wayHome_; // The way home from the last kept run, once needed
   bool lastIsWhole_ = false;        // The last kept run is the last one taken, uncut

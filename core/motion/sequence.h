@@ -42,8 +42,10 @@ std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan);
 // Returns the robot state with these joints.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 
-// Finds the transfers. Between runs of different tools the arm goes home and beside the part,
-// where the tool is changed. If no transfer leads from a run to the next, the arm goes via home
+// Finds the transfers. Between runs of different tools the arm goes home and to a place beside the
+// part (change_place.h), where the tool is changed and purged, and wipes its nozzle there. With
+// purge.primesBeside it also goes there first if the nozzle has to be primed at rest, and would
+// drop onto the part at home. If no transfer leads from a run to the next, the arm goes via home
 // too. If that fails too, the run is planned again from home in another branch of the arm, and
 // later runs are planned again from its end.
 //
@@ -52,7 +54,7 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // leave; if it cannot reach a run's start, the run begins at the first point that it can reach. So
 // at worst the whole run is lost, but never later ones. The last transfer, home, always exists if
 // there is a run. Throws Cancelled; Error{UnusableInput} if the arm does not reach the dock of a
-// tool. `known`: transfers of this scene; new ones are added. `highBefore`: first waypoints of
+// tool or the cell's own place for purges. `known`: transfers of this scene; new ones are added. `highBefore`: first waypoints of
 // runs, ascending, to which the transfer lifts by kHighLiftMm if it can.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
                           PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx,

@@ -210,7 +210,10 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   // A format that cannot move the cell at all is an invalid request, not a property of the plan.
   program::requireOwnRobot(dialect, in.cell);
   program::requireRodTurns(dialect, in.cell);
-  if (const auto refused = program::refusal(dialect, in.cell, {}, &in.trajectory))
+  const auto refused = withInput(in, [&](const program::ProgramInput& input) {
+    return program::refusal(dialect, in.cell, {}, &input.trajectory);
+  });
+  if (refused)
     return refusedProgram(dialect, in.cell, *refused);
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;

@@ -142,6 +142,8 @@ enum class FindingKind : std::uint8_t {
   FlowsWhileStanding,
   StandsAmidPrint,
   PrimeChanged,
+  PurgeOnPart,
+  PurgeOnPlate,
   FirstMotionFast,
   AccelerationChanged,
   LoadChanged,

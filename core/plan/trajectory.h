@@ -57,12 +57,21 @@ struct Trajectory {
   std::vector<std::size_t> waypoint;   // Per point: its ToolPlan waypoint, or kNoWaypoint
   std::vector<double> extrudedMm3;     // Per point: total material deposited when it is reached
   std::vector<TrajectoryEvent> events; // Ascending by point; several at a point in their order
+  int firstTool = 0;                   // That deposits from the beginning on
 
   std::size_t pointCount() const { return timeS.size(); }
   // Returns the events before the motion to that point.
   std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const {
     const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
     return {range.begin(), range.end()};
+  }
+  // Returns the tool change for which a pause of the trajectory stops the arm: the next event, in
+  // the same place; nullptr if it is no change. Precondition: the event is one of `events`.
+  const TrajectoryEvent* changeAfter(const TrajectoryEvent& pause) const {
+    const auto next = static_cast<std::size_t>(&pause - events.data()) + 1;
+    const bool isForChange = next < events.size() && events[next].point == pause.point &&
+                             events[next].kind == EventKind::ToolChange;
+    return isForChange ? &events[next] : nullptr;
   }
   // Returns whether the arm stops before the motion to that point for an event.
   bool stopsBefore(std::size_t point) const {
@@ -88,6 +97,14 @@ struct Trajectory {
     return std::ranges::any_of(eventsBefore(point), [](const TrajectoryEvent& event) {
       return event.kind == EventKind::Shot;
     });
+  }
+  // Returns the tool that is selected while the arm is at the point, after the events before it.
+  int toolAt(std::size_t point) const {
+    int tool = firstTool;
+    for (const TrajectoryEvent& event : events)
+      if (event.kind == EventKind::ToolChange && event.point <= point)
+        tool = event.tool;
+    return tool;
   }
   // Returns whether another tool deposits from a later point than `after` on.
   bool changesTool(std::size_t after = 0) const {

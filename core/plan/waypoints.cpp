@@ -58,4 +58,20 @@ bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory, std::size_
   return plan.primes() && waypointAhead(trajectory, from) < plan.paths.front().count;
 }
 
+bool purgesFirst(const Trajectory& trajectory, std::size_t from) {
+  for (const TrajectoryEvent& event : trajectory.events) {
+    if (event.kind != EventKind::Purge || event.point <= from)
+      continue;
+    const auto begin = trajectory.move.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+               end = trajectory.move.begin() + static_cast<std::ptrdiff_t>(event.point);
+    return std::find(begin, end, MoveKind::Print) == end;
+  }
+  return false;
+}
+
+bool primesAtStart(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from) {
+  return !trajectory.extrudedMm3.empty() && trajectory.extrudedMm3.back() > 0.0 &&
+         !primesOnPath(plan, trajectory, from) && !purgesFirst(trajectory, from);
+}
+
 } // namespace voluta::plan

@@ -32,4 +32,11 @@ std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point);
 // the rest of a resumed print.
 bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from = 0);
 
+// Returns whether the nozzle is purged after that point and before anything is printed.
+bool purgesFirst(const Trajectory& trajectory, std::size_t from = 0);
+
+// Returns whether a program that begins at that point has to prime the nozzle with the arm at rest
+// at its start: it prints, and neither a waste bead nor a purge comes first.
+bool primesAtStart(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from = 0);
+
 } // namespace voluta::plan

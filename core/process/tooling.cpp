@@ -20,14 +20,20 @@ const Tool& Tooling::at(int tool) const {
   return (*tools_)[static_cast<std::size_t>(tool)];
 }
 
-std::span<const Tool> Tooling::usedAfter(const plan::Trajectory& trajectory,
-                                         std::size_t point) const {
-  return tools().first(trajectory.changesTool(point) ? tools_->size() : 1);
+std::vector<int> Tooling::usedAfter(const plan::Trajectory& trajectory, std::size_t point) const {
+  std::vector<int> used = {trajectory.toolAt(point)};
+  for (const plan::TrajectoryEvent& event : trajectory.events)
+    if (event.kind == plan::EventKind::ToolChange && event.point > point)
+      used.push_back(event.tool);
+  std::ranges::sort(used);
+  used.erase(std::ranges::unique(used).begin(), used.end());
+  return used;
 }
 
 std::vector<ToolUse> Tooling::usesOf(const plan::Trajectory& trajectory) const {
   std::vector<ToolUse> uses(tools_->size());
-  std::size_t tool = 0;
+  auto tool = static_cast<std::size_t>(trajectory.firstTool);
+  base::require(tool < uses.size(), "a motion that begins with a tool of the job");
   double before = 0.0;
   const auto printTo = [&](double mm3) {
     uses[tool].printedMm3 += mm3 - std::exchange(before, mm3);

@@ -34,8 +34,9 @@ public:
   // The tool of a path. Throws Error{Internal} if the plan names a tool that the job does not have.
   const Tool& of(const plan::ToolPath& path) const { return at(path.tool); }
   const Tool& at(int tool) const;
-  // The tool that the job begins with.
+  // The job's first tool, which a motion need not begin with (plan::Trajectory::firstTool).
   const Tool& first() const { return tools_->front(); }
+  bool isOne() const { return tools_->size() == 1; }
   // The use of each tool.
   std::vector<ToolUse> usesOf(const plan::Trajectory& trajectory) const;
   // The mass of all that is printed, without purges [g].
@@ -44,9 +45,9 @@ public:
   double printedG(const plan::ToolPlan& plan) const;
   // The flow that outputs state as full [mm3/s]: that of the tool with the largest one.
   double fullFlowMm3PerS() const;
-  // The tools that print after a point of the trajectory: all of them if it changes the tool there,
-  // else the first.
-  std::span<const Tool> usedAfter(const plan::Trajectory& trajectory, std::size_t point) const;
+  // The tools that a program needs that begins at a point of the trajectory, ascending: the one
+  // selected there and those that are selected later.
+  std::vector<int> usedAfter(const plan::Trajectory& trajectory, std::size_t point) const;
 
 private:
   std::shared_ptr<const std::vector<Tool>> tools_;

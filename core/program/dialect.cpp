@@ -92,6 +92,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
+       .showsTexts = true,
        .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
@@ -134,6 +135,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
+       .showsTexts = true,
        .events = eventsOfTools({kCut}),
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
@@ -155,6 +157,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .supportsAxesOf = movesTable,
+       .events = {plan::EventKind::Purge},
        // Every motion states its time.
        .time = {},
        .options = tableGcodeOptions,
@@ -173,6 +176,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
+       .showsTexts = true,
        .events = eventsOfTools({kCut}),
        // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
@@ -188,6 +192,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
+       .showsTexts = true,
        .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
@@ -213,6 +218,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
+       .showsTexts = true,
        .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        .time = kKrlTime,
        .merge = kKrlMerge,
@@ -251,6 +257,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
+       .showsTexts = true,
        .events = eventsOfTools({kRelease, kLock, kMark}),
        // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
@@ -274,6 +281,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
+       .showsTexts = true,
        .events = eventsOfTools({kRelease, kLock, kMark}),
        .time = kMelfaTime,
        .merge = kMelfaMerge,

@@ -52,6 +52,7 @@ struct Dialect {
   // whether it can state those of this cell although it does not support all; nullptr: no
   bool (*supportsAxesOf)(const robot::Cell&) = nullptr;
   bool tiltsNozzle = true;          // can state directions other than the plate's normal
+  bool showsTexts = false;          // its stops show the operator a text
   std::vector<plan::EventKind> events = {}; // that it has words for
   plan::TimeModel time = {};                // of its controller; readProgram passes it on
   MergeLimits merge = {}; // minimum printing motions that its controller can plan in time
@@ -141,7 +142,13 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
 
 // Returns the name of an event within a sentence, e.g. "a tool change".
 base::Text nameOf(plan::EventKind kind);
-// Throws Error{Usage} if the trajectory has an event that the dialect has no word for.
+// Returns whether the dialect has a word for it.
+bool hasWordFor(const Dialect& dialect, plan::EventKind kind);
+// Returns whether programs leave such an event out because the dialect has no word for it: a purge
+// that is not that of a tool change primes the nozzle, which the operator then does.
+bool leavesOut(const Dialect& dialect, plan::EventKind kind);
+// Throws Error{Usage} if the trajectory has an event that the dialect has no word for, or begins
+// with another tool than the first and the dialect cannot select one.
 void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory);
 
 // Returns the error that one of the functions above throws for this cell, these directions (empty:

@@ -17,6 +17,12 @@ template <typename CanSay> std::string formatsThat(const CanSay& canSay) {
   return ids;
 }
 
+
+base::Message useFormats(const std::string& ids) {
+  return ids.empty() ? base::Message() : base::message("use {formats}"_text, ids);
+}
+} // namespace
+
 bool hasWordFor(const Dialect& dialect, plan::EventKind kind) {
   // Said by the extruder's outputs, if motions do not state amounts instead.
   if (kind == plan::EventKind::StartLag || kind == plan::EventKind::StopLag)
@@ -24,10 +30,9 @@ bool hasWordFor(const Dialect& dialect, plan::EventKind kind) {
   return std::ranges::find(dialect.events, kind) != dialect.events.end();
 }
 
-base::Message useFormats(const std::string& ids) {
-  return ids.empty() ? base::Message() : base::message("use {formats}"_text, ids);
+bool leavesOut(const Dialect& dialect, plan::EventKind kind) {
+  return kind == plan::EventKind::Purge && !hasWordFor(dialect, kind);
 }
-} // namespace
 
 base::Text nameOf(plan::EventKind kind) {
   switch (kind) {
@@ -100,16 +105,18 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
 }
 
 void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
-  const auto unsaid = std::ranges::find_if(trajectory.events, [&](const plan::TrajectoryEvent& e) {
-    return !hasWordFor(dialect, e.kind);
-  });
-  if (unsaid == trajectory.events.end())
-    return;
-  throw base::Error(
-      base::ErrorCode::Usage,
-      base::message("format {format} has no word for {event}"_text, dialect.id,
-                    nameOf(unsaid->kind)),
-      {}, useFormats(formatsThat([&](const Dialect& d) { return hasWordFor(d, unsaid->kind); })));
+  const auto require = [&](plan::EventKind kind) {
+    if (!hasWordFor(dialect, kind))
+      throw base::Error(
+          base::ErrorCode::Usage,
+          base::message("format {format} has no word for {event}"_text, dialect.id, nameOf(kind)),
+          {}, useFormats(formatsThat([&](const Dialect& d) { return hasWordFor(d, kind); })));
+  };
+  if (trajectory.firstTool != 0)
+    require(plan::EventKind::ToolChange);
+  for (const plan::TrajectoryEvent& event : trajectory.events)
+    if (!leavesOut(dialect, event.kind))
+      require(event.kind);
 }
 
 std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,

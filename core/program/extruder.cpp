@@ -102,7 +102,8 @@ void requireEventsSaid(const ProgramInput& input) {
     throw base::Error(base::ErrorCode::Usage, std::move(reason), {},
                       base::message("use extruder {extruders}"_text, kOutputsExtruder));
   };
-  if (input.trajectory.changesTool() && (isFed || extruder.text))
+  const bool changes = input.trajectory.changesTool() || input.trajectory.firstTool != 0;
+  if (changes && (isFed || extruder.text))
     refuse(base::message("the extruder {extruder} prints with one tool"_text, extruder.id));
   if (isFed && std::ranges::any_of(input.trajectory.events, isLag))
     refuse(base::message("extruder {extruder} cannot keep the start and stop lag of process "

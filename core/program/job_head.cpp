@@ -75,17 +75,23 @@ bool takeCell(std::string_view text, JobHead& head) {
 } // namespace
 
 namespace {
+// The plate's temperature, for which the first of the used materials decides [C]; 0: not heated.
+int plateC(const ProgramInput& input) {
+  const int tool = input.tooling.usedAfter(input.trajectory, 0).front();
+  return input.tooling.at(tool).process.material.bedC.value_or(0);
+}
+
 // Returns e.g. "Nozzle 210 C, plate 60 C"; empty if no temperature is known.
 std::string heatText(const ProgramInput& input, std::string_view unit) {
   std::string nozzles, text;
   std::size_t count = 0;
-  for (const process::Tool& tool : input.tooling.usedAfter(input.trajectory, 0))
-    if (const std::optional<int> celsius = tool.process.material.nozzleC) {
+  for (const int tool : input.tooling.usedAfter(input.trajectory, 0))
+    if (const std::optional<int> celsius = input.tooling.at(tool).process.material.nozzleC) {
       nozzles += joined({count++ > 0 ? ", " : "", std::to_string(*celsius)});
     }
   if (count > 0)
     text = joined({count > 1 ? "Nozzles " : "Nozzle ", nozzles, unit});
-  if (const int bed = input.process().material.bedC.value_or(0); bed > 0)
+  if (const int bed = plateC(input); bed > 0)
     text += joined({text.empty() ? "Plate " : ", plate ", std::to_string(bed), unit});
   return text;
 }
@@ -103,15 +109,18 @@ bool hasEvent(const ProgramInput& input, plan::EventKind kind) {
   return std::ranges::find(events, kind, &plan::TrajectoryEvent::kind) != events.end();
 }
 
+} // namespace
+
 std::string toolName(const process::Tooling& tooling, int tool) {
+  constexpr std::size_t kMostNamed = 16; // so that questions with it are short enough
   const process::Process& process = tooling.at(tool).process;
-  std::string text = joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id), ", ",
-                             plainText(process.material.label)});
+  std::string text =
+      joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id, kMostNamed), ", ",
+              plainText(process.material.label, kMostNamed)});
   if (process.material.nozzleC)
     text += joined({", ", std::to_string(*process.material.nozzleC), " C"});
   return text + ")";
 }
-} // namespace
 
 std::string changeText(const process::Tooling& tooling, int tool) {
   return joined({"Fit ", toolName(tooling, tool), ", then continue"});
@@ -121,7 +130,7 @@ namespace {
 // The outputs that the program sets for its tools.
 std::vector<int> usedOutputs(const ProgramInput& input) {
   std::vector<int> outputs;
-  if (input.trajectory.changesTool())
+  if (input.selectsTool())
     for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
       outputs.push_back(tool);
   if (hasEvent(input, plan::EventKind::Lock))
@@ -197,6 +206,8 @@ std::string jobHash(const ProgramInput& input) {
     if (event.kind == plan::EventKind::ToolChange)
       hash.add(static_cast<std::uint64_t>(event.tool));
   }
+  if (t.firstTool != 0)
+    hash.add(static_cast<std::uint64_t>(t.firstTool));
   return hash.hex();
 }
 
@@ -224,7 +235,27 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
   return std::nullopt;
 }
 
+namespace {
+// Names the tool, which an operator may have to fit first, also before the rest of a print.
+std::string toolQuestion(const ProgramInput& input) {
+  const bool isFed = input.cell.toolChange().by == robot::ToolChange::By::Feeder;
+  const std::string tool =
+      joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
+              isFed ? " selected" : " fitted"});
+  std::string question = tool + " and the way clear?";
+  if (const int bed = plateC(input); bed > 0) {
+    std::string all =
+        joined({tool, ", the plate at ", std::to_string(bed), " C and the way clear?"});
+    if (all.size() <= kQuestionLength)
+      question = std::move(all);
+  }
+  return question;
+}
+} // namespace
+
 std::string startQuestion(const ProgramInput& input) {
+  if (input.selectsTool())
+    return toolQuestion(input);
   const std::string heat = heatText(input, " C");
   std::string question = joined({heat, "? The arm goes straight to its start. Is the way clear?"});
   if (heat.empty() || question.size() > kQuestionLength)
@@ -261,6 +292,9 @@ std::vector<std::string> headLines(const ProgramInput& input) {
               " s"})};
   if (std::string heat = heatLine(input); !heat.empty())
     lines.push_back(std::move(heat));
+  if (input.selectsTool())
+    lines.emplace_back("the tips of all tools are expected in one place, that of the TCP: no tool "
+                       "has an offset of its own");
   if (extruderOf(input).streams)
     lines.push_back(joined({kStreamNote, streamName(input),
                             ", played from each moment on at which the extruder's output goes "

@@ -51,15 +51,17 @@ bool cutsTape(const ProgramInput& input);
 
 // Shown at a planned pause.
 inline constexpr std::string_view kPauseText = "Paused. Continue?";
+// Returns e.g. "tool 2 (petg-1.0, PETG, 240 C)"; long names are cut.
+std::string toolName(const process::Tooling& tooling, int tool);
 // Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),
 // then continue".
 std::string changeText(const process::Tooling& tooling, int tool);
 // Returns the names of the outputs of the tools but the first, and of the tool changer's; none if
-// the program changes no tool. `output`: returns the name of an output by its number.
+// the job has one tool. `output`: returns the name of an output by its number.
 std::vector<std::string> toolOutputs(const ProgramInput& input,
                                      const std::function<std::string(int)>& output);
 // What the program's outputs select, e.g. "tool 2 (petg-1.0, PETG, 240 C): digital output 1", one
-// line for each tool but the first, all of whose outputs are off; none if the program changes no
+// line for each tool but the first, all of whose outputs are off; none if the job has one
 // tool. `output`: the name of the output of a tool's index.
 std::vector<std::string> toolNotes(const ProgramInput& input,
                                    const std::function<std::string(int)>& output);
@@ -68,7 +70,8 @@ inline constexpr std::string_view kStartQuestion =
     "The arm goes slowly and straight to its start. Is the way clear?";
 
 // The same with the temperatures that the operator has to set, as far as they are known, for
-// programs that cannot heat and wait; at most kQuestionLength characters.
+// programs that cannot heat and wait; in a job of several tools it names the first one with its
+// material and temperature. At most kQuestionLength characters.
 std::string startQuestion(const ProgramInput& input);
 inline constexpr std::size_t kQuestionLength = 80; // RAPID's strings
 

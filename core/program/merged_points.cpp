@@ -25,6 +25,7 @@ public:
 
   plan::Trajectory run() {
     out_.dof = in_.dof;
+    out_.firstTool = in_.firstTool;
     keep(0, 0);
     for (std::size_t from = 0; from + 1 < in_.pointCount();) {
       std::size_t to = from + 1;

@@ -116,6 +116,7 @@ void ProgramBuilder::motion(plan::ProgramMotion m) {
   m.line = static_cast<std::uint32_t>(line);
   m.tool = static_cast<std::uint8_t>(selected_);
   places_.motion();
+  shown_.clear();
   if (m.extruding)
     places_.material();
   program_.motions.push_back(std::move(m));
@@ -188,6 +189,11 @@ void ProgramBuilder::stateOf(int tool, plan::FactKind kind, double number) {
   program_.facts.back().tool = tool;
 }
 
+void ProgramBuilder::operatorStop(bool waits) {
+  state(plan::FactKind::OperatorStop, waits ? 1.0 : 0.0, shown_);
+  shown_.clear();
+}
+
 void ProgramBuilder::selectTool(int tool) {
   if (tool < 0 || static_cast<std::size_t>(tool) >= tooling_.tools().size()) {
     defect("a tool other than the printing one"_text);
@@ -215,8 +221,9 @@ bool ProgramBuilder::toolOutput(int tool, bool on) {
   }
   if (tool < 1 || static_cast<std::size_t>(tool) >= toolOutputs_.size())
     return false;
-  const char before = std::exchange(toolOutputs_[static_cast<std::size_t>(tool)], on ? 1 : 0);
-  if (before != toolOutputs_[static_cast<std::size_t>(tool)] || !outputLine_)
+  const std::optional<bool> before =
+      std::exchange(toolOutputs_[static_cast<std::size_t>(tool)], on);
+  if (before != on || !outputLine_)
     outputLine_ = line;
   return true;
 }
@@ -276,12 +283,15 @@ void ProgramBuilder::settleTool() {
   if (!outputLine_)
     return;
   const std::size_t here = std::exchange(line, *std::exchange(outputLine_, std::nullopt));
-  const auto on = std::ranges::count(toolOutputs_, 1);
-  if (on > 1)
+  const auto on = std::ranges::count(toolOutputs_, true);
+  if (std::find(toolOutputs_.begin() + 1, toolOutputs_.end(), std::nullopt) != toolOutputs_.end())
+    defect("the output of a tool is not set: an earlier run may have left it on"_text);
+  else if (on > 1)
     defect("the outputs of several tools are on"_text);
   else
     selectTool(
-        on == 0 ? 0 : static_cast<int>(std::ranges::find(toolOutputs_, 1) - toolOutputs_.begin()));
+        on == 0 ? 0
+                : static_cast<int>(std::ranges::find(toolOutputs_, true) - toolOutputs_.begin()));
   line = here;
 }
 

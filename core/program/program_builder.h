@@ -66,7 +66,11 @@ public:
   void need(plan::FactKind kind);
   // Adds a statement that the replay compares with the plan's requirements, with its position.
   void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
-  // As above, about a tool that may be another than the selected one.
+  // A text that the operator sees from here on, until a stop or a motion.
+  void show(std::string_view text) { shown_ = text; }
+  // States a stop with the text that is shown. `waits`: until the operator continues.
+  void operatorStop(bool waits = true);
+  // As state(), about a tool that may be another than the selected one.
   void stateOf(int tool, plan::FactKind kind, double number = 0.0);
   // Sets an output of the extruder directly, not as a trigger of the next motion.
   void statePassingOutput();
@@ -118,8 +122,12 @@ private:
 
   const process::Tooling tooling_;
   int selected_ = 0;
-  std::vector<char> toolOutputs_ = std::vector<char>(tooling_.tools().size(), 0);
+  // Per tool, the first of which has no output: whether it is on; nullopt: never set, as an earlier
+  // run left it.
+  std::vector<std::optional<bool>> toolOutputs_ =
+      std::vector<std::optional<bool>>(tooling_.tools().size());
   std::optional<std::size_t> outputLine_; // of the last tool output that is not settled
+  std::string shown_;                     // to the operator
   plan::ReadProgram program_;
   Defects defects_;
   WordPlaces places_;

@@ -38,7 +38,10 @@ struct ProgramInput {
   bool foreign = false;              // for a controller other than the cell's; set by writeProgram
 
   // Of the tool that the program begins with.
-  const process::Process& process() const { return tooling.first().process; }
+  const process::Process& process() const { return tooling.at(trajectory.firstTool).process; }
+  // Whether the program selects its tool before its first motion: an earlier run may have left
+  // another one.
+  bool selectsTool() const { return !tooling.isOne(); }
 };
 
 } // namespace voluta::program

@@ -468,6 +468,8 @@ void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
   out.addOwned("trajectory.move", move);
   out.addOwned("trajectory.waypoint", waypoint);
   out.add("trajectory.extruded", t.extrudedMm3);
+  if (t.firstTool != 0)
+    out.addOwned("trajectory.firstTool", std::vector<std::int32_t>{t.firstTool});
   if (t.events.empty())
     return;
   std::vector<std::uint64_t> points;
@@ -500,6 +502,12 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   for (const std::uint64_t w : in.get<std::uint64_t>("trajectory.waypoint"))
     t.waypoint.push_back(static_cast<std::size_t>(w));
   t.extrudedMm3 = in.get<double>("trajectory.extruded");
+  if (in.has("trajectory.firstTool")) {
+    const auto first = in.get<std::int32_t>("trajectory.firstTool");
+    if (first.size() != 1 || first.front() < 0)
+      contradiction("a motion that begins with no tool"_text);
+    t.firstTool = first.front();
+  }
   if (!in.has("trajectory.events.point"))
     return t;
   const auto points = in.get<std::uint64_t>("trajectory.events.point");

@@ -113,7 +113,8 @@ private:
 
   void prime() {
     const double planned =
-        plannedPrimeMm3(plan_, trajectory_, tooling_.first().process, firstPoint_);
+        plannedPrimeMm3(plan_, trajectory_,
+                        tooling_.at(trajectory_.toolAt(firstPoint_)).process, firstPoint_);
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;
@@ -212,8 +213,7 @@ private:
 
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
                        const process::Process& process, std::size_t firstPoint) {
-  if (plan::primesOnPath(plan, trajectory, firstPoint) || trajectory.extrudedMm3.empty() ||
-      !(trajectory.extrudedMm3.back() > 0.0))
+  if (!plan::primesAtStart(plan, trajectory, firstPoint))
     return 0.0;
   const double flow =
       process::beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS;

@@ -21,8 +21,8 @@ std::size_t firstBeadOf(const plan::ReadProgram& program);
 
 // Returns the planned volume extruded before the first bead [mm3]: the flow of a standard bead
 // times the process's prime time, limited by the extruder's maximum flow. Returns 0 if nothing is
-// printed, or if a prime path fills the nozzle. `firstPoint`: point of the trajectory at which the
-// program begins.
+// printed, or if a prime path or a purge fills the nozzle. `process`: of the tool that is selected
+// at `firstPoint`, the point of the trajectory at which the program begins.
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
                        const process::Process& process, std::size_t firstPoint = 0);
 

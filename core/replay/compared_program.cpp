@@ -12,6 +12,7 @@
 #include "replay/heat_facts.h"
 #include "replay/limit_findings.h"
 #include "replay/planned_events.h"
+#include "replay/purge_drops.h"
 #include "replay/section_errors.h"
 #include "replay/stated_facts.h"
 #include "replay/steps.h"
@@ -135,9 +136,11 @@ private:
     addDeviations(compareHeat(in_.program, in_.trajectory, in_.tooling, in_.firstPoint));
     addFindings(verdict,
                 compareFan(in_.program, in_.plan, in_.trajectory, alignment_, in_.tooling));
-    addDeviations(compareEvents(in_.program, in_.trajectory, alignment_));
+    addDeviations(
+        compareEvents(in_.program, in_.trajectory, alignment_, in_.tooling, in_.firstPoint));
     addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
     stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
+    addDrops();
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint, stops_));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);
@@ -149,6 +152,17 @@ private:
     if (deviation.mm > 0.0)
       verdict.worst.deviation = path().targetTip[deviation.motion];
     numberPoints(std::move(alignment_.pointOf));
+  }
+
+  // Material that falls on the part is a reason to refuse the program; on the plate, to look.
+  void addDrops() {
+    std::vector<TextFinding> refused, told;
+    for (TextFinding& drop :
+         purgeDrops(in_.program, in_.trajectory, alignment_, stops_,
+                    dropTargets(in_.plan, in_.platform), in_.cell, in_.firstPoint))
+      (drop.finding.kind == PurgeOnPart ? refused : told).push_back(std::move(drop));
+    addDeviations(std::move(refused));
+    addFindings(out_.verdict, std::move(told));
   }
 
   void numberPoints(std::vector<std::size_t> pointOf) {

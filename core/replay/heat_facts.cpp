@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <utility>
 
 namespace voluta::replay {
@@ -30,15 +29,15 @@ struct Heater {
   bool isNozzle() const { return heat == FactKind::NozzleHeat; }
 };
 
-std::vector<Heater> heatersOf(std::span<const process::Tool> tools) {
+std::vector<Heater> heatersOf(const process::Tooling& tooling, const std::vector<int>& used) {
   std::vector<Heater> heaters;
-  for (std::size_t t = 0; t < tools.size(); ++t)
-    if (const process::Material& m = tools[t].process.material; m.nozzleC)
-      heaters.push_back({FactKind::NozzleHeat, FactKind::NozzleHeatWait, static_cast<int>(t),
+  for (const int t : used)
+    if (const process::Material& m = tooling.at(t).process.material; m.nozzleC)
+      heaters.push_back({FactKind::NozzleHeat, FactKind::NozzleHeatWait, t,
                          static_cast<double>(*m.nozzleC), kNozzleToleranceC,
                          "the nozzle temperature, °C"_text, "a wait until the nozzle is hot"_text,
                          "turning off the nozzle's heating"_text});
-  if (const double bed = tools.front().process.material.bedC.value_or(0); bed > 0.0)
+  if (const double bed = tooling.at(used.front()).process.material.bedC.value_or(0); bed > 0.0)
     heaters.push_back({FactKind::BedHeat, FactKind::BedHeatWait, 0, bed, kBedToleranceC,
                        "the bed temperature, °C"_text, "a wait until the bed is hot"_text,
                        "turning off the bed's heating"_text});
@@ -134,7 +133,7 @@ std::vector<TextFinding> compareHeat(const plan::ReadProgram& program,
   std::vector<TextFinding> found;
   if (program.firstMotion >= program.motions.size())
     return found;
-  for (Heater& heater : heatersOf(tooling.usedAfter(trajectory, firstPoint)))
+  for (Heater& heater : heatersOf(tooling, tooling.usedAfter(trajectory, firstPoint)))
     if (needs(program, heater.heat))
       HeaterComparer(program, std::move(heater), found).compare();
   return found;

@@ -3,8 +3,11 @@
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
+#include "replay/change_order.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -38,13 +41,15 @@ constexpr double kPurgeShare = 0.02; // Tolerance of the volume of purges
 class EventComparer {
 public:
   EventComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-                const Alignment& alignment)
-      : program_(program), trajectory_(trajectory), alignment_(alignment),
+                const Alignment& alignment, const process::Tooling& tooling,
+                std::size_t firstPoint)
+      : program_(program), trajectory_(trajectory), alignment_(alignment), tooling_(tooling),
+        firstPoint_(firstPoint), dialect_(program::findDialect(program.format)),
         found_(trajectory.events.size(), false) {}
 
   std::vector<TextFinding> compare() {
     const StatedFact* begin = nullptr; // selects the tool of the first motion
-    int selected = 0;
+    int selected = trajectory_.toolAt(firstPoint_);
     for (const StatedFact& fact : program_.facts) {
       const auto kind = eventOf(fact);
       const bool selects = kind == EventKind::ToolChange;
@@ -58,8 +63,7 @@ public:
       if (fact.before <= program_.firstMotion)
         begin = &fact;
     }
-    if (begin && begin->tool != 0)
-      unplanned(*begin, EventKind::ToolChange);
+    compareBegin(begin);
     const PlannedStops planned = plannedStops(program_, trajectory_, alignment_);
     compareWaits(planned.seconds);
     comparePurges(planned);
@@ -71,6 +75,23 @@ public:
   }
 
 private:
+  // The tool of the first motion.
+  void compareBegin(const StatedFact* begin) {
+    const int planned = trajectory_.toolAt(firstPoint_);
+    const auto number = [](int tool) { return static_cast<std::size_t>(tool) + 1; };
+    if (begin && begin->tool != planned)
+      findings_.push_back(
+          textFinding(program_, StatementChanged, {begin->file + 1U, begin->line},
+                      {{"statement", base::Message("the tool that the program begins with"_text)},
+                       {"found", number(begin->tool)},
+                       {"planned", number(planned)}}));
+    const bool selects = !tooling_.isOne() && program::hasWordFor(dialect_, EventKind::ToolChange);
+    if (!begin && selects && program_.firstMotion < program_.motions.size())
+      findings_.push_back(textFinding(
+          program_, StatementMissing, placeOf(program_, program_.firstMotion),
+          {{"statement", base::Message("the selection of the first tool"_text)}}));
+  }
+
   void compareWaits(const std::vector<double>& planned) {
     std::vector<double> stated(planned.size(), 0.0);
     std::vector<const plan::ProgramPause*> pauseAt(planned.size(), nullptr);
@@ -196,6 +217,8 @@ private:
   void missing(const TrajectoryEvent& event) {
     if (event.kind == EventKind::Feed || event.kind == EventKind::StopLag) // compared as material
       return;
+    if (event.point <= firstPoint_ || program::leavesOut(dialect_, event.kind))
+      return;
     const auto at = std::ranges::find(alignment_.pointOf, event.point);
     const auto motion = static_cast<std::size_t>(at - alignment_.pointOf.begin());
     if (motion < program_.firstMotion)
@@ -212,6 +235,9 @@ private:
   const plan::ReadProgram& program_;
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
+  const process::Tooling& tooling_;
+  const std::size_t firstPoint_;
+  const program::Dialect& dialect_;
   std::vector<bool> found_; // per event of the trajectory
   bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
   std::vector<TextFinding> findings_;
@@ -240,10 +266,15 @@ PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajecto
 
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
-                                       const Alignment& alignment) {
+                                       const Alignment& alignment, const process::Tooling& tooling,
+                                       std::size_t firstPoint) {
   if (program.motions.empty())
     return {};
-  return EventComparer(program, trajectory, alignment).compare();
+  std::vector<TextFinding> found =
+      EventComparer(program, trajectory, alignment, tooling, firstPoint).compare();
+  std::ranges::move(compareChangeOrder(program, trajectory, alignment, tooling, firstPoint),
+                    std::back_inserter(found));
+  return found;
 }
 
 } // namespace voluta::replay

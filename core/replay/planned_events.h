@@ -3,24 +3,29 @@
 
 #include "plan/program.h"
 #include "plan/trajectory.h"
+#include "process/tooling.h"
 #include "replay/alignment.h"
 #include "replay/comparison.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace voluta::replay {
 
-// Returns a finding, at its line, for each event that the program lacks, states at another motion
-// or states with another tool, and for each stop, tool change or cut between the first and the last
-// motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
-// Before the first motion only the last selection counts: a program begins with tool 0.
+// Returns a finding, at its line, for each event that the program lacks, states at another motion,
+// states with another tool or out of the planned order (change_order.h), and for each stop, tool
+// change or cut between the first and the last motion that is not planned. Selecting a tool is no
+// tool change if that tool is selected already. `firstPoint`: point of the trajectory at which the
+// program begins; earlier events are not its own. In a job of several tools the program has to
+// select the tool of that point before its first motion.
 // All statements of marks (plan/marks.h) have to be there in their order, each with its own signal
 // and value: those that withdraw signals before the first motion and behind the last one, too.
 // The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge or
 // a shot by 2 %.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
-                                       const Alignment& alignment);
+                                       const Alignment& alignment, const process::Tooling& tooling,
+                                       std::size_t firstPoint = 0);
 
 // What is planned while the arm is at rest before each motion; empty: nothing.
 struct PlannedStops {

@@ -132,6 +132,9 @@ public:
   // turning external axis.
   bool tilts() const;
   const ToolChange& toolChange() const { return toolChange_; }
+  // Where the nozzle's tip is to be when its tool is changed and it is purged, in the world [mm];
+  // nullopt: the planner chooses the place. None with a fixed nozzle.
+  const std::optional<Eigen::Vector3d>& purgePlaceMm() const { return purgePlaceMm_; }
   // Acceleration of the arm's joints in travels with its load [rad/s²]; of a sliding joint by
   // asTurn().
   double travelAcceleration() const { return travelAcceleration_; }
@@ -175,6 +178,7 @@ private:
   bool carriedIsAssumed_ = true;
   int lastJointTurnsNozzle_ = 0;
   ToolChange toolChange_;
+  std::optional<Eigen::Vector3d> purgePlaceMm_;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
   std::vector<int> bodiesAgainstPart_;

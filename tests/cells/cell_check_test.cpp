@@ -58,6 +58,23 @@ TEST_F(CellCheck, theShippedCellsHaveNothingWrong) {
   }
 }
 
+TEST_F(CellCheck, aPlaceForPurgesOutOfReachIsTold) {
+  const auto told = [](const std::string& place) {
+    std::string text = robot::draftOfCell("five-axis").text();
+    text.insert(text.find('{') + 1, "\"purgeMm\": " + place + ",");
+    const robot::Cell cell =
+        robot::Cell::readText(text, "five-axis.json", process(), square(60));
+    std::vector<std::string> faults;
+    for (const CellFault& fault : cellFaults(cell, process(), 0.0, {}))
+      faults.push_back(base::english(fault.what));
+    return faults;
+  };
+  EXPECT_THAT(told("[-150, -120, 60]"), ElementsAre());
+  EXPECT_THAT(told("[5000, 0, 60]"), ElementsAre("the arm does not reach the place for purges"));
+  EXPECT_THAT(told("[0, 190, 30]"), ElementsAre("the arm collides at the place for purges"))
+      << "within a stand";
+}
+
 // Each process family has a cell that carries its head, at rest clear of the part.
 TEST_F(CellCheck, everyProcessHasACell) {
   for (const std::string& id : process::processIds()) {

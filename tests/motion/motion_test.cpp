@@ -241,11 +241,13 @@ TEST(Motion, EachToolMovesByItsProcess) {
   plan.paths[2].tool = plan.paths[3].tool = 1;
   const plan::Trajectory slower = planned(two);
   ASSERT_EQ(slower.events.size(), 3u);
-  const plan::TrajectoryEvent& change = slower.events.front();
+  EXPECT_EQ(slower.events[0].kind, plan::EventKind::Pause) << "the operator fits it first";
+  const plan::TrajectoryEvent& change = slower.events[1];
   EXPECT_EQ(change.kind, plan::EventKind::ToolChange);
-  EXPECT_EQ(slower.events[1].kind, plan::EventKind::Pause);
+  EXPECT_EQ(slower.changeAfter(slower.events[0]), &change);
+  EXPECT_EQ(slower.changeAfter(change), nullptr);
   EXPECT_EQ(slower.events[2].kind, plan::EventKind::Purge);
-  EXPECT_DOUBLE_EQ(slower.events[2].volumeMm3, motion::MotionOptions{}.purgeMm3);
+  EXPECT_DOUBLE_EQ(slower.events[2].volumeMm3, motion::MotionOptions{}.purge.changeMm3);
   for (const plan::TrajectoryEvent& event : slower.events)
     EXPECT_EQ(event.point, change.point);
   EXPECT_EQ(change.tool, 1);

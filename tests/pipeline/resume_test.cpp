@@ -176,6 +176,106 @@ TEST(Resume, ByLineOfTheOnlyFile) {
   EXPECT_EQ(resumePrint(request, kCtx).bead, 5u);
 }
 
+// Two boxes, each with one of two tools that are changed by hand.
+PlanRequest twoTools() {
+  PlanRequest request;
+  request.items.resize(2);
+  request.choices.items.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    request.item(i).loaded = test::loadedBox({-9, -8, 0}, {9, 8, 3});
+    request.choices.item(i).mode = "flat";
+    request.choices.item(i).placement.centreMm.x() = 60.0 * static_cast<double>(i) - 30.0;
+  }
+  request.choices.item(1).parameters["tool"] = "2";
+  request.choices.cell = "ur5-moving";
+  request.choices.tools = {{"fdm-1.0"}, {"fdm-1.0"}};
+  request.choices.formats = {"urscript"};
+  return request;
+}
+
+// What the program of a rest begins with, as its own reader finds it.
+void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult& plan) {
+  const plan::ReadProgram read =
+      program::readProgram(checked.program.format, checked.program.files, *plan.tooling, kCtx);
+  const std::string name = "tool " + std::to_string(tool + 1) + " (";
+  const auto stop =
+      std::ranges::find(read.facts, plan::FactKind::OperatorStop, &plan::StatedFact::kind);
+  const auto select =
+      std::ranges::find(read.facts, plan::FactKind::ToolSelected, &plan::StatedFact::kind);
+  ASSERT_NE(stop, read.facts.end());
+  ASSERT_NE(select, read.facts.end());
+  EXPECT_LT(stop, select);
+  EXPECT_EQ(select->before, 0u);
+  EXPECT_EQ(select->tool, tool);
+  if (program::findDialect(checked.program.format).showsTexts) {
+    EXPECT_NE(stop->word.find(name), std::string::npos) << stop->word;
+  }
+  // Its purge comes before its first bead, and no other tool's material.
+  const auto purge = std::ranges::find_if(
+      read.pauses, [](const plan::ProgramPause& pause) { return pause.volumeMm3 > 0.5; });
+  ASSERT_NE(purge, read.pauses.end());
+  EXPECT_EQ(purge->tool, tool);
+  EXPECT_NEAR(purge->volumeMm3, motion::MotionOptions{}.purge.changeMm3, 1.0);
+  const auto bead =
+      std::ranges::find_if(read.motions, [](const plan::ProgramMotion& m) { return m.extruding; });
+  ASSERT_NE(bead, read.motions.end());
+  EXPECT_EQ(bead->tool, tool);
+  EXPECT_LE(purge->before, static_cast<std::size_t>(bead - read.motions.begin()));
+}
+
+TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
+  const std::vector<std::string> formats = {"urscript", "rapid",    "krl",   "melfa",
+                                            "spel",     "tmscript", "gcode", "gcode-extended"};
+  PlanResult whole = planPart(twoTools(), kCtx);
+  ASSERT_TRUE(nothingBlocks(whole.job.report));
+  const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
+  const auto second = static_cast<std::size_t>(
+      std::ranges::find(paths, 1, &plan::ToolPath::tool) - paths.begin());
+  for (const std::size_t bead : {second / 2, second, (second + paths.size()) / 2}) {
+    SCOPED_TRACE(bead);
+    const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);
+    ASSERT_TRUE(point);
+    const ResumeResult rest = resumeJob(whole.job, *point, formats, kCtx);
+    ASSERT_EQ(rest.plan.checked.size(), formats.size());
+    const int tool = paths[bead].tool;
+    EXPECT_EQ(rest.plan.job.trajectory->toolAt(rest.plan.job.resumedAt), tool);
+    EXPECT_EQ(rest.plan.job.report.motion.toolChanges, bead < second ? 1u : 0u);
+    for (const auto& checked : rest.plan.checked) {
+      SCOPED_TRACE(checked->program.format);
+      EXPECT_TRUE(checked->passed);
+      expectBeginsWith(tool, *checked, rest.plan);
+    }
+  }
+}
+
+// By line, from disk; another first selection in the text is refused there.
+TEST(Resume, ByLineOfTheSecondTool) {
+  PlanResult whole = planPart(twoTools(), kCtx);
+  const test::TemporaryFolder folder;
+  writeOutputs(whole, folder.path(), kCtx);
+  const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
+  const auto bead = paths.size() - 3;
+  const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.line = linesOfPoints(*whole.checked[0], *whole.job.trajectory)[*point + 1].line;
+  ResumeResult rest = resumePrint(request, kCtx);
+  EXPECT_EQ(rest.bead, bead + 1);
+  ASSERT_EQ(rest.plan.checked.size(), 1u);
+  EXPECT_TRUE(rest.plan.checked[0]->passed);
+  expectBeginsWith(1, *rest.plan.checked[0], rest.plan);
+  const test::TemporaryFolder second;
+  writeOutputs(rest.plan, second.path(), kCtx);
+  const auto file = second / rest.plan.job.report.programs[0].files[0];
+  EXPECT_TRUE(verifyProgram(file, second / "job.voluta", kCtx).replay.passed);
+  std::string text = base::readFile(file);
+  const std::string selects = "set_standard_digital_out(1,True)";
+  ASSERT_NE(text.find(selects), std::string::npos);
+  text.replace(text.find(selects), selects.size(), "set_standard_digital_out(1,False)");
+  base::writeFile(file, text);
+  EXPECT_FALSE(verifyProgram(file, second / "job.voluta", kCtx).replay.passed);
+}
+
 TEST(Resume, WithoutAWayThereThatIsTold) {
   project::Job job = test::boxPlan().job;
   job.choices.item().parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere

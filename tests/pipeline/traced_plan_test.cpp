@@ -4,6 +4,8 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "pipeline/plan_reasons.h"
+#include "plan/finding_kinds.h"
+#include "plan/waypoints.h"
 #include "project/loaded_part.h"
 
 #include <cmath>
@@ -86,6 +88,10 @@ TEST(TracedPlans, TheSeamOfACapIsACircle) {
   EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
   const double length = base::kTurn * (radius + 0.8) * std::sin(base::degreesToRadians(35.0));
   EXPECT_NEAR(tracedMm(*plan.job.toolPlan), length, 0.01 * length);
+  // Hot glue does not drop on the body, above which the nozzle is at home.
+  EXPECT_TRUE(plan::purgesFirst(*plan.job.trajectory));
+  for (const plan::Finding& finding : plan.job.report.findings)
+    EXPECT_NE(finding.kind, plan::FindingKind::PurgeOnPart);
 }
 
 // The crown of an upper, 180 mm long.

@@ -186,6 +186,26 @@ TEST_F(Events, FactsPausesAndMotionsBelongToTheSelectedTool) {
   EXPECT_EQ(read.defects.size(), 1u);
 }
 
+// Firmware shows the text of M0, but takes a P or S with a number for a time.
+TEST_F(Events, GcodeStopsShowTheirText) {
+  EXPECT_EQ(gcodeStopText("Fit tool 2 (petg-1.0, PETG, 240 C), then continue"),
+            "Fit tool 2 (petg-1.0, PETG, 240 C), then continue");
+  EXPECT_EQ(gcodeStopText("ABS 240; P5 S+1"), "ABs 240  p5 s+1");
+  const auto stopOf = [&](const std::string& line) {
+    const plan::ReadProgram read =
+        readProgram("gcode", {{"a", line + "\n"}}, process::Tooling(process_));
+    const auto stop =
+        std::ranges::find(read.facts, plan::FactKind::OperatorStop, &plan::StatedFact::kind);
+    EXPECT_NE(stop, read.facts.end()) << line;
+    return stop == read.facts.end() ? plan::StatedFact() : *stop;
+  };
+  EXPECT_EQ(stopOf("M0 Fit tool 2 (PETG, 240 C)").word, "Fit tool 2 (PETG, 240 C)");
+  EXPECT_EQ(stopOf("M0 Fit tool 2 (PETG, 240 C)").number, 1.0);
+  EXPECT_EQ(stopOf("M0 Wait S5").number, 0.0);
+  EXPECT_EQ(stopOf("M0 P100").number, 0.0);
+  EXPECT_EQ(stopOf("M0").number, 1.0);
+}
+
 // The heads of G-code name the tools only if the motion changes them.
 TEST_F(Events, GcodeHeatsEachToolThatPrints) {
   process::Tool hot{process_};

@@ -254,7 +254,7 @@ $VEL.ORI1=200
 $VEL.ORI2=200
 $OUT[1]=FALSE
 $ANOUT[1]=0
-; Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
+MsgNotify("Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?")
 HALT
 BAS (#VEL_PTP,10)
 PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}

@@ -110,7 +110,8 @@ Call <- !Reserved Name _ '(' _ (Expression (_ ',' _ Expression)*)? _ ')'
 Reserved <- ('PTP' / 'LIN' / 'TRIGGER' / 'END' / 'DEF' / 'BAS') !NameChar
 
 Expression <- Term (_ ('==' / '<>' / '<=' / '>=' / '+' / '-' / '*' / '/' / '<' / '>') _ Term)*
-Term <- Number / Truth / '#' Name / Aggregate / '\'' [BH] [0-9A-F]+ '\'' / Variable
+Term <- Number / Truth / '#' Name / Aggregate / '\'' [BH] [0-9A-F]+ '\''
+        / '"' [^"\r\n]* '"' / Variable
 Truth <- ('TRUE' / 'FALSE') !NameChar
 Variable <- Name (_ '[' _ Expression _ ']')? ('.' Name)*
 Aggregate <- '{' _ (Name ':' _)? Pair (_ ',' _ Pair)* _ '}'

@@ -1,5 +1,4 @@
 // Marks in programs of every dialect that has them, and both programs of a pair in one time.
-#include "helpers/all_seeds.h"
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "replay/any_start.h"

@@ -11,6 +11,7 @@
 #include "replay/distances.h"
 #include "robot/cell.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -106,8 +107,31 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
   return q;
 }
 
+// A shift of the nozzle on the part, level, so that what drops falls beside a small print.
+inline Eigen::Vector3d aside(const Eigen::Vector3d& direction) {
+  constexpr double kAsideMm = 60.0;
+  return kAsideMm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
+}
+
+// Shifts the nozzle aside at a point; the motions there and from there take a second longer.
+inline void moveAside(plan::Trajectory& t, const robot::Cell& cell, std::size_t point) {
+  Eigen::Map<robot::JointVector> q(t.joints.data() + point * static_cast<std::size_t>(t.dof),
+                                   t.dof);
+  Eigen::Isometry3d pose = cell.work_T_tool(q);
+  pose.translation() += aside(-pose.linear().col(2));
+  std::vector<robot::JointVector> solutions;
+  cell.inverse(pose, q, solutions);
+  base::require(!solutions.empty(), "scene: in reach");
+  const auto nearest = std::ranges::min_element(
+      solutions, {}, [&](const robot::JointVector& s) { return (s - q).squaredNorm(); });
+  q = robot::JointVector(*nearest);
+  for (std::size_t i = point; i < t.pointCount(); ++i)
+    t.timeS[i] += i > point ? 2.0 : 1.0;
+}
+
 // Walks the paths with a fixed turn about the nozzle, the one with most clearance at the start;
 // between them back over the bead for `wipeMm`, waypoint by waypoint, up, over and down, straight.
+// The first point is beside the print, for a prime.
 inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell,
                              const process::Process& process, double liftMm = 3.0,
                              double wipeMm = 0.0) {
@@ -162,8 +186,9 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
     const std::size_t a = path.first, b = path.first + path.count - 1;
     const bool start = t.timeS.empty();
     put(start ? plan::MoveKind::Joint : plan::MoveKind::Linear,
-        plan.position[a] + liftMm * plan.direction[a], plan.direction[a], plan::kNoWaypoint,
-        process.travelSpeedMmPerS);
+        plan.position[a] + liftMm * plan.direction[a] +
+            (start ? aside(plan.direction[a]) : Eigen::Vector3d(0, 0, 0)),
+        plan.direction[a], plan::kNoWaypoint, process.travelSpeedMmPerS);
     put(plan::MoveKind::Linear, plan.position[a], plan.direction[a], a, process.travelSpeedMmPerS);
     for (std::size_t w = a + 1; w <= b; ++w) {
       extruded += (plan.position[w] - plan.position[w - 1]).norm() *

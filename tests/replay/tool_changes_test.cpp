@@ -1,5 +1,6 @@
 // Tool changes in programs of every dialect that has them: they are read back and replayed, and a
-// missing, added or wrong tool, a missing pause and a missing or changed purge are refused.
+// missing, added or wrong tool, a missing pause, a missing or changed purge, and every other order
+// than stop, selection, heat and purge are refused.
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "replay/event_programs.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <optional>
 #include <random>
 
 namespace voluta::replay {
@@ -34,8 +36,9 @@ protected:
       const plan::ToolPath* path = plan::pathOf(scene_.plan, t.waypoint[i]);
       if (std::exchange(tool, path->tool) == path->tool)
         continue;
-      t.events.push_back({.point = i, .kind = plan::EventKind::ToolChange, .tool = tool});
+      test::moveAside(t, scene_.cell, i - 1);
       t.events.push_back({.point = i, .kind = plan::EventKind::Pause});
+      t.events.push_back({.point = i, .kind = plan::EventKind::ToolChange, .tool = tool});
       t.events.push_back(
           {.point = i, .kind = plan::EventKind::Purge, .seconds = kPurgeS, .volumeMm3 = kPurgeMm3});
     }
@@ -43,6 +46,39 @@ protected:
   }
   static std::vector<std::string_view> formats() {
     return formatsWith(plan::EventKind::ToolChange);
+  }
+
+  // Indices of the facts and of the purge of a change.
+  struct Change {
+    std::size_t stop = 0, select = 0, purge = 0;
+    std::optional<std::size_t> heat;
+  };
+  static Change changeOf(const plan::ReadProgram& program, int which) {
+    Change change;
+    for (std::size_t f = 0, stops = 0; f < program.facts.size(); ++f)
+      if (program.facts[f].kind == plan::FactKind::OperatorStop &&
+          program.facts[f].before > program.firstMotion && stops++ == std::size_t(which))
+        change.stop = f;
+    const std::size_t motion = program.facts[change.stop].before;
+    for (std::size_t f = 0; f < program.facts.size(); ++f)
+      if (program.facts[f].before == motion) {
+        if (program.facts[f].kind == plan::FactKind::ToolSelected)
+          change.select = f;
+        if (program.facts[f].kind == plan::FactKind::NozzleHeatWait)
+          change.heat = f;
+      }
+    for (std::size_t p = 0; p < program.pauses.size(); ++p)
+      if (program.pauses[p].before == motion && program.pauses[p].volumeMm3 > 1.0)
+        change.purge = p;
+    return change;
+  }
+  static void expectAt(const Verification& v, std::size_t line) {
+    EXPECT_FALSE(v.passed);
+    EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
+      return place.line == line;
+    })) << "nothing is told at line "
+        << line << "\n"
+        << told(v);
   }
 
   // Selects the other tool right after a change.
@@ -92,6 +128,133 @@ TEST_F(ToolChanges, TheSignalsOfRapidAreListed) {
   ASSERT_NE(list, program.files.end());
   EXPECT_NE(list->text.find("-Name \"doTool2\" -SignalType \"DO\""), std::string::npos);
   EXPECT_EQ(list->text.find("doToolLocked"), std::string::npos) << "no tool changer";
+}
+
+// Its pendant shows the text: a remark would not reach the operator.
+TEST_F(ToolChanges, TheOperatorReadsItOnEveryPendant) {
+  for (const auto& [format, text] :
+       {std::pair("rapid", "UIMsgBox \"Fit tool 2 (other, PETG, 235 C), then continue\""),
+        std::pair("krl", "MsgNotify(\"Fit tool 2 (other, PETG, 235 C), then continue\")"),
+        std::pair("spel", "Print \"Fit tool 2 (other, PETG, 235 C), then continue\""),
+        std::pair("melfa", "Print #1,\"Fit tool 2 (other, PETG, 235 C), then continue\""),
+        std::pair("gcode-extended", "M0 Fit tool 2 (other, PETG, 235 C), then continue")}) {
+    const std::vector<std::string> lines = test::textOf(programFor(format)).lines;
+    EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
+      return line.find(text) != std::string::npos;
+    })) << format;
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
+      return line.find("Is tool 1 (fdm-1.0, PLA, 210 C) fitted") != std::string::npos;
+    })) << format;
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
+      return line.find("the tips of all tools are expected in one place") != std::string::npos;
+    })) << format;
+  }
+}
+
+// The rest of a print may begin with any tool, which the program selects before it moves.
+TEST_F(ToolChanges, AProgramBeginsWithItsOwnTool) {
+  for (plan::ToolPath& path : scene_.plan.paths)
+    path.tool = 1;
+  scene_.trajectory.events.clear();
+  scene_.trajectory.firstTool = 1;
+  for (const std::string_view format : formats()) {
+    SCOPED_TRACE(format);
+    const plan::ReadProgram program = read(test::textOf(programFor(format)));
+    EXPECT_TRUE(verify(program).passed) << told(verify(program));
+    EXPECT_TRUE(std::ranges::all_of(
+        program.motions, [](const plan::ProgramMotion& m) { return m.tool == 1; }));
+    const auto selected = std::ranges::find(program.facts, plan::FactKind::ToolSelected,
+                                            &plan::StatedFact::kind);
+    ASSERT_NE(selected, program.facts.end());
+    plan::ReadProgram other = program;
+    other.facts[static_cast<std::size_t>(selected - program.facts.begin())].tool = 0;
+    expectAt(verify(other), selected->line);
+    plan::ReadProgram none = program;
+    none.facts.erase(none.facts.begin() + (selected - program.facts.begin()));
+    EXPECT_FALSE(verify(std::move(none)).passed);
+  }
+}
+
+// The steps of each change in another order, or with another text.
+TEST_F(ToolChanges, EveryOtherOrderIsRefusedAtItsLine) {
+  for (const std::string_view format : formats()) {
+    const plan::ReadProgram whole = read(test::textOf(programFor(format)));
+    for (int change = 0; change < 2; ++change) {
+      SCOPED_TRACE(std::string(format) + " change " + std::to_string(change));
+      const Change at = changeOf(whole, change);
+      { // The tool's output is switched before the stop in which it is fitted
+        plan::ReadProgram p = whole;
+        std::swap(p.facts[at.stop], p.facts[at.select]);
+        expectAt(verify(std::move(p)), whole.facts[at.select].line);
+      }
+      { // The stop behind the purge
+        plan::ReadProgram p = whole;
+        plan::StatedFact stop = p.facts[at.stop];
+        stop.beforePause = at.purge + 1;
+        std::size_t behind = at.select;
+        while (behind < p.facts.size() && p.facts[behind].before == stop.before)
+          ++behind;
+        p.facts.insert(p.facts.begin() + static_cast<std::ptrdiff_t>(behind), stop);
+        p.facts.erase(p.facts.begin() + static_cast<std::ptrdiff_t>(at.stop));
+        expectAt(verify(std::move(p)), whole.pauses[at.purge].line);
+      }
+      { // The purge before the change
+        plan::ReadProgram p = whole;
+        for (plan::StatedFact& fact : p.facts)
+          if (fact.before == whole.facts[at.stop].before && fact.beforePause == at.purge)
+            fact.beforePause = at.purge + 1;
+        expectAt(verify(std::move(p)), whole.pauses[at.purge].line);
+      }
+      if (program::findDialect(format).showsTexts) { // Another material, another temperature
+        for (const auto& [from, to] : {std::pair(change == 0 ? "PETG" : "PLA", "ABS"),
+                                       std::pair(change == 0 ? "235" : "210", "120")}) {
+          plan::ReadProgram p = whole;
+          std::string& text = p.facts[at.stop].word;
+          ASSERT_NE(text.find(from), std::string::npos) << text;
+          text.replace(text.find(from), std::string_view(from).size(), to);
+          expectAt(verify(std::move(p)), whole.facts[at.stop].line);
+        }
+      }
+      if (at.heat) { // No wait for its heat
+        plan::ReadProgram p = whole;
+        p.facts.erase(p.facts.begin() + static_cast<std::ptrdiff_t>(*at.heat));
+        EXPECT_FALSE(verify(std::move(p)).passed);
+      }
+    }
+  }
+}
+
+// What comes before the first motion: an earlier run may have left another tool selected.
+TEST_F(ToolChanges, TheFirstSelectionIsNeeded) {
+  for (const std::string_view format : formats()) {
+    SCOPED_TRACE(format);
+    const test::ProgramText text = test::textOf(programFor(format));
+    const plan::ReadProgram whole = read(text);
+    const auto first =
+        std::ranges::find(whole.facts, plan::FactKind::ToolSelected, &plan::StatedFact::kind);
+    ASSERT_NE(first, whole.facts.end());
+    ASSERT_EQ(first->before, whole.firstMotion);
+    test::ProgramText lost = text;
+    lost.lines.erase(lost.lines.begin() + static_cast<std::ptrdiff_t>(first->line) - 1);
+    EXPECT_FALSE(verify(read(lost)).passed);
+    plan::ReadProgram early = whole;
+    const auto stop = std::ranges::find(early.facts, plan::FactKind::OperatorStop,
+                                        &plan::StatedFact::kind);
+    const auto select = early.facts.begin() + (first - whole.facts.begin());
+    ASSERT_LT(stop, select) << "selected before the operator is asked";
+    std::swap(*stop, *select);
+    expectAt(verify(std::move(early)), first->line);
+  }
+}
+
+// Of three tools each has an output, all of which are stated.
+TEST_F(ToolChanges, EveryOutputIsSetAtTheStart) {
+  tooling_ = process::Tooling(
+      std::vector<process::Tool>{tooling_.tools()[0], tooling_.tools()[1], tooling_.tools()[0]});
+  test::ProgramText text = test::textOf(programFor("urscript"));
+  ASSERT_TRUE(read(text).defects.empty());
+  text.lines.erase(std::ranges::find(text.lines, "  set_standard_digital_out(2,False)"));
+  EXPECT_FALSE(read(text).defects.empty());
 }
 
 // Lines of the text whose statement belongs to a change.

@@ -23,7 +23,8 @@ public:
     LeaveThoroughly,
     Approach,
     ApproachThoroughly,
-    Dock
+    Dock,
+    DockStraight
   };
 
   // Returns the cached result or that of `find()`. The latter must depend only on the kind of

@@ -26,7 +26,8 @@ struct ToolStep {
   enum class Kind {
     Release, // the mounted tool
     Take,    // the tool of the next run
-    Purge    // its nozzle
+    Purge,   // its nozzle
+    Prime    // the nozzle of the tool that the motion begins with
   };
   std::size_t point = 0;
   Kind kind = Kind::Take;

@@ -116,8 +116,7 @@ bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
 }
 
 bool primesStanding(const ProgramInput& input) {
-  return input.process().primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
-         !plan::primesOnPath(input.toolPlan, input.trajectory);
+  return input.process().primeS > 0.0 && plan::primesAtStart(input.toolPlan, input.trajectory);
 }
 
 std::string PathNames::at(std::size_t waypoint) {

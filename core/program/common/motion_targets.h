@@ -46,7 +46,7 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
 // Returns whether the arm has lifted off its last bead before the motion to `point`.
 bool standsClear(const plan::Trajectory& trajectory, std::size_t point);
 
-// Returns whether the extruder primes with the arm at rest at its start; false if a path primes.
+// Returns whether the extruder primes with the arm at rest at its start (plan::primesAtStart).
 bool primesStanding(const ProgramInput& input);
 
 // Names the path that begins at a point, for comments in programs.

@@ -43,8 +43,6 @@ public:
       outputs_.off();
       said_.clear();
       emitter_.beginFile(file);
-      if (file == 0 && in_.trajectory.changesTool())
-        selectTool();
       if (file == 0)
         marks(0);
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
@@ -88,8 +86,12 @@ private:
       words(&process::BeadWords::end);
     if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ && process().retractMm > 0.0)
       draw(true);
-    if (i == 0)
+    if (i == 0) {
       emitter_.prompt();
+      // The operator has fitted it by then. Dialects without outputs select it in their heads.
+      if (walk_.outputs != nullptr && in_.selectsTool())
+        selectTool();
+    }
     if (!amidBead)
       events(i);
     if (zeroesAt(i))
@@ -106,21 +108,19 @@ private:
 
   void events(std::size_t i) {
     marks(i);
-    bool isChanged = false; // a pause after a change is for the change
     for (const plan::TrajectoryEvent& event : in_.trajectory.eventsBefore(i))
       switch (event.kind) {
       case plan::EventKind::ToolChange:
-        if (drawn_) // Each tool has its own filament
-          draw(false);
+        returnDrawn();
         tool_ = event.tool;
         selectTool();
-        isChanged = true;
+        emitter_.awaitHeat(tool_);
         break;
       case plan::EventKind::Cut:
         emitter_.cut();
         break;
       case plan::EventKind::Pause:
-        emitter_.pause(isChanged ? changeText(in_.tooling, tool_) : std::string(kPauseText));
+        pause(in_.trajectory.changeAfter(event));
         break;
       case plan::EventKind::Feed:
         emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
@@ -135,6 +135,8 @@ private:
         shot(event);
         break;
       case plan::EventKind::Release:
+        returnDrawn();
+        [[fallthrough]];
       case plan::EventKind::Lock:
         emitter_.setOutput(kChangerOutput, event.kind == plan::EventKind::Lock);
         emitter_.wait(event.seconds);
@@ -147,6 +149,19 @@ private:
       case plan::EventKind::StopLag: // said by the flow (TcpMotions)
         break;
       }
+  }
+
+  // Each tool has its own filament, which the operator or a tool changer takes away.
+  void returnDrawn() {
+    if (drawn_)
+      draw(false);
+  }
+
+  // `change`: for which the operator is awaited; nullptr: for none.
+  void pause(const plan::TrajectoryEvent* change) {
+    if (change)
+      returnDrawn();
+    emitter_.pause(change ? changeText(in_.tooling, change->tool) : std::string(kPauseText));
   }
 
   void selectTool() {
@@ -196,6 +211,8 @@ private:
       emitter_.purge(event.volumeMm3 / filamentArea(), event.seconds);
       return;
     }
+    if (extruder_.byAxis)
+      return emitter_.extrudeInPlace(event.volumeMm3 / filamentArea(), event.seconds);
     flow(event.volumeMm3 / event.seconds);
     extruder(true);
     emitter_.wait(event.seconds);
@@ -318,7 +335,7 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
-  int tool_ = 0; // selected
+  int tool_ = in_.trajectory.firstTool; // selected
   std::vector<plan::MarkStatement> marks_;
   std::size_t mark_ = 0;                                   // said next
   std::array<std::size_t, plan::kMarkChannels> reached_{}; // marks, by channel

@@ -37,6 +37,8 @@ public:
   // (kChangerOutput), for dialects with an extruder on outputs; selectTool() for the others.
   virtual void setOutput(int /*output*/, bool /*on*/) {}
   virtual void selectTool(int /*tool*/) {}
+  // Waits until the nozzle of a tool just selected is hot, for dialects that heat.
+  virtual void awaitHeat(int /*tool*/) {}
   // Waits without time limit until an input has that value, the arm at rest. Marks set and await
   // the outputs and inputs kMarkOutput and the next.
   virtual void awaitInput(int /*input*/, bool /*on*/) {}

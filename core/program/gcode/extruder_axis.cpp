@@ -19,10 +19,13 @@ base::ParameterSpec extruderAxisMm() {
 AxisCount axisCount(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   const double most = numberOf(extruderAxisMm(), input.options) * filamentArea();
-  // The prime before the first bead, and the retraction within the range.
-  const double spare =
+  // The prime or purge before the first bead, and the retraction within the range.
+  double spare =
       (primesStanding(input) ? process::primeFlow(input.process()) : 0.0) * input.process().primeS +
       input.process().retractMm * filamentArea();
+  for (const plan::TrajectoryEvent& event : t.events)
+    if (event.kind == plan::EventKind::Purge)
+      spare += event.volumeMm3;
   AxisCount count{{0}};
   std::size_t lifted = 0; // the last point at which the axis may be reset
   for (std::size_t i = 1; i < t.pointCount(); ++i) {

@@ -228,6 +228,9 @@ private:
   void retract(double filamentMm) override {
     text_.retract(filamentMm, 60.0 * kDrawnMmPerS / std::abs(filamentMm));
   }
+  void purge(double filamentMm, double seconds) override {
+    text_.purge(filamentMm, 60.0 / seconds);
+  }
   void jointMotion(std::size_t i) override { motion(i); }
   void straightMotion(std::size_t i, bool) override { motion(i); }
 

@@ -72,10 +72,25 @@ void GcodeReader::readLine(std::string_view line) {
     return;
   GcodeWords words;
   if (!wordsOf(code, words)) {
+    if (takeStop(code))
+      return;
     defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
     return;
   }
   execute(words);
+}
+
+bool GcodeReader::takeStop(std::string_view code) {
+  constexpr std::string_view kStop = "M0 ";
+  if (!code.starts_with(kStop))
+    return false;
+  inTable('M', 0.0);
+  const std::string_view text = trimmed(code.substr(kStop.size()));
+  bool endsByItself = false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    endsByItself = endsByItself || endsStop(text, i);
+  out_.state(OperatorStop, endsByItself ? 0.0 : 1.0, text);
+  return true;
 }
 
 bool GcodeReader::isMessage(std::string_view code) const {

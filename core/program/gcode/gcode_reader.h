@@ -75,6 +75,8 @@ private:
   void executeG(double g, GcodeWords& words);
   void executeM(double m, GcodeWords& words);
   bool inTable(char letter, double number);
+  // Takes M0 and a text for the operator. Returns false if the line is none.
+  bool takeStop(std::string_view code);
   void heat(double m, GcodeWords& words);
   void heatBed(double m, GcodeWords& words);
   void cool(double m, GcodeWords& words);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace voluta::program {
@@ -42,8 +41,11 @@ private:
   }
 
   void selectTool(int tool) override { text_.line(joined({"T", std::to_string(tool)})); }
-  void pause(std::string_view message) override { text_.out += joined({"M0 ; ", message, "\n"}); }
-  void purge(double filamentMm, double seconds) override { text_.purge(filamentMm, seconds); }
+  void awaitHeat(int tool) override { text_.awaitHeat(in_, tool); }
+  void pause(std::string_view message) override { text_.stop(message); }
+  void purge(double filamentMm, double seconds) override {
+    text_.purge(filamentMm, filamentMm / seconds * 60.0);
+  }
   void cut() override {
     const std::string pin = joined({"M42 P", std::to_string(kGcodeCutPin), " S"});
     // M42 acts at once, while motions and waits are queued.
@@ -128,6 +130,22 @@ private:
 
 } // namespace
 
+bool endsStop(std::string_view text, std::size_t at) {
+  const std::string_view behind = trimmed(text.substr(at + 1));
+  return (text[at] == 'P' || text[at] == 'S') && !behind.empty() &&
+         std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos;
+}
+
+std::string gcodeStopText(std::string_view message) {
+  std::string text(message);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (endsStop(text, i))
+      text[i] = static_cast<char>(text[i] - 'A' + 'a');
+  // Where a comment or a checksum begins.
+  std::ranges::replace_if(text, [](char c) { return c == ';' || c == '*'; }, ' ');
+  return text;
+}
+
 void GcodeText::word(std::string_view letters, double value, int decimals, bool trim) {
   out += letters;
   appendFixed(out, value, decimals, trim);
@@ -149,10 +167,10 @@ void GcodeText::retract(double filamentMm, double f) {
   out += '\n';
 }
 
-void GcodeText::purge(double filamentMm, double seconds) {
+void GcodeText::purge(double filamentMm, double f) {
   line("G92 E0");
   word("G1 E", filamentMm, kFilamentDecimals, true);
-  word(" F", filamentMm / seconds * 60.0, 3, true);
+  word(" F", f, 3, true);
   out += '\n';
   word("G92 E", lastMm_, kFilamentDecimals, true);
   out += '\n';
@@ -166,9 +184,18 @@ void GcodeText::remark(std::string_view text) {
   out += joined({"; ", text, "\n"});
 }
 
-std::string GcodeText::heating(std::string_view command, std::size_t tool) const {
-  const std::string named = tools_ > 1 ? " T" + std::to_string(tool) : std::string();
+std::string GcodeText::heating(std::string_view command, int tool) const {
+  const std::string named = tools_.back() > 0 ? " T" + std::to_string(tool) : std::string();
   return joined({command, named, " S"});
+}
+
+void GcodeText::awaitHeat(const ProgramInput& input, int tool) {
+  if (const std::optional<int> celsius = input.tooling.at(tool).process.material.nozzleC)
+    line(heating("M109", tool) + std::to_string(*celsius));
+}
+
+void GcodeText::stop(std::string_view message) {
+  line(joined({"M0 ", gcodeStopText(message)}));
 }
 
 void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
@@ -185,22 +212,28 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   out += kDiameterNote;
   word("", kFilamentDiameterMm, 3, true);
   out += " mm\nG21\nG90\nM82\n";
-  out += joined({"M117 ", question, "\nM0\n"});
-  const std::span<const process::Tool> tools = input.tooling.usedAfter(input.trajectory, 0);
-  tools_ = tools.size();
-  bedC_ = p.material.bedC.value_or(0);
+  const std::string asked = input.selectsTool() ? startQuestion(input) : std::string(question);
+  line("M117 " + asked);
+  if (input.selectsTool()) {
+    stop(asked);
+    line("T" + std::to_string(input.trajectory.firstTool));
+  } else {
+    line("M0");
+  }
+  tools_ = input.tooling.usedAfter(input.trajectory, 0);
+  bedC_ = input.tooling.at(tools_.front()).process.material.bedC.value_or(0);
   if (bedC_ > 0)
     out += joined({"M140 S", std::to_string(bedC_), "\n"});
-  for (std::size_t tool = 0; tool < tools_; ++tool)
-    if (const process::Material& material = tools[tool].process.material; material.nozzleC)
+  for (const int tool : tools_)
+    if (const process::Material& material = input.tooling.at(tool).process.material;
+        material.nozzleC)
       out += joined({heating("M104", tool), std::to_string(*material.nozzleC), " ; assumed for ",
                      plainText(material.label), "\n"});
   out += "G28\n";
   if (bedC_ > 0)
     out += joined({"M190 S", std::to_string(bedC_), "\n"});
-  for (std::size_t tool = 0; tool < tools_; ++tool)
-    if (const std::optional<int> celsius = tools[tool].process.material.nozzleC)
-      out += joined({heating("M109", tool), std::to_string(*celsius), "\n"});
+  for (const int tool : tools_)
+    awaitHeat(input, tool);
   out += "M107\nG92 E0\n";
   if (primesStanding(input)) {
     const double mmPerS = process::primeFlow(p) / filamentArea();
@@ -211,7 +244,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
 }
 
 void GcodeText::end() {
-  for (std::size_t tool = 0; tool < tools_; ++tool)
+  for (const int tool : tools_)
     line(heating("M104", tool) + "0");
   if (bedC_ > 0)
     line("M140 S0");

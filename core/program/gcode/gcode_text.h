@@ -26,18 +26,29 @@ inline constexpr std::string_view kGcodeEnd = "; end";
 inline constexpr std::string_view kGcodeQuestion =
     "The machine drives home and then to its start. Is the way clear?";
 
+// A message as the text of M0: firmware shows it, but takes a P or S with a number in it for a time
+// after which the stop ends; the message has these letters small.
+std::string gcodeStopText(std::string_view message);
+// Returns whether the letter at `at`, a P or S, ends such a stop.
+bool endsStop(std::string_view text, std::size_t at);
+
 class GcodeText {
 public:
   // `letters` are written unchanged, with any blanks before them.
   void word(std::string_view letters, double value, int decimals, bool trim = false);
   void line(std::string_view text);
   void wait(double seconds);
-  // Lets that length of filament flow out while the nozzle is at rest.
-  void purge(double filamentMm, double seconds);
+  // Lets that length of filament flow out while the nozzle is at rest, with the word F.
+  void purge(double filamentMm, double f);
+  // Waits for the operator, who reads the message.
+  void stop(std::string_view message);
+  // Waits until the tool's nozzle is hot, if its temperature is known.
+  void awaitHeat(const ProgramInput& input, int tool);
   void remark(std::string_view text);
 
-  // Writes remarks, units, the question, home, heat of the bed and of each tool that prints, the
-  // fan off, and the prime; `notes`: remarks of the dialect.
+  // Writes remarks, units, the question, the tool that the program begins with (if the job has
+  // several), home, heat of the bed and of each tool that prints, the fan off, and the prime;
+  // `notes`: remarks of the dialect.
   void head(const ProgramInput& input, std::string_view title, std::string_view question,
             const std::vector<std::string>& notes = {});
   void end();
@@ -55,12 +66,12 @@ public:
   std::string out;
 
 private:
-  // Returns the command for a tool's heat; it names the tool if several print.
-  std::string heating(std::string_view command, std::size_t tool) const;
+  // Returns the command for a tool's heat; it names the tool unless only the first one prints.
+  std::string heating(std::string_view command, int tool) const;
 
   double lastMm_ = 0.0;
-  std::size_t tools_ = 1; // that print
-  int bedC_ = 0;          // 0: not heated
+  std::vector<int> tools_; // that print
+  int bedC_ = 0;           // 0: not heated
 };
 
 // Writes motions that are straight on the part, one per point, joint motions in pieces: extended

@@ -151,9 +151,12 @@ private:
     if (!out_.word(krlWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
     if (word == "halt") {
-      out_.state(plan::FactKind::OperatorStop, 1.0);
+      out_.operatorStop();
       return line.ended();
     }
+    if (std::string_view text;
+        word == "msgnotify" && line.takeMark('(') && line.takeText(text))
+      out_.show(text);
     return takeRest(line);
   }
 

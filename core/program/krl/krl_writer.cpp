@@ -242,18 +242,16 @@ private:
   void awaitInput(int input, bool on) override {
     line(joined({"WAIT FOR $IN[", std::to_string(input + 1), on ? "]==TRUE" : "]==FALSE"}));
   }
+  // HALT shows nothing itself.
   void pause(std::string_view message) override {
-    line(joined({"; ", message}));
+    line(joined({"MsgNotify(\"", message, "\")"}));
     line("HALT");
   }
   void cut() override {
     line(
         joined({"PULSE(", kKrlCutOutput, ",TRUE,", fixedText(kCutPulseS, 1), ") ; cuts the tape"}));
   }
-  void prompt() override {
-    line(joined({"; ", startQuestion(in_)}));
-    line("HALT");
-  }
+  void prompt() override { pause(startQuestion(in_)); }
   void remark(std::string_view text) override { line(joined({"; ", text})); }
   void flow(std::string_view share) override {
     line(joined({stands_ ? "" : "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "$ANOUT[1]=", share}));

@@ -143,7 +143,17 @@ private:
     else if (!out_.word(melfaWords(), word))
       unknown(word, code);
     else if (word == "hlt")
-      out_.state(plan::FactKind::OperatorStop, 1.0);
+      out_.operatorStop();
+    else if (word == "print")
+      show(scanner);
+  }
+  // Print #1,"text"
+  void show(MelfaScanner& scanner) {
+    double line = 0.0;
+    std::string_view text;
+    if (scanner.take('#') && scanner.number(line) && scanner.take(',') && scanner.take('"') &&
+        scanner.textBehindQuote(text))
+      out_.show(text);
   }
   void unknown(std::string_view word, std::string_view code) {
     if (word.empty() || code.find('=') != std::string_view::npos)

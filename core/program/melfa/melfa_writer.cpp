@@ -141,12 +141,21 @@ private:
   void awaitInput(int input, bool on) override {
     step(joined({"Wait M_In(", std::to_string(melfaSignal(input)), on ? ")=1" : ")=0"}));
   }
+  // Hlt shows nothing itself.
+  void show(std::string_view message) {
+    step(joined({"Open \"COM1:\" As #1"}));
+    step(joined({"Print #1,\"", message, "\""}));
+    step("Close #1");
+  }
   void pause(std::string_view message) override {
-    remark(message);
+    show(message);
     step("Hlt");
   }
   void prompt() override {
-    remark(startQuestion(in_));
+    if (in_.selectsTool())
+      show(startQuestion(in_));
+    else
+      remark(startQuestion(in_));
     remark("Hlt waits for the operator's start");
     step("Hlt");
   }

@@ -291,10 +291,12 @@ private:
 
   bool operatorStop() {
     bool endsByItself = false;
+    if (token_.kind == RapidTokenKind::Text)
+      out_.show(token_.text);
     for (; token_.kind != RapidTokenKind::End && !isMark(';'); advance())
       for (const std::string_view word : {"maxtime", "dibreak", "dobreak", "persboolbreak"})
         endsByItself = endsByItself || isWord(word);
-    out_.state(plan::FactKind::OperatorStop, endsByItself ? 0.0 : 1.0);
+    out_.operatorStop(!endsByItself);
     return skipStatement();
   }
 

@@ -114,8 +114,11 @@ private:
       return load(line);
     if (!out_.word(spelplusWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
+    std::string_view text;
+    if ((word == "print" || word == "msgbox") && line.takeText(text))
+      out_.show(text);
     if (word == "pause" || word == "msgbox")
-      out_.state(plan::FactKind::OperatorStop, 1.0);
+      out_.operatorStop();
     return takeRest(line);
   }
 

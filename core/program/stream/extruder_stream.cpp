@@ -213,6 +213,12 @@ plan::ProgramFile streamFile(const ProgramInput& input, const base::RunContext& 
     last = isPrint(t, i) ? i : last;
   bool drawn = false;
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
+    for (const plan::TrajectoryEvent& event : t.eventsBefore(i))
+      if (event.kind == plan::EventKind::Purge) {
+        mark("on", i);
+        step(i, event.seconds, event.volumeMm3);
+        mark("off", i);
+      }
     if (drawMm > 0.0 && !isPrint(t, i) && isPrint(t, i - 1) && i < last) {
       draw(i, -drawMm);
       drawn = true;

@@ -242,7 +242,9 @@ private:
         defect("gravity of an arm that is not upright"_text);
     } else if (call.name == "popup") {
       const Value* blocking = call.find("blocking", 4);
-      out_.state(plan::FactKind::OperatorStop, blocking ? blocking->number : 0.0);
+      if (first && first->kind == ValueKind::Text)
+        out_.show(first->text);
+      out_.operatorStop(blocking && blocking->number > 0.0);
     } else if (call.name == "set_analog_outputdomain" ||
                call.name == "set_standard_analog_output_domain") {
       const Value* domain = call.find("domain", 1);

@@ -24,6 +24,10 @@
 //   toolChange            how the tool is changed, optional: {"by": "hand"} (default), "feeder", or
 //                         "changer" with "docks", a list of {"beforeDeg", "inDeg"}: the robot's
 //                         joints before the dock of each tool and in it
+//                         The tips of all tools are in one place: the nozzle's pose holds for all
+//   purgeMm               optional, with a moving nozzle: [x, y, z] of its tip, in the world, where
+//                         a tool is changed and the nozzle purged; default: the planner chooses a
+//                         low place beside the plate
 //   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
 //                         plate clear of the nozzle; external axes are then at 0
 //   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
@@ -132,7 +136,7 @@ public:
   Cell read(const std::string& id, RobotModel robot, platform::PlatformSolid solid) {
     top_.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                     "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
-                    "extruder", "carriedKg", "toolChange"});
+                    "extruder", "carriedKg", "toolChange", "purgeMm"});
     readTexts(id);
     addArm(std::move(robot));
     readAxes();
@@ -150,6 +154,7 @@ public:
     addObstacles();
     readHome();
     readToolChange();
+    readPurgePlace();
     if (!plateMoves())
       cell_.lastJointTurnsNozzle_ = turnOfNozzle(cell_.arms_.front(), cell_.flange_T_moved_);
     readTravelAcceleration();
@@ -350,6 +355,14 @@ private:
       dock.allowOnly({"beforeDeg", "inDeg"});
       out.docks.push_back({readJoints(dock.at("beforeDeg")), readJoints(dock.at("inDeg"))});
     }
+  }
+
+  void readPurgePlace() {
+    if (!top_.has("purgeMm"))
+      return;
+    if (plateMoves())
+      top_.at("purgeMm").fail("the nozzle does not move"_text);
+    cell_.purgePlaceMm_ = readVector3(top_.at("purgeMm"));
   }
 
   void readTravelAcceleration() {

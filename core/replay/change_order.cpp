@@ -1,0 +1,207 @@
+#include "replay/change_order.h"
+
+#include "base/lower_case.h"
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "program/job_head.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace voluta::replay {
+
+namespace {
+
+using enum plan::FindingKind;
+using plan::EventKind, plan::FactKind, plan::StatedFact, plan::TrajectoryEvent;
+
+// The steps of a change in their order.
+enum class Step { Release, Stop, Select, Lock, Heat, Purge };
+
+struct Stated {
+  Step step = Step::Stop;
+  TextPlace place;
+  const StatedFact* fact = nullptr; // nullptr: a purge
+};
+
+std::optional<Step> stepOf(const StatedFact& fact) {
+  switch (fact.kind) {
+  case FactKind::OperatorStop:
+    return Step::Stop;
+  case FactKind::ToolSelected:
+    return Step::Select;
+  case FactKind::NozzleHeatWait:
+    return Step::Heat;
+  case FactKind::ToolLocked:
+    return fact.number > 0.0 ? Step::Lock : Step::Release;
+  default:
+    return std::nullopt;
+  }
+}
+
+base::Message nameOf(Step step) {
+  switch (step) {
+  case Step::Release:
+    return program::nameOf(EventKind::Release);
+  case Step::Stop:
+    return program::nameOf(EventKind::Pause);
+  case Step::Select:
+    return program::nameOf(EventKind::ToolChange);
+  case Step::Lock:
+    return program::nameOf(EventKind::Lock);
+  case Step::Heat:
+    return "a wait until the nozzle is hot"_text;
+  case Step::Purge:
+    break;
+  }
+  return program::nameOf(EventKind::Purge);
+}
+
+class OrderComparer {
+public:
+  OrderComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
+                const Alignment& alignment, const process::Tooling& tooling,
+                std::size_t firstPoint)
+      : program_(program), trajectory_(trajectory), alignment_(alignment), tooling_(tooling),
+        firstPoint_(firstPoint), dialect_(program::findDialect(program.format)) {
+    for (const StatedFact& fact : program.facts)
+      if (stepOf(fact))
+        facts_.push_back(&fact);
+  }
+
+  std::vector<TextFinding> compare() {
+    if (tooling_.isOne() || !program::hasWordFor(dialect_, EventKind::ToolChange))
+      return {};
+    compareBegin();
+    std::size_t last = kUnmatched;
+    for (std::size_t m = program_.firstMotion + 1; m < program_.motions.size(); ++m) {
+      const std::size_t point = alignment_.pointAhead(m);
+      if (point != kUnmatched && point != last)
+        compareAt(m, trajectory_.eventsBefore(point));
+      last = point;
+    }
+    return std::move(found_);
+  }
+
+private:
+  // Returns the statements before a motion, in the order of the text.
+  std::vector<Stated> statedBefore(std::size_t motion) const {
+    std::vector<Stated> stated;
+    auto next = std::ranges::lower_bound(facts_, motion, {}, &StatedFact::before);
+    const auto takeFacts = [&](std::size_t beforePause) {
+      for (; next != facts_.end() && (*next)->before == motion &&
+             (*next)->beforePause <= beforePause;
+           ++next)
+        stated.push_back({*stepOf(**next), {(*next)->file + 1U, (*next)->line}, *next});
+    };
+    const auto pauses = std::ranges::equal_range(program_.pauses, motion, {},
+                                                 &plan::ProgramPause::before);
+    for (auto pause = pauses.begin(); pause != pauses.end(); ++pause) {
+      takeFacts(static_cast<std::size_t>(pause - program_.pauses.begin()));
+      if (pause->volumeMm3 > 0.0)
+        stated.push_back({Step::Purge, {pause->file + 1U, pause->line}});
+    }
+    takeFacts(program_.pauses.size());
+    return stated;
+  }
+
+  void compareAt(std::size_t motion, std::span<const TrajectoryEvent> planned) {
+    const auto change = std::ranges::find(planned, EventKind::ToolChange, &TrajectoryEvent::kind);
+    if (change == planned.end())
+      return;
+    const std::vector<Stated> stated = statedBefore(motion);
+    compareOrder(stated, change->tool);
+    const auto stop = std::ranges::find(stated, Step::Stop, &Stated::step);
+    if (stop != stated.end())
+      compareText(*stop->fact, change->tool);
+    compareHeat(motion, stated, change->tool);
+  }
+
+  // Each step has to come behind those that the sequence has before it.
+  void compareOrder(std::span<const Stated> stated, int tool) {
+    // Heat of other tools may be stated anywhere.
+    const auto isOfChange = [&](const Stated& s) {
+      return s.step != Step::Heat || s.fact->tool == tool;
+    };
+    for (std::size_t i = 0; i < stated.size(); ++i)
+      for (std::size_t j = i + 1; j < stated.size(); ++j)
+        if (stated[i].step > stated[j].step && isOfChange(stated[i]) && isOfChange(stated[j])) {
+          tellBefore(stated[i], stated[j].step);
+          break;
+        }
+  }
+  void tellBefore(const Stated& early, Step late) {
+    found_.push_back(textFinding(
+        program_, StatementChanged, early.place,
+        {{"statement", nameOf(early.step)},
+         {"found", base::message("before {event}"_text, nameOf(late))},
+         {"planned", base::message("behind {event}"_text, nameOf(late))}}));
+  }
+
+  void compareText(const StatedFact& stop, int tool) {
+    if (!dialect_.showsTexts)
+      return;
+    const std::string planned = program::toolName(tooling_, tool);
+    if (base::lowerCase(stop.word).find(base::lowerCase(planned)) != std::string::npos)
+      return;
+    found_.push_back(textFinding(program_, StatementChanged, {stop.file + 1U, stop.line},
+                                 {{"statement", base::Message("the text of the stop"_text)},
+                                  {"found", stop.word},
+                                  {"planned", planned}}));
+  }
+
+  void compareHeat(std::size_t motion, std::span<const Stated> stated, int tool) {
+    const bool heats =
+        std::ranges::find(program_.neededFacts, FactKind::NozzleHeatWait) !=
+            program_.neededFacts.end() &&
+        tooling_.at(tool).process.material.nozzleC;
+    const bool waits = std::ranges::any_of(stated, [&](const Stated& s) {
+      return s.step == Step::Heat && s.fact->tool == tool;
+    });
+    if (heats && !waits)
+      found_.push_back(textFinding(program_, StatementMissing, placeOf(program_, motion),
+                                   {{"statement", nameOf(Step::Heat)}}));
+  }
+
+  // The operator fits the tool of the first motion before an output selects it.
+  void compareBegin() {
+    const StatedFact* stop = nullptr;
+    const StatedFact* selected = nullptr;
+    for (const StatedFact* fact : facts_) {
+      if (fact->before > program_.firstMotion)
+        break;
+      if (fact->kind == FactKind::OperatorStop && fact->number > 0.0)
+        stop = fact;
+      if (fact->kind == FactKind::ToolSelected && !selected)
+        selected = fact;
+    }
+    if (stop)
+      compareText(*stop, trajectory_.toolAt(firstPoint_));
+    if (stop && selected && selected < stop)
+      tellBefore({Step::Select, {selected->file + 1U, selected->line}, selected}, Step::Stop);
+  }
+
+  const plan::ReadProgram& program_;
+  const plan::Trajectory& trajectory_;
+  const Alignment& alignment_;
+  const process::Tooling& tooling_;
+  const std::size_t firstPoint_;
+  const program::Dialect& dialect_;
+  std::vector<const StatedFact*> facts_; // that are steps, in the order of the text
+  std::vector<TextFinding> found_;
+};
+
+} // namespace
+
+std::vector<TextFinding> compareChangeOrder(const plan::ReadProgram& program,
+                                            const plan::Trajectory& trajectory,
+                                            const Alignment& alignment,
+                                            const process::Tooling& tooling,
+                                            std::size_t firstPoint) {
+  if (program.motions.empty())
+    return {};
+  return OrderComparer(program, trajectory, alignment, tooling, firstPoint).compare();
+}
+
+} // namespace voluta::replay

@@ -1,0 +1,28 @@
+// The order of a tool change in a program: the operator's stop with its text, the selection of the
+// tool, its lock, its heat, its purge.
+#pragma once
+
+#include "plan/program.h"
+#include "plan/trajectory.h"
+#include "process/tooling.h"
+#include "replay/alignment.h"
+#include "replay/comparison.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::replay {
+
+// Returns a finding, at its line, for each statement of a tool change that comes before another one
+// which is planned before it; for a stop whose text does not name the tool that the operator has to
+// fit (program::toolName), in dialects that show one; and for a lacking wait for the nozzle's heat
+// between selection and purge, in programs that heat. In a job of several tools the same holds of
+// the stop and the selection before the first motion. Statements that are missing altogether are
+// the business of compareEvents. `firstPoint`: point of the trajectory at which the program begins.
+std::vector<TextFinding> compareChangeOrder(const plan::ReadProgram& program,
+                                            const plan::Trajectory& trajectory,
+                                            const Alignment& alignment,
+                                            const process::Tooling& tooling,
+                                            std::size_t firstPoint);
+
+} // namespace voluta::replay
