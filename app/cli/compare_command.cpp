@@ -6,6 +6,7 @@
 #include "pictures/job_picture.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"
+#include "planar/decomposition.h"
 
 #include <algorithm>
 #include <fmt/format.h>

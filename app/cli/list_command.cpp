@@ -4,6 +4,7 @@
 #include "pipeline/choices.h"
 #include "process/library.h"
 #include "program/dialect.h"
+#include "project/choices.h"
 #include "robot/cell.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
 #include "base/data_files.h"
+#include "base/error.h"
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
@@ -9,8 +10,11 @@
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
 #include "curved/growth_scheme.h"
+#include "layers/print_order.h"
 #include "pipeline/choices.h"
 #include "process/own_materials.h"
+#include "project/choices.h"
+#include "project/platform.h"
 #include "project/platform_kinds.h"
 #include "project/turn_text.h"
 #include "project/version.h"

@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+namespace voluta::base {
+class RunContext;
+}
+
 namespace voluta::cli {
 
 struct PlateOptions {

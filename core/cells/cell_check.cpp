@@ -2,6 +2,8 @@
 
 #include "base/units.h"
 #include "cells/reach_map.h"
+#include "collision/cell_collision.h"
+#include "collision/shape_distance.h"
 #include "robot/plate.h"
 #include "robot/pointing_down.h"
 

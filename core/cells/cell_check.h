@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "base/text.h"
-#include "collision/cell_collision.h"
+#include "collision/margins.h"
 #include "process/process.h"
 #include "robot/cell.h"
 

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "collision/shape_distance.h"
 #include "geometry/directions.h"
 #include "robot/leaning_tool.h"
 #include "robot/nozzle_turns.h"

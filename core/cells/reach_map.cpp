@@ -4,6 +4,7 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "collision/cell_collision.h"
 #include "geometry/convex_polygon.h"
 #include "robot/leaning_tool.h"
 #include "robot/plate.h"

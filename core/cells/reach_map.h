@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "collision/cell_collision.h"
+#include "collision/margins.h"
 #include "process/process.h"
 #include "robot/cell.h"
 

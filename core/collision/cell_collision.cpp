@@ -1,7 +1,11 @@
 #include "collision/cell_collision.h"
 
 #include "base/error.h"
+#include "collision/growing_part.h"
 #include "collision/polyhedron_distance.h"
+#include "collision/shape_distance.h"
+#include "process/process.h"
+#include "robot/cell.h"
 
 #include <algorithm>
 #include <cmath>

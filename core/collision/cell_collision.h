@@ -1,10 +1,9 @@
 // Collision checks between the bodies of a cell, and with the part printed so far.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "collision/shape_distance.h"
-#include "process/process.h"
-#include "robot/cell.h"
+#include "base/text.h"
+#include "collision/margins.h"
+#include "robot/body.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -15,14 +14,18 @@
 #include <utility>
 #include <vector>
 
+namespace voluta::process {
+struct Process;
+}
+namespace voluta::robot {
+class Cell;
+}
+
 namespace voluta::collision {
 
-// Clearances between bodies [mm].
-struct Margins {
-  double bodiesMm = 2.0; // body to body, except head and plate
-  double partMm = 2.0;   // body to printed part, except the head
-  double headMm = 0.0;   // eroded head (process::erodedHead) to plate and printed part
-};
+struct Ball;
+class GrowingPart;
+class Revolved;
 
 // Colliding pair: indices into Cell::bodies(); kPrintedPart for the part itself.
 inline constexpr int kPrintedPart = -1;

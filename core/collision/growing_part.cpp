@@ -3,10 +3,17 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "collision/bead_sections.h"
 #include "collision/bead_solid.h"
+#include "collision/fill_times.h"
 #include "collision/same_segments.h"
+#include "collision/shape_distance.h"
 #include "geometry/measures.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "process/tooling.h"
 #include "voxel/column_parity.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,6 +24,8 @@ namespace voluta::collision {
 
 using Eigen::Vector3d;
 using Eigen::Vector3i;
+
+static_assert(GrowingPart::kNeverFilled == FillTimes::kNever);
 
 namespace {
 
@@ -295,6 +304,14 @@ std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const Gro
   return pitch == other.grid().pitch
              ? std::make_shared<const GrowingPart>(plan, other, itsPlan, ctx)
              : std::make_shared<const GrowingPart>(plan, pitch, ctx, other.ground_);
+}
+
+const voxel::VoxelGrid& GrowingPart::grid() const {
+  return beads_->grid();
+}
+
+std::uint32_t GrowingPart::filledAt(std::size_t cell) const {
+  return beads_->filledAt(cell);
 }
 
 bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,

@@ -2,13 +2,7 @@
 // The road).
 #pragma once
 
-#include "collision/bead_sections.h"
-#include "collision/fill_times.h"
-#include "plan/tool_plan.h"
-#include "platform/platform_solid.h"
-#include "process/tooling.h"
 #include "robot/body.h"
-#include "voxel/voxel_grid.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -19,8 +13,24 @@
 namespace voluta::base {
 class RunContext;
 }
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::platform {
+struct PlatformSolid;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::voxel {
+struct VoxelGrid;
+}
 
 namespace voluta::collision {
+
+class BeadSections;
+class FillTimes;
+class Revolved;
 
 // Returns the pitch of a grid for the growing part [mm]: a quarter of a process's bead width or
 // half its layer height, the resolution of the replay, whichever is smallest among the tools that
@@ -53,10 +63,10 @@ public:
               const base::RunContext& ctx);
 
   // Grid of the beads.
-  const voxel::VoxelGrid& grid() const { return beads_->grid(); }
+  const voxel::VoxelGrid& grid() const;
   // Index of the waypoint on whose arrival the cell is filled; kNeverFilled otherwise.
-  static constexpr std::uint32_t kNeverFilled = FillTimes::kNever;
-  std::uint32_t filledAt(std::size_t cell) const { return beads_->filledAt(cell); }
+  static constexpr std::uint32_t kNeverFilled = 0xffffffffu;
+  std::uint32_t filledAt(std::size_t cell) const;
 
   // Returns whether the shape, placed by work_T_shape and grown by `marginMm` (negative shrinks),
   // contains the centre of a ground cell or of one filled at a waypoint index < `before`.

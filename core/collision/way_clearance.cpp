@@ -1,5 +1,8 @@
 #include "collision/way_clearance.h"
 
+#include "collision/growing_part.h"
+#include "robot/cell.h"
+
 #include <algorithm>
 #include <cmath>
 

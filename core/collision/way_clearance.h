@@ -2,6 +2,8 @@
 #pragma once
 
 #include "collision/cell_collision.h"
+#include "collision/shape_distance.h"
+#include "robot/robot_model.h"
 
 #include <Eigen/Core>
 #include <cstddef>

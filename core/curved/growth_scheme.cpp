@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "curved/growth_row.h"
 #include "curved/growth_rows.h"
 
 namespace voluta::curved {
@@ -23,6 +24,10 @@ const GrowthRow& rowOf(std::string_view id) {
 GrowthScheme::GrowthScheme() : row_(&growthRows().front()) {}
 
 GrowthScheme::GrowthScheme(std::string_view id) : row_(&rowOf(id)) {}
+
+std::string GrowthScheme::id() const {
+  return std::string(row_->id);
+}
 
 std::vector<GrowthScheme> growthSchemes() {
   std::vector<GrowthScheme> all;

@@ -1,13 +1,14 @@
 // The chosen growth scheme.
 #pragma once
 
-#include "curved/growth_row.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace voluta::curved {
+
+struct GrowthRow;
 
 class GrowthScheme {
 public:
@@ -17,7 +18,7 @@ public:
   // Precondition: a row of growthRows().
   explicit GrowthScheme(const GrowthRow& row) : row_(&row) {}
 
-  std::string id() const { return std::string(row_->id); }
+  std::string id() const;
   const GrowthRow& row() const { return *row_; }
 
   friend bool operator==(const GrowthScheme&, const GrowthScheme&) = default;

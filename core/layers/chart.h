@@ -18,17 +18,23 @@ struct Chart {
 
   // From vertex a to b, the shorter way around.
   Eigen::Vector2d between(int a, int b) const {
-    Eigen::Vector2d d = of(b) - of(a);
+    Eigen::Vector2d d(of(b).x() - of(a).x(), of(b).y() - of(a).y());
     if (periodMm > 0.0)
       d.x() = std::remainder(d.x(), periodMm);
     return d;
   }
   // (1 - t) a + t b.
-  Eigen::Vector2d blend(int a, int b, double t) const { return of(a) + t * between(a, b); }
+  Eigen::Vector2d blend(int a, int b, double t) const {
+    const Eigen::Vector2d d = between(a, b);
+    return {of(a).x() + t * d.x(), of(a).y() + t * d.y()};
+  }
   // Weights sum to 1.
   Eigen::Vector2d blend(const std::array<int, 3>& corners, const Eigen::Vector3d& weights) const {
-    return of(corners[0]) + weights[1] * between(corners[0], corners[1]) +
-           weights[2] * between(corners[0], corners[2]);
+    const Eigen::Vector2d& first = of(corners[0]);
+    const Eigen::Vector2d second = between(corners[0], corners[1]),
+                          third = between(corners[0], corners[2]);
+    return {first.x() + weights.y() * second.x() + weights.z() * third.x(),
+            first.y() + weights.y() * second.y() + weights.z() * third.y()};
   }
 
 private:

@@ -1,6 +1,7 @@
 #include "layers/print_order.h"
 
 #include "base/error.h"
+#include "layers/layer_stack.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,13 +1,14 @@
 // The order in which the layers of several items are printed: joins their stacks into one.
 #pragma once
 
-#include "layers/layer_stack.h"
 
 #include <cstddef>
 #include <memory>
 #include <span>
 
 namespace voluta::layers {
+
+struct LayerStack;
 
 enum class PrintOrder {
   OneAfterAnother, // all layers of an item before the next item

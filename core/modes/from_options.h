@@ -3,13 +3,20 @@
 #pragma once
 
 #include "base/key_text.h"
-#include "base/parameters.h"
-#include "process/process.h"
-#include "project/choices.h"
 
 #include <functional>
 #include <string>
 #include <utility>
+
+namespace voluta::base {
+class ParameterValues;
+}
+namespace voluta::process {
+struct Process;
+}
+namespace voluta::project {
+struct Choices;
+}
 
 namespace voluta::modes {
 

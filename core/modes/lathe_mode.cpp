@@ -8,6 +8,7 @@
 #include "modes/level_choices.h"
 #include "modes/platform_body.h"
 #include "modes/rod_profile.h"
+#include "modes/stages.h"
 #include "plan/finding_kinds.h"
 #include "robot/cell.h"
 #include "substrate/lathe_layers.h"

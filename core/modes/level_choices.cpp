@@ -2,6 +2,9 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "modes/stages.h"
+#include "process/process.h"
+#include "project/report.h"
 
 #include <fmt/format.h>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "modes/mode.h"
 
+#include "project/choices.h"
+
 #include <algorithm>
 
 namespace voluta::modes {

@@ -2,19 +2,11 @@
 // LayerStack; all later stages are the same for every mode.
 #pragma once
 
-#include "base/parameters.h"
-#include "base/run_context.h"
 #include "base/text.h"
-#include "curved/decomposition.h"
-#include "geometry/placement.h"
-#include "geometry/triangle_mesh.h"
 #include "modes/from_options.h"
-#include "modes/part_voxels.h"
-#include "modes/stages.h"
-#include "platform/platform_solid.h"
-#include "process/process.h"
-#include "project/choices.h"
+#include "plan/finding.h"
 #include "project/mode_result.h"
+#include "project/platform.h"
 
 #include <functional>
 #include <memory>
@@ -23,7 +15,26 @@
 #include <utility>
 #include <vector>
 
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::curved {
+struct Decomposition;
+}
+namespace voluta::geometry {
+struct Placement;
+struct TriangleMesh;
+} // namespace voluta::geometry
+namespace voluta::platform {
+struct PlatformSolid;
+}
+
 namespace voluta::modes {
+
+struct DecomposeStage;
+struct LayersStage;
+struct LoadStage;
+struct PartVoxels;
 
 // Input of a mode's decomposition.
 struct DecomposeInput {

@@ -1,15 +1,24 @@
 // The voxels of a placed part, and findings about walls thinner than a voxel.
 #pragma once
 
-#include "base/run_context.h"
-#include "geometry/triangle_mesh.h"
-#include "modes/stages.h"
 #include "plan/finding.h"
-#include "voxel/solid_voxels.h"
+#include "project/stage.h"
 
 #include <memory>
 
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::voxel {
+struct SolidVoxels;
+}
+
 namespace voluta::modes {
+
+struct LoadStage;
 
 // Voxelizes the placed mesh with cells of voxelMm > 0; for a voxel object, returns its own cells.
 // The findings report walls of the mesh that are thinner than a voxel. Throws as

@@ -6,9 +6,11 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "modes/level_choices.h"
+#include "modes/part_voxels.h"
 #include "modes/piece_search.h"
 #include "modes/planar_platform.h"
 #include "modes/plate.h"
+#include "modes/stages.h"
 #include "plan/finding_kinds.h"
 #include "planar/flat.h"
 #include "planar/given_cuts.h"
@@ -16,6 +18,7 @@
 #include "planar/slicing/slicing.h"
 #include "planar/slicing/uniform_misses.h"
 #include "planar/slicing/user_planes.h"
+#include "project/report.h"
 #include "support/supports.h"
 
 #include <algorithm>

@@ -3,18 +3,25 @@
 #pragma once
 
 #include "geometry/placement.h"
-#include "geometry/triangle_mesh.h"
-#include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "platform/platform_solid.h"
 #include "project/mode_result.h"
 #include "project/report.h"
 #include "project/stage.h"
-#include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
 #include <memory>
 #include <vector>
+
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::layers {
+struct LayerStack;
+}
+namespace voluta::voxel {
+struct SolidVoxels;
+}
 
 namespace voluta::modes {
 

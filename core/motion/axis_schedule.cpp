@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/cell_collision.h"
 #include "motion/external_axes.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "collision/cell_collision.h"
 #include "geometry/drop.h"
 #include "motion/sequence.h"
 #include "robot/plate.h"

@@ -2,6 +2,7 @@
 // steps are large.
 #pragma once
 
+#include "collision/cell_collision.h"
 #include "motion/motion_scene.h"
 #include "plan/trajectory.h"
 

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "motion/nozzle_frame.h"
+#include "plan/tool_plan.h"
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "collision/growing_part.h"
 #include "motion/change_place.h"
 #include "motion/check.h"
 #include "motion/external_axes.h"

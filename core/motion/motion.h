@@ -1,15 +1,10 @@
 // Plans a robot's motion from beads: a ladder graph per path, transfers, timing, checks.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "motion/motion_options.h"
 #include "motion/too_large.h"
 #include "plan/finding.h"
 #include "plan/statistics.h"
-#include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "process/tooling.h"
-#include "robot/cell.h"
 
 #include <cstddef>
 #include <memory>
@@ -19,8 +14,22 @@
 namespace voluta::base {
 class RunContext;
 }
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::motion {
+
+struct MotionOptions;
 
 inline constexpr double kClearanceCapMm = 100.0;
 

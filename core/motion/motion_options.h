@@ -3,7 +3,7 @@
 
 #include "base/parameters.h"
 #include "base/units.h"
-#include "collision/cell_collision.h"
+#include "collision/margins.h"
 #include "plan/layer_times.h"
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include "collision/shape_distance.h"
 #include "motion/nozzle_frame.h"
+#include "plan/tool_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,23 @@
 // Inputs shared by the planners of one job, and how finely their moves are divided.
 #pragma once
 
-#include "collision/cell_collision.h"
-#include "collision/growing_part.h"
-#include "motion/motion_options.h"
 #include "motion/run.h"
-#include "plan/tool_plan.h"
 #include "robot/cell.h"
 #include "robot/kinematics/arm_twists.h"
 
 #include <vector>
 
+namespace voluta::collision {
+class CellCollision;
+class GrowingPart;
+} // namespace voluta::collision
+namespace voluta::plan {
+struct ToolPlan;
+}
+
 namespace voluta::motion {
+
+struct MotionOptions;
 
 // Returns the lever of each external axis: the maximum distance by which a rotation moves its load
 // [mm/rad]; 1 for a sliding axis. For a rod only the printed part counts, for other axes also the

@@ -1,12 +1,7 @@
 // The rest of a motion from a given point on, with the part as printed up to there.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "motion/motion_options.h"
-#include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "process/tooling.h"
-#include "robot/cell.h"
 
 #include <cstddef>
 #include <optional>
@@ -14,8 +9,22 @@
 namespace voluta::base {
 class RunContext;
 }
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::motion {
+
+struct MotionOptions;
 
 // Returns the point at which printing can resume at or after `point`: a point that is a waypoint
 // and from which a Print move leads on; within a bead the last waypoint before `point`. Returns

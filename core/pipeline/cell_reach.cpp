@@ -4,6 +4,7 @@
 #include "curved/platform.h"
 #include "geometry/measures.h"
 #include "modes/cell_choice.h"
+#include "motion/motion_options.h"
 #include "pipeline/cell_text.h"
 #include "pipeline/choices.h"
 

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "base/nearest_name.h"
 #include "curved/platform.h"
+#include "layers/tool_assignment.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "modes/planar_modes.h"

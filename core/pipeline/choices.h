@@ -2,18 +2,35 @@
 #pragma once
 
 #include "base/parameters.h"
-#include "layers/tool_assignment.h"
-#include "motion/motion_options.h"
-#include "planar/pieces.h"
-#include "process/tooling.h"
-#include "project/choices.h"
-#include "project/loaded_part.h"
-#include "robot/cell.h"
-#include "toolpath/options.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace voluta::layers {
+struct ToolAssignment;
+}
+namespace voluta::motion {
+struct MotionOptions;
+}
+namespace voluta::planar {
+struct RiskRule;
+}
+namespace voluta::process {
+struct Process;
+class Tooling;
+} // namespace voluta::process
+namespace voluta::project {
+struct Choices;
+struct LoadedPart;
+class Platform;
+} // namespace voluta::project
+namespace voluta::robot {
+class Cell;
+}
+namespace voluta::toolpath {
+struct ToolpathOptions;
+}
 
 namespace voluta::pipeline {
 

@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 #include "project/platform_kinds.h"
 
 #include <algorithm>

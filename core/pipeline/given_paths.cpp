@@ -1,14 +1,22 @@
 #include "pipeline/given_paths.h"
 
 #include "base/error.h"
+#include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
+#include "layers/layer_stack.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "pipeline/automatic.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "plan/statistics.h"
 #include "process/bead_model.h"
 #include "process/bead_to.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 #include <cmath>

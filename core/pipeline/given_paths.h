@@ -4,17 +4,35 @@
 
 #include "base/parameters.h"
 #include "geometry/placement.h"
-#include "geometry/triangle_mesh.h"
-#include "modes/stages.h"
-#include "pipeline/stages.h"
-#include "process/tooling.h"
 #include "project/choices.h"
-#include "project/loaded_part.h"
 
 #include <memory>
 #include <optional>
 
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::modes {
+struct DecomposeStage;
+struct LayersStage;
+struct LoadStage;
+} // namespace voluta::modes
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::project {
+struct LoadedPart;
+}
+
 namespace voluta::pipeline {
+
+struct ToolpathStage;
 
 // Returns whether the part is printed along the tool-paths of its file. The mode then only
 // determines the platform.

@@ -1,16 +1,21 @@
 #include "pipeline/item_stages.h"
 
 #include "base/key_text.h"
+#include "curved/decomposition.h"
 #include "geometry/measures.h"
 #include "layers/steps.h"
 #include "modes/mode_table.h"
+#include "modes/part_voxels.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_ways.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/stages.h"
 #include "pipeline/start_check.h"
 #include "plan/finding_kinds.h"
+#include "toolpath/options.h"
+#include "toolpath/plan_toolpaths.h"
 
 #include <algorithm>
 #include <utility>

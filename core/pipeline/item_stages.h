@@ -1,15 +1,29 @@
 // The stages of one item, Load to Layers, each taken from the cache or made.
 #pragma once
 
+#include "base/parameters.h"
 #include "layers/tool_assignment.h"
+#include "modes/from_options.h"
 #include "pipeline/shaped_paths.h"
 #include "pipeline/stage_context.h"
-#include "pipeline/stages.h"
 #include "project/job.h"
 
 #include <cstddef>
 #include <memory>
 #include <string>
+
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::modes {
+struct DecomposeStage;
+struct LoadStage;
+struct Mode;
+struct PartVoxels;
+} // namespace voluta::modes
+namespace voluta::toolpath {
+struct ItemLayers;
+}
 
 namespace voluta::pipeline {
 

@@ -3,6 +3,10 @@
 #include "geometry/append_mesh.h"
 #include "pipeline/choices.h"
 #include "planar/slicing/corrected_mesh.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "project/choices.h"
+#include "project/job.h"
 
 namespace voluta::pipeline {
 

@@ -1,12 +1,21 @@
 // The part that a replay judges.
 #pragma once
 
-#include "base/parameters.h"
-#include "geometry/triangle_mesh.h"
-#include "process/tooling.h"
-#include "project/job.h"
 
 #include <memory>
+
+namespace voluta::base {
+class ParameterValues;
+}
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::project {
+struct Job;
+}
 
 namespace voluta::pipeline {
 

@@ -2,6 +2,7 @@
 
 #include "base/key_text.h"
 #include "geometry/repair/open_surface.h"
+#include "geometry/repair/repair.h"
 #include "geometry/repair/surface_wall.h"
 #include "modes/mode_table.h"
 #include "pipeline/stages.h"

@@ -9,6 +9,7 @@
 #include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/program_files.h"
 #include "pipeline/proof.h"

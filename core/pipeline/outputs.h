@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace voluta::plan {
+struct ProgramFile;
+}
+
 namespace voluta::pipeline {
 
 // Returns the name under which a program's file is written: prefixed with "refused-" if the replay

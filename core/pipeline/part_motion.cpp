@@ -1,8 +1,14 @@
 #include "pipeline/part_motion.h"
 
+#include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
 
 #include <utility>
 

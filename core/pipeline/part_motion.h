@@ -2,26 +2,35 @@
 // without the waypoints at which a replay found collisions.
 #pragma once
 
-#include "base/run_context.h"
 #include "collision/growing_part.h"
-#include "motion/motion_options.h"
-#include "pipeline/stages.h"
-#include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/tooling.h"
-#include "robot/cell.h"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
+namespace voluta::base {
+class RunContext;
+}
 namespace voluta::motion {
+struct MotionOptions;
 class MotionPlanner;
 struct MotionResult;
 } // namespace voluta::motion
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::pipeline {
+
+struct MotionStage;
 
 class PartMotion {
 public:

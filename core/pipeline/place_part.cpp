@@ -7,6 +7,7 @@
 #include "geometry/repair/diagnosis.h"
 #include "modes/mode_table.h"
 #include "modes/plate.h"
+#include "modes/stages.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/text.h"
-#include "pipeline/stages.h"
 #include "process/tooling.h"
 #include "project/job.h"
 #include "project/stage.h"
@@ -14,7 +13,22 @@
 #include <string>
 #include <vector>
 
+namespace voluta::curved {
+struct Decomposition;
+}
+namespace voluta::modes {
+struct LoadStage;
+}
+namespace voluta::project {
+struct LoadedPart;
+}
+namespace voluta::robot {
+class Cell;
+}
+
 namespace voluta::pipeline {
+
+struct CheckedProgram;
 
 struct RequestedItem {
   std::string part;                                  // path of a mesh, or "sample:NAME"

@@ -10,6 +10,7 @@
 #include "motion/margins.h"
 #include "motion/motion_options.h"
 #include "motion/resume.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "pipeline/printed_mesh.h"
 #include "pipeline/replay_stage.h"

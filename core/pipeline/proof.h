@@ -7,7 +7,7 @@
 #include "pipeline/outputs.h"
 #include "pipeline/proof_style.h"
 #include "pipeline/road.h"
-#include "pipeline/stages.h"
+#include "process/process.h"
 
 #include <Eigen/Core>
 #include <filesystem>

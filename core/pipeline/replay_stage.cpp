@@ -1,10 +1,13 @@
 #include "pipeline/replay_stage.h"
 
 #include "base/stopwatch.h"
+#include "motion/motion_options.h"
 #include "motion/resume.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "project/job.h"
 #include "sliced/sliced_reader.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "pipeline/stages.h"
+#include "pipeline/program_stage.h"
 #include "plan/program.h"
 #include "program/job_head.h"
 #include "program/merged_points.h"
@@ -12,6 +12,10 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace voluta::project {
+struct Job;
+}
 
 namespace voluta::pipeline {
 

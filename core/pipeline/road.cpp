@@ -1,14 +1,17 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "layers/tool_assignment.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_runner.h"
+#include "pipeline/stages.h"
 #include "pipeline/way_search.h"
-#include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
+#include "robot/cell.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,5 +1,7 @@
 #include "pipeline/slow_spans.h"
 
+#include "plan/trajectory.h"
+
 #include <algorithm>
 
 namespace voluta::pipeline {

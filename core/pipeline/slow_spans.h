@@ -1,10 +1,13 @@
 // Spans in which a controller takes longer than planned.
 #pragma once
 
-#include "plan/trajectory.h"
 
 #include <cstddef>
 #include <vector>
+
+namespace voluta::plan {
+struct Trajectory;
+}
 
 namespace voluta::pipeline {
 

@@ -1,7 +1,10 @@
 #include "pipeline/stage_keys.h"
 
 #include "base/key_text.h"
+#include "layers/tool_assignment.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
+#include "motion/motion_options.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_text.h"
 #include "pipeline/choices.h"
@@ -11,6 +14,7 @@
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
+#include "toolpath/options.h"
 
 #include <fmt/format.h>
 

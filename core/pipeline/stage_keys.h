@@ -1,16 +1,31 @@
 // Cache keys of the stages: their inputs as text (docs/design.md, Stages: cached by what went in).
 #pragma once
 
-#include "base/parameters.h"
-#include "modes/from_options.h"
-#include "modes/stages.h"
-#include "process/tooling.h"
-#include "program/program_options.h"
-#include "project/job.h"
 #include "project/stage.h"
 
 #include <span>
 #include <string>
+
+namespace voluta::base {
+class ParameterValues;
+}
+namespace voluta::layers {
+enum class PrintOrder;
+}
+namespace voluta::modes {
+struct LoadStage;
+struct ModeChoices;
+} // namespace voluta::modes
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::program {
+struct ProgramOptions;
+}
+namespace voluta::project {
+struct Choices;
+struct LoadedPart;
+} // namespace voluta::project
 
 namespace voluta::pipeline {
 

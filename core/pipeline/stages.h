@@ -3,41 +3,54 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "collision/growing_part.h"
-#include "curved/decomposition.h"
-#include "geometry/triangle_mesh.h"
-#include "layers/layer_stack.h"
-#include "modes/mode.h"
-#include "modes/stages.h"
 #include "motion/too_large.h"
-#include "pipeline/slow_spans.h"
 #include "plan/finding.h"
-#include "plan/layer_times.h"
-#include "plan/program.h"
-#include "plan/tool_plan.h"
-#include "plan/trajectory.h"
-#include "planar/decomposition.h"
-#include "platform/platform_solid.h"
-#include "process/process.h"
-#include "program/program_input.h"
-#include "program/program_options.h"
-#include "project/job.h"
+#include "plan/statistics.h"
 #include "project/report.h"
 #include "project/stage.h"
-#include "replay/verification.h"
-#include "replay/worst_places.h"
-#include "robot/cell.h"
-#include "toolpath/plan_toolpaths.h"
 
-#include <cstdint>
 #include <memory>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace voluta::pipeline {
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::geometry {
+struct Placement;
+struct TriangleMesh;
+} // namespace voluta::geometry
+namespace voluta::layers {
+struct LayerStack;
+}
+namespace voluta::modes {
+struct LoadStage;
+struct ModeChoices;
+} // namespace voluta::modes
+namespace voluta::plan {
+struct ToolPlan;
+struct Trajectory;
+} // namespace voluta::plan
+namespace voluta::platform {
+struct PlatformSolid;
+}
+namespace voluta::process {
+struct Process;
+class Tooling;
+} // namespace voluta::process
+namespace voluta::project {
+struct Choices;
+struct LoadedPart;
+} // namespace voluta::project
+namespace voluta::robot {
+class Cell;
+}
+namespace voluta::toolpath {
+struct ItemLayers;
+}
 
-class SharedRuns;
+namespace voluta::pipeline {
 
 struct ToolpathStage {
   static constexpr project::Stage kStage = project::Stage::Toolpath;
@@ -56,35 +69,6 @@ struct MotionStage {
   plan::Findings findings;
   project::Timings timings;
 };
-
-// A place in a program's text. `line` is 1-based; 0: no particular line.
-struct TextLine {
-  std::uint32_t file = 0, line = 0;
-};
-
-// One program, read back and replayed. The Replay stage has one of these per format.
-struct CheckedProgram {
-  static constexpr project::Stage kStage = project::Stage::Replay;
-  plan::Program program; // its files are named as if it passed
-  project::ReplayReport verdict;
-  plan::Findings findings;            // of this format only
-  std::vector<TextLine> findingLines; // the line of each finding
-  bool passed = false;
-  std::vector<base::Message> failed;           // the exceeded thresholds
-  std::vector<std::size_t> collidingWaypoints; // as Verification::collidingWaypoints
-  double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  std::vector<SlowSpan> slow;       // spans in which its controller is slow
-  std::vector<TextLine> pointLines; // the line of each point of the trajectory; line 0: none
-  project::Timings timings;
-  replay::WorstPlaces worst;
-  std::size_t deviations = 0; // places where the text differs from the plan
-  bool armChecked = false;    // as replay::Verification::armChecked
-};
-
-// Returns the line of each point of the trajectory that `program` was written from. A point whose
-// motion is missing from the text has line 0.
-std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
-                                    const plan::Trajectory& trajectory);
 
 // Returns the loaded part rotated, scaled and placed. The cells of a voxel object are unitMm()
 // times the scale wide. They are kept if the object is rotated by quarter turns and lifted by whole
@@ -136,31 +120,5 @@ MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
                             const layers::LayerStack& joined, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
                             const process::Tooling& tooling, const base::RunContext& ctx);
-
-// Input of programStage(). `name`: of the part, without extension.
-struct ProgramStageInput {
-  const geometry::TriangleMesh& part; // the part to print
-  const platform::PlatformSolid& platform;
-  const plan::ToolPlan& toolPlan;
-  const plan::Trajectory& trajectory;
-  const robot::Cell& cell;
-  process::Tooling tooling;
-  std::string name;
-  program::ProgramOptions options = {};
-  std::size_t firstPoint = 0; // trajectory point at which the program begins: Job::resumedAt
-  std::string job = {};       // as program::ProgramInput::job
-  std::vector<std::size_t> commonPoint = {};   // as replay::ReplayInput::commonPoint
-  std::vector<std::size_t> firstTriangle = {}; // as replay::ReplayInput::firstTriangle
-  std::span<const program::ArcVia> arcs = {};  // as program::ProgramInput::arcs
-  replay::WholePlan whole = {};                // before its points were merged
-  plan::LayerTimes layerTimes = {};            // as replay::ReplayInput::layerTimes
-};
-// Writes the program, reads it back and replays it. If the dialect has no word for an event of the
-// trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and
-// program::requireRodTurns. `shared`: results shared by the programs of one motion; null: none.
-std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
-                                                   const ProgramStageInput& in,
-                                                   const base::RunContext& ctx,
-                                                   SharedRuns* shared = nullptr);
 
 } // namespace voluta::pipeline

@@ -5,6 +5,7 @@
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
+#include "motion/motion_options.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"

@@ -4,7 +4,6 @@
 #include "base/files.h"
 #include "base/units.h"
 #include "pipeline/program_files.h"
-#include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
 

@@ -1,3 +1,4 @@
+#include "pipeline/checked_program.h"
 #include "pipeline/together.h"
 #include "plan/marks.h"
 

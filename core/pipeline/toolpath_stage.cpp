@@ -1,4 +1,11 @@
+#include "base/run_context.h"
+#include "layers/layer_stack.h"
 #include "pipeline/stages.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
+#include "toolpath/plan_toolpaths.h"
 
 namespace voluta::pipeline {
 

@@ -1,4 +1,5 @@
 #include "pipeline/turned_part.h"
+#include "base/error.h"
 #include "modes/plate.h"
 
 #include "base/stopwatch.h"

@@ -4,10 +4,12 @@
 #include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "pipeline/automatic.h"
 #include "pipeline/stage_runner.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 #include <memory>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,38 +70,21 @@ struct ToolPlan {
   FillIntent fillOf(std::size_t item) const {
     return item < fill.size() ? fill[item] : FillIntent{};
   }
-  bool isSolid() const {
-    return std::all_of(fill.begin(), fill.end(), [](const FillIntent& f) { return f.isSolid(); });
-  }
+  bool isSolid() const;
 
   std::size_t waypointCount() const { return position.size(); }
   // Returns the volume of a shot [mm3]: the nozzle moves down to shotAt(), where the material flows
   // out at rest, and back up. It equals that of a cylinder with the waypoint's width as diameter
   // and its height. Precondition: path.kind is Shot.
-  double shotMm3(const ToolPath& path) const {
-    const std::size_t at = shotAt(path);
-    constexpr double kQuarterPi = 0.78539816339744831;
-    const auto width = static_cast<double>(widthMm[at]);
-    return kQuarterPi * width * width * static_cast<double>(heightMm[at]);
-  }
+  double shotMm3(const ToolPath& path) const;
   // Returns the waypoint from which a shot flows: the lowest one along its direction.
-  std::size_t shotAt(const ToolPath& path) const {
-    std::size_t lowest = path.first;
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      if ((position[i] - position[lowest]).dot(direction[path.first]) < 0.0)
-        lowest = i;
-    return lowest;
-  }
+  std::size_t shotAt(const ToolPath& path) const;
 
   // Returns whether a waste bead primes the nozzle before the part begins.
   bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }
   // Returns whether the priming bead is printed in the air above the plate. Nothing supports it
   // there, so it falls and does not count as printed material.
-  bool isPrimeInAir() const {
-    constexpr double kOnMm = 0.01;
-    return primes() && position[paths.front().first].z() >
-                           static_cast<double>(heightMm[paths.front().first]) + kOnMm;
-  }
+  bool isPrimeInAir() const;
 };
 
 } // namespace voluta::plan

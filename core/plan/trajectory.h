@@ -1,7 +1,6 @@
 // The robot's motion over time: one block of dof x N joint values (external axes included).
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -61,57 +60,22 @@ struct Trajectory {
 
   std::size_t pointCount() const { return timeS.size(); }
   // Returns the events before the motion to that point.
-  std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const {
-    const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
-    return {range.begin(), range.end()};
-  }
+  std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const;
   // Returns the tool change for which a pause of the trajectory stops the arm: the next event, in
   // the same place; nullptr if it is no change. Precondition: the event is one of `events`.
-  const TrajectoryEvent* changeAfter(const TrajectoryEvent& pause) const {
-    const auto next = static_cast<std::size_t>(&pause - events.data()) + 1;
-    const bool isForChange = next < events.size() && events[next].point == pause.point &&
-                             events[next].kind == EventKind::ToolChange;
-    return isForChange ? &events[next] : nullptr;
-  }
+  const TrajectoryEvent* changeAfter(const TrajectoryEvent& pause) const;
   // Returns whether the arm stops before the motion to that point for an event.
-  bool stopsBefore(std::size_t point) const {
-    return std::ranges::any_of(eventsBefore(point),
-                               [](const TrajectoryEvent& event) { return stopsArm(event.kind); });
-  }
+  bool stopsBefore(std::size_t point) const;
   // Returns the duration of the waits and purges before the motion to that point [s].
-  double waitBefore(std::size_t point) const {
-    double seconds = 0.0;
-    for (const TrajectoryEvent& event : eventsBefore(point))
-      seconds += event.seconds;
-    return seconds;
-  }
+  double waitBefore(std::size_t point) const;
   // Returns the volume that flows out in place before the motion to that point [mm3].
-  double purgeBefore(std::size_t point) const {
-    double mm3 = 0.0;
-    for (const TrajectoryEvent& event : eventsBefore(point))
-      mm3 += event.volumeMm3;
-    return mm3;
-  }
+  double purgeBefore(std::size_t point) const;
   // Returns whether material fills a pocket before the motion to that point.
-  bool shotBefore(std::size_t point) const {
-    return std::ranges::any_of(eventsBefore(point), [](const TrajectoryEvent& event) {
-      return event.kind == EventKind::Shot;
-    });
-  }
+  bool shotBefore(std::size_t point) const;
   // Returns the tool that is selected while the arm is at the point, after the events before it.
-  int toolAt(std::size_t point) const {
-    int tool = firstTool;
-    for (const TrajectoryEvent& event : events)
-      if (event.kind == EventKind::ToolChange && event.point <= point)
-        tool = event.tool;
-    return tool;
-  }
+  int toolAt(std::size_t point) const;
   // Returns whether another tool deposits from a later point than `after` on.
-  bool changesTool(std::size_t after = 0) const {
-    return std::ranges::any_of(events, [&](const TrajectoryEvent& event) {
-      return event.kind == EventKind::ToolChange && event.point > after;
-    });
-  }
+  bool changesTool(std::size_t after = 0) const;
   const double* at(std::size_t point) const {
     return joints.data() + point * static_cast<std::size_t>(dof);
   }

@@ -1,6 +1,8 @@
 #include "process/tooling.h"
 
 #include "base/error.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 #include "process/bead_to.h"
 
 #include <algorithm>
@@ -13,6 +15,10 @@ Tooling::Tooling(Process process) : Tooling(std::vector<Tool>{{std::move(process
 Tooling::Tooling(std::vector<Tool> tools)
     : tools_(std::make_shared<const std::vector<Tool>>(std::move(tools))) {
   base::require(!tools_->empty(), "a job has a tool");
+}
+
+const Tool& Tooling::of(const plan::ToolPath& path) const {
+  return at(path.tool);
 }
 
 const Tool& Tooling::at(int tool) const {

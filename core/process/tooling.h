@@ -2,14 +2,17 @@
 // whole plan; functions that see one patch or one motion take the Process).
 #pragma once
 
-#include "plan/tool_plan.h"
-#include "plan/trajectory.h"
 #include "process/process.h"
 
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
+
+namespace voluta::plan {
+struct ToolPath;
+struct Trajectory;
+} // namespace voluta::plan
 
 namespace voluta::process {
 
@@ -32,7 +35,7 @@ public:
 
   std::span<const Tool> tools() const { return *tools_; }
   // The tool of a path. Throws Error{Internal} if the plan names a tool that the job does not have.
-  const Tool& of(const plan::ToolPath& path) const { return at(path.tool); }
+  const Tool& of(const plan::ToolPath& path) const;
   const Tool& at(int tool) const;
   // The job's first tool, which a motion need not begin with (plan::Trajectory::firstTool).
   const Tool& first() const { return tools_->front(); }

@@ -3,13 +3,8 @@
 #pragma once
 
 #include "geometry/placement.h"
-#include "geometry/triangle_mesh.h"
-#include "layers/layer_stack.h"
-#include "plan/tool_plan.h"
-#include "plan/trajectory.h"
 #include "platform/platform_solid.h"
 #include "project/choices.h"
-#include "project/loaded_part.h"
 #include "project/mode_result.h"
 #include "project/report.h"
 #include "project/stage.h"
@@ -21,7 +16,20 @@
 #include <string>
 #include <vector>
 
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::layers {
+struct LayerStack;
+}
+namespace voluta::plan {
+struct ToolPlan;
+struct Trajectory;
+} // namespace voluta::plan
+
 namespace voluta::project {
+
+struct LoadedPart;
 
 // Key of a stage of a resumed print, whose result does not follow from the choices alone.
 inline constexpr const char* kResumedKey = "resumed";

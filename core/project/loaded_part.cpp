@@ -9,6 +9,7 @@
 #include "build3mf/build_reader.h"
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
+#include "geometry/repair/repair.h"
 #include "project/accuracy_plate.h"
 #include "project/content_hash.h"
 #include "project/rib_samples.h"

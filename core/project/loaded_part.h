@@ -1,20 +1,29 @@
 // A part as loaded from its file, before placement.
 #pragma once
 
-#include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/open_surface.h"
-#include "geometry/repair/repair.h"
-#include "geometry/triangle_mesh.h"
-#include "plan/tool_plan.h"
-#include "voxel/voxel_object.h"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::geometry {
+struct RepairResult;
+struct TriangleMesh;
+} // namespace voluta::geometry
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::voxel {
+struct VoxelObject;
+}
 
 namespace voluta::project {
 

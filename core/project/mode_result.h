@@ -1,12 +1,19 @@
 // The result of a mode's decomposition; each kind of mode has its own type.
 #pragma once
 
-#include "curved/decomposition.h"
-#include "geometry/triangle_mesh.h"
-#include "planar/decomposition.h"
 
 #include <memory>
 #include <variant>
+
+namespace voluta::curved {
+struct Decomposition;
+}
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::planar {
+struct PlanarDecomposition;
+}
 
 namespace voluta::project {
 

@@ -1,6 +1,7 @@
 // Finds which segments of two machines must not happen at the same time.
 #pragma once
 
+#include "collision/margins.h"
 #include "together/machine.h"
 #include "together/schedule.h"
 #include "together/segments.h"

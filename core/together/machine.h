@@ -2,13 +2,20 @@
 // a frame that all share.
 #pragma once
 
-#include "collision/cell_collision.h"
-#include "collision/growing_part.h"
-#include "plan/tool_plan.h"
-#include "plan/trajectory.h"
-#include "robot/cell.h"
 
 #include <Eigen/Geometry>
+
+namespace voluta::collision {
+class CellCollision;
+class GrowingPart;
+} // namespace voluta::collision
+namespace voluta::plan {
+struct ToolPlan;
+struct Trajectory;
+} // namespace voluta::plan
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::together {
 

@@ -1,5 +1,12 @@
 #include "together/poses.h"
 
+#include "collision/cell_collision.h"
+#include "collision/shape_distance.h"
+#include "plan/trajectory.h"
+#include "robot/body.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -8,6 +8,13 @@
 #include <functional>
 #include <vector>
 
+namespace voluta::collision {
+struct Ball;
+}
+namespace voluta::robot {
+struct Body;
+}
+
 namespace voluta::together {
 
 using Frames = std::vector<Eigen::Isometry3d>;

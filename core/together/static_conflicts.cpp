@@ -1,7 +1,15 @@
 #include "together/static_conflicts.h"
 
 #include "base/parallel.h"
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "collision/margins.h"
+#include "collision/shape_distance.h"
+#include "plan/tool_plan.h"
+#include "robot/body.h"
+#include "robot/cell.h"
 #include "together/poses.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,6 +2,7 @@
 // part that grows on its plate.
 #pragma once
 
+#include "collision/margins.h"
 #include "together/machine.h"
 #include "together/segments.h"
 

@@ -1,5 +1,10 @@
 #include "together/swept_cells.h"
 
+#include "collision/growing_part.h"
+#include "collision/shape_distance.h"
+#include "plan/trajectory.h"
+#include "robot/body.h"
+#include "robot/cell.h"
 #include "together/poses.h"
 
 #include <algorithm>

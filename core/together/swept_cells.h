@@ -2,6 +2,8 @@
 // machines share: two segments whose cells differ do not meet, whatever the speeds.
 #pragma once
 
+#include "collision/shape_distance.h"
+#include "robot/body.h"
 #include "together/machine.h"
 #include "voxel/voxel_grid.h"
 

@@ -1,6 +1,7 @@
 #include "together/together.h"
 
 #include "base/run_context.h"
+#include "robot/cell.h"
 #include "together/poses.h"
 
 #include <algorithm>

@@ -9,6 +9,8 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
+#include "robot/cell.h"
+#include "toolpath/options.h"
 #include "toolpath/unsupported/head_clearance.h"
 #include "toolpath/unsupported/passes.h"
 

@@ -1,12 +1,8 @@
 // Computes the nozzle direction at each waypoint.
 #pragma once
 
-#include "collision/growing_part.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
-#include "process/tooling.h"
-#include "robot/cell.h"
-#include "toolpath/options.h"
 
 #include <Eigen/Core>
 #include <functional>
@@ -16,8 +12,19 @@
 namespace voluta::base {
 class RunContext;
 }
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::process {
+class Tooling;
+}
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::toolpath {
+
+struct ToolpathOptions;
 
 // Returns whether a path is skipped, rather than reported, where no direction is clear.
 using MayMiss = std::function<bool(const plan::ToolPath&)>;

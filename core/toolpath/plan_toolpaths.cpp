@@ -1,5 +1,6 @@
 #include "toolpath/plan_toolpaths.h"
 
+#include "collision/growing_part.h"
 #include "toolpath/brim.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"

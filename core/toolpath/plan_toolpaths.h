@@ -1,13 +1,10 @@
 // The tool-path stage: turns layers into tool-paths.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "plan/statistics.h"
 #include "plan/tool_plan.h"
 #include "process/tooling.h"
-#include "robot/cell.h"
 #include "toolpath/options.h"
 
 #include <memory>
@@ -15,6 +12,15 @@
 
 namespace voluta::base {
 class RunContext;
+}
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::layers {
+struct LayerStack;
+}
+namespace voluta::robot {
+class Cell;
 }
 
 namespace voluta::toolpath {

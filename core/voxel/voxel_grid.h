@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 
 namespace voluta::voxel {
@@ -32,11 +33,16 @@ struct VoxelGrid {
   }
   // Returns the centre of a cell [mm].
   Eigen::Vector3d centre(int i, int j, int k) const {
-    return origin + pitch * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
+    return {origin.x() + pitch * (i + 0.5), origin.y() + pitch * (j + 0.5),
+            origin.z() + pitch * (k + 0.5)};
   }
   // Returns the cell that contains a point; may be outside the grid.
   Eigen::Vector3i cellOf(const Eigen::Vector3d& point) const {
-    return ((point - origin) / pitch).array().floor().matrix().cast<int>();
+    const auto along = [this](double to, double from) {
+      return static_cast<int>(std::floor((to - from) / pitch));
+    };
+    return {along(point.x(), origin.x()), along(point.y(), origin.y()),
+            along(point.z(), origin.z())};
   }
 };
 

@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -164,6 +165,44 @@ TEST(Architecture, HeavyHeadersStayPrivate) {
                   *fs::relative(include.file, kCore).begin() == *fs::path(include.target).begin())
           << include.file;
     }
+}
+
+// Headers that hundreds of sources include declare the types that they only refer to: an edit of an
+// algorithm's header then compiles little, and each compiler reads little.
+TEST(Architecture, WidelyIncludedHeadersReachNoAlgorithm) {
+  // Modules and single headers.
+  const std::map<std::string, std::set<std::string>> mayReach = {
+      {"pipeline/plan_result.h",
+       {"base", "geometry", "plan", "platform", "process", "project", "layers/print_order.h",
+        "curved/growth_scheme.h"}},
+      {"pipeline/stages.h", {"base", "plan", "project", "motion/too_large.h"}},
+      {"project/job.h",
+       {"base", "geometry", "plan", "platform", "project", "layers/print_order.h",
+        "curved/growth_scheme.h"}},
+      {"modes/mode.h", {"base", "geometry", "plan", "platform", "project", "modes/from_options.h"}},
+      {"toolpath/plan_toolpaths.h",
+       {"base", "geometry", "plan", "platform", "process", "toolpath/options.h"}},
+      {"collision/cell_collision.h", {"base", "robot/body.h", "collision/margins.h"}},
+      {"collision/growing_part.h", {"base", "robot/body.h"}}};
+  std::map<std::string, std::vector<std::string>> includes;
+  for (const Include& include : includesBelow(kCore))
+    includes[fs::relative(include.file, kCore).string()].push_back(include.target);
+  for (const auto& [header, allowed] : mayReach) {
+    ASSERT_TRUE(includes.count(header)) << header;
+    std::set<std::string> reached;
+    std::vector<std::string> next = includes[header];
+    while (!next.empty()) {
+      const std::string target = next.back();
+      next.pop_back();
+      const bool isOurs = kMayInclude.count(fs::path(target).begin()->string()) > 0;
+      if (!isOurs || !reached.insert(target).second)
+        continue;
+      EXPECT_TRUE(allowed.count(target) || allowed.count(fs::path(target).begin()->string()))
+          << header << " reaches " << target;
+      for (const std::string& further : includes[target])
+        next.push_back(further);
+    }
+  }
 }
 
 } // namespace

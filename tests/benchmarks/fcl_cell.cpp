@@ -1,4 +1,5 @@
 #include "fcl_cell.h"
+#include "voxel/voxel_grid.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>

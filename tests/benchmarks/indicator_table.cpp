@@ -19,6 +19,7 @@
 #include "indicator/contact_space.h"
 #include "motion/motion_options.h"
 #include "process/process.h"
+#include "process/tooling.h"
 #include "project/job.h"
 #include "replay/scene.h"
 

@@ -22,11 +22,13 @@
 #include "motion/jerk.h"
 #include "motion/jerk_limit.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
 #include "motion/smoothing/smooth_turns.h"
 #include "motion/timed_points.h"
 #include "process/process.h"
+#include "process/tooling.h"
 #include "project/job.h"
 #include "replay/scene.h"
 

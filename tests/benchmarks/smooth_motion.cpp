@@ -16,7 +16,9 @@
 #include "collision/cell_collision.h"
 #include "collision/growing_part.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "process/process.h"
+#include "process/tooling.h"
 #include "project/job.h"
 #include "replay/scene.h"
 

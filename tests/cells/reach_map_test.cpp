@@ -1,6 +1,7 @@
 // The map against every pose tried one by one, without what the map spares, and against a reach
 // that is known in closed form.
 #include "cells/reach_map.h"
+#include "collision/cell_collision.h"
 
 #include "base/error.h"
 #include "base/units.h"

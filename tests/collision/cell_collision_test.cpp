@@ -1,4 +1,10 @@
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "collision/shape_distance.h"
+#include "plan/tool_plan.h"
+#include "process/process.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

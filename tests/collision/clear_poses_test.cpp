@@ -3,8 +3,14 @@
 // the other body and all that is printed.
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "collision/random_shapes.h"
+#include "collision/shape_distance.h"
 #include "helpers/all_seeds.h"
+#include "plan/tool_plan.h"
+#include "process/process.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include <gtest/gtest.h>
 #include <string>

@@ -1,4 +1,6 @@
 #include "collision/growing_part.h"
+#include "platform/platform_solid.h"
+#include "process/tooling.h"
 
 #include "base/error.h"
 #include "base/run_context.h"

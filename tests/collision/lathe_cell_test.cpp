@@ -1,6 +1,11 @@
 // How the cell "lathe" is laid out: all of its rod can be printed on, however thick the part is.
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "platform/platform_solid.h"
+#include "platform/rod_shape.h"
+#include "process/process.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,8 @@
 // What is reported of bodies that come close and do not touch.
+#include "collision/growing_part.h"
 #include "collision/way_clearance.h"
+#include "plan/tool_plan.h"
+#include "robot/cell.h"
 
 #include "base/run_context.h"
 #include "process/process.h"

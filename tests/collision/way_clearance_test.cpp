@@ -1,5 +1,8 @@
 // The least clearance along joint motions, against dense sampling.
+#include "collision/growing_part.h"
 #include "collision/way_clearance.h"
+#include "plan/tool_plan.h"
+#include "robot/cell.h"
 
 #include "base/run_context.h"
 #include "process/process.h"

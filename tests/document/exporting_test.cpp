@@ -1,4 +1,5 @@
 #include "document/exporting.h"
+#include "pipeline/checked_program.h"
 
 #include "document/parts.h"
 #include "document/planning.h"

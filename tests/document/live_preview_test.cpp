@@ -1,3 +1,4 @@
+#include "curved/decomposition.h"
 #include "document/live_preview.h"
 
 #include "document/parts.h"

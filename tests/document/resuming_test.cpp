@@ -1,5 +1,6 @@
 // A print that is taken up again: a project of its own, or the document as it was.
 #include "document/opening.h"
+#include "pipeline/checked_program.h"
 
 #include "document/document.h"
 #include "document/parts.h"

@@ -1,4 +1,5 @@
 #include "document/saving.h"
+#include "plan/tool_plan.h"
 
 #include "document/opening.h"
 #include "document/parts.h"

@@ -6,6 +6,7 @@
 #include "panels/object_tree.h"
 #include "panels/reach_panel.h"
 #include "pipeline/cell_reach.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "robot/cell_draft.h"
 #include "robot/urdf/link_meshes.h"

@@ -6,6 +6,7 @@
 #include "panels/export_panel.h"
 #include "panels/format_list.h"
 #include "panels/text_preview.h"
+#include "pipeline/checked_program.h"
 #include "program/dialect.h"
 #include "timeline/timeline_bar.h"
 

@@ -6,6 +6,7 @@
 #include "panels/findings_panel.h"
 #include "panels/format_list.h"
 #include "panels/verdict_table.h"
+#include "pipeline/checked_program.h"
 #include "plan/finding_kinds.h"
 #include "timeline/layer_range_slider.h"
 #include "window/flow_bar.h"

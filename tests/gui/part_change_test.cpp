@@ -2,6 +2,7 @@
 // nothing of the part before is left in settings, picture and sliders.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "pipeline/checked_program.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"

@@ -1,4 +1,5 @@
 // The layers of several items in one stack.
+#include "layers/layer_stack.h"
 #include "layers/print_order.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,10 @@
 // A change of the wrist's branch spread along a path: an IRB 1200 with a straight nozzle, whose
 // wrist is stretched where the nozzle leans as the forearm.
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/ladder/branch_blend.h"
+#include "motion/motion_options.h"
+#include "process/tooling.h"
 
 #include "base/files.h"
 #include "base/run_context.h"

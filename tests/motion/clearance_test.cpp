@@ -1,8 +1,13 @@
 // Clearance is sought: of ways that print the same, one along which everything stays further apart.
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "motion/sample_plans.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,5 +1,11 @@
 // Motions slowed to a limit of the jerk.
+#include "collision/growing_part.h"
 #include "motion/jerk_limit.h"
+#include "motion/motion_options.h"
+#include "platform/platform_solid.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
 
 #include "base/error.h"
 #include "base/run_context.h"

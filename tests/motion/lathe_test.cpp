@@ -4,11 +4,13 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "helpers/temporary_folder.h"
 #include "motion/external_axes.h"
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
 #include "plan/finding_kinds.h"
+#include "process/tooling.h"
 
 #include <cmath>
 #include <fstream>

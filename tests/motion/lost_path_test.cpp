@@ -1,7 +1,13 @@
 #include "base/run_context.h"
+#include "collision/fill_times.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
 #include "plan/finding_kinds.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

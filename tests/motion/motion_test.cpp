@@ -1,4 +1,11 @@
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include "base/error.h"
 #include "base/run_context.h"

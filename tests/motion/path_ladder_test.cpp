@@ -1,5 +1,7 @@
 // The ladder over one path: where its rungs are, what its ways cost, and how they begin.
+#include "collision/growing_part.h"
 #include "motion/ladder/path_ladder.h"
+#include "motion/motion_options.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

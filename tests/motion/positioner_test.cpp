@@ -2,12 +2,14 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/axis_schedule.h"
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "motion/sample_plans.h"
-#include "plan/finding_kinds.h"
+#include "process/tooling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,11 @@
 // A motion taken up again: where, and what stays as it was.
+#include "collision/growing_part.h"
+#include "motion/motion_options.h"
 #include "motion/resume.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include "base/error.h"
 #include "base/run_context.h"

@@ -1,4 +1,5 @@
 // Motions of an arm that is not six turning axes: four, one of which slides, the nozzle upright.
+#include "collision/growing_part.h"
 #include "motion/ladder/joint_costs.h"
 #include "motion/margins.h"
 #include "motion/motion.h"
@@ -6,6 +7,7 @@
 #include "motion/timing.h"
 #include "motion/transfers/rrt_connect.h"
 #include "plan/finding_kinds.h"
+#include "process/tooling.h"
 
 #include "base/run_context.h"
 

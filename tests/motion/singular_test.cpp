@@ -3,10 +3,14 @@
 // leans as the forearm.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
+#include "process/tooling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,11 @@
 #include "base/files.h"
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/external_axes.h"
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
+#include "process/tooling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+#include "motion/motion_options.h"
 #include "motion/smoothing/smooth_turns.h"
 
 #include "base/run_context.h"

@@ -1,8 +1,14 @@
 // A transfer across a tall printed part: round it or over it, clear all the way.
 #include "base/run_context.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
+#include "platform/platform_solid.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 
 #include <algorithm>
 #include <cmath>

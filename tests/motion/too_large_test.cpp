@@ -2,8 +2,12 @@
 // is not.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

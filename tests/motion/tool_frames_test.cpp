@@ -1,10 +1,12 @@
 // The nozzle's orientation by rule (Castelli 2020, 4.6.2), alone and through a whole motion.
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "motion/external_axes.h"
 #include "motion/motion.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
 #include "motion/tool_frames.h"
+#include "process/tooling.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,4 +1,6 @@
 // Ways between beads of a ring that is half printed: their shape, and that they are clear.
+#include "collision/growing_part.h"
+#include "motion/motion_options.h"
 #include "motion/transfers/transfer.h"
 
 #include "base/run_context.h"

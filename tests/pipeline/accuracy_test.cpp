@@ -1,4 +1,6 @@
 // Measured sizes with known errors, through the process to the edges of the planned beads.
+#include "layers/layer_stack.h"
+#include "plan/tool_plan.h"
 #include "process/measured_sizes.h"
 #include "process/process_text.h"
 #include "project/accuracy_plate.h"

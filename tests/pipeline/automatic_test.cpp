@@ -1,5 +1,7 @@
 // Mode auto: which ways are tried, and what is taken.
+#include "curved/decomposition.h"
 #include "pipeline/automatic.h"
+#include "pipeline/checked_program.h"
 
 #include "base/error.h"
 #include "helpers/shapes.h"
@@ -9,7 +11,6 @@
 #include "pipeline/road.h"
 #include "pipeline/search_texts.h"
 #include "pipeline/stage_runner.h"
-#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

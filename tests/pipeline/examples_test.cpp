@@ -22,6 +22,7 @@
 #include "substrate/rod_surface.h"
 #include "toolpath/plan_toolpaths.h"
 #include "voxel/solid_voxels.h"
+#include "voxel/voxel_object.h"
 
 #include "base/files.h"
 

@@ -1,5 +1,7 @@
 // The cover of a part does not hang on the size of its mesh's facets: the curved bar of Dai 5.4.2.
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
+#include "project/loaded_part.h"
 
 #include "base/files.h"
 #include "base/run_context.h"

@@ -1,5 +1,8 @@
 // Parts with tapes of continuous fibre from the mesh to the replayed program (Dai 5.4).
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 
 #include "base/error.h"
 #include "base/files.h"

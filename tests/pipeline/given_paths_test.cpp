@@ -7,6 +7,8 @@
 #include "build3mf/foreign_package.h"
 #include "geometry/measures.h"
 #include "helpers/temporary_folder.h"
+#include "layers/layer_stack.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"

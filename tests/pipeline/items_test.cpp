@@ -1,10 +1,12 @@
 // A job of two items: each is planned by itself up to its layers, which are then printed in order.
 #include "base/error.h"
+#include "layers/layer_stack.h"
 #include "pipeline/box_request.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
 
 #include "helpers/temporary_folder.h"
 

@@ -1,4 +1,11 @@
+#include "curved/decomposition.h"
+#include "layers/layer_stack.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "planar/decomposition.h"
+#include "planar/pieces.h"
 #include "project/job.h"
+#include "project/loaded_part.h"
 
 #include "base/error.h"
 #include "base/files.h"

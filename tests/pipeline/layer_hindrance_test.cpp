@@ -3,7 +3,6 @@
 
 #include "base/units.h"
 #include "curved/platform.h"
-#include "plan/finding_kinds.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,9 @@
 // supports and orient on the road: a part that growth alone cannot lay whole.
+#include "curved/decomposition.h"
+#include "layers/layer_stack.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "plan/tool_plan.h"
 
 #include "base/error.h"
 #include "base/units.h"

@@ -1,5 +1,7 @@
 // Parts of the kinds that people print, from seeds: sound ones, and a few of them planned.
 #include "helpers/made_parts.h"
+#include "pipeline/checked_program.h"
+#include "project/loaded_part.h"
 
 #include "base/run_context.h"
 #include "geometry/measures.h"

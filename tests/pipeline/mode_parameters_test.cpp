@@ -3,6 +3,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
+#include "project/choices.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/temporary_folder.h"
 #include "plan/finding.h"
+#include "plan/trajectory.h"
 #include "replay/distances.h"
 #include "robot/cell_draft.h"
 

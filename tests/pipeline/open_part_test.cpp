@@ -9,6 +9,7 @@
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
 
 #include <algorithm>
 #include <cmath>

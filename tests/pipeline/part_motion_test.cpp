@@ -1,4 +1,9 @@
+#include "base/run_context.h"
 #include "pipeline/part_motion.h"
+#include "pipeline/stages.h"
+#include "process/process.h"
+#include "process/tooling.h"
+#include "robot/cell.h"
 
 #include "motion/motion.h"
 #include "motion/sample_plans.h"

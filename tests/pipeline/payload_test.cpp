@@ -1,7 +1,6 @@
 // The mass that the robot carries: the plate with the print, or the tool.
 #include "pipeline/payload.h"
 
-#include "plan/finding_kinds.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
 #include "robot/cell.h"

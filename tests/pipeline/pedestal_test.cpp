@@ -9,6 +9,7 @@
 #include "pipeline/pedestal.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 #include "robot/plate.h"
 
 #include <algorithm>

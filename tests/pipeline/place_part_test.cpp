@@ -5,6 +5,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
+#include "pipeline/stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // Modes planar and flat on the road.
+#include "layers/layer_stack.h"
 #include "modes/planar_modes.h"
+#include "planar/decomposition.h"
 
 #include "base/error.h"
 #include "base/files.h"

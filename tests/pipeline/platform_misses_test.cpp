@@ -3,6 +3,7 @@
 //   voluta-cli compare OBJECT.txt -o DIR --until decompose --modes curved,flat
 //       --growths greedy,incremental --platforms fit:0,fit:20,fit:60 --set frontShape=flat
 #include "pipeline/compare_figures.h"
+#include "voxel/voxel_object.h"
 
 #include <gtest/gtest.h>
 #include <map>

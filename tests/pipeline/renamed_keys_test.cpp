@@ -2,6 +2,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/choices.h"
 #include "pipeline/sample_job.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
 #include "motion/resume.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"

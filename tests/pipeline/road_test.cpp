@@ -1,5 +1,7 @@
 // The road as the window uses it: stages that are kept, keys that tell what is out of date,
 // projects that are reopened. A small box, so that a whole plan takes about a second.
+#include "curved/decomposition.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 
 #include "base/error.h"

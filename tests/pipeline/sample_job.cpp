@@ -1,5 +1,6 @@
 #include "pipeline/sample_job.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 
 #include "helpers/shapes.h"
 #include "project/block_file.h"

@@ -2,8 +2,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "box_request.h"
+#include "motion/motion_options.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "pipeline/plan_reasons.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

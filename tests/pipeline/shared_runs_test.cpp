@@ -3,6 +3,7 @@
 #include "base/run_context.h"
 #include "helpers/all_seeds.h"
 #include "pipeline/outputs.h"
+#include "pipeline/program_stage.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"

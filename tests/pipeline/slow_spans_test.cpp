@@ -1,4 +1,5 @@
 #include "pipeline/slow_spans.h"
+#include "plan/trajectory.h"
 
 #include <gtest/gtest.h>
 

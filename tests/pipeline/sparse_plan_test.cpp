@@ -3,8 +3,10 @@
 #include "box_request.h"
 #include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
+#include "plan/program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

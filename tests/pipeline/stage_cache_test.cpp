@@ -1,3 +1,6 @@
+#include "layers/layer_stack.h"
+#include "modes/stages.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/stage_cache.h"
 
 #include "base/error.h"

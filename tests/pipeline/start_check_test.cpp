@@ -1,10 +1,12 @@
 // What makes a plan pointless is told before it is made, whichever way the part is built.
+#include "base/parameters.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/compare.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,5 @@
 // Parts with stitches (Castelli 6.2, 6.3) from the mesh to the replayed program.
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 
 #include "base/files.h"

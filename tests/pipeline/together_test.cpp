@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/resume.h"
 #include "pipeline/together.h"
 #include "pipeline/together_check.h"

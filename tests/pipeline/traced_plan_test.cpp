@@ -1,5 +1,9 @@
 // Beads of glue along the seam of a body (Castelli 7.1), from the mesh to the replayed program.
+#include "base/error.h"
+#include "layers/layer_stack.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
+#include "plan/tool_plan.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

@@ -1,5 +1,7 @@
 // A branching part that is dense along its pith (TreeD printing, Castelli 6.4.4).
+#include "pipeline/checked_program.h"
 #include "pipeline/road.h"
+#include "plan/tool_plan.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

@@ -2,6 +2,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "helpers/loaded_box.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 

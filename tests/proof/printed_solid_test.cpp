@@ -2,6 +2,7 @@
 #include "geometry/measures.h"
 #include "geometry/repair/diagnosis.h"
 #include "pipeline/box_request.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/printed_mesh.h"
 
 #include <gtest/gtest.h>

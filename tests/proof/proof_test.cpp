@@ -7,9 +7,12 @@
 #include "helpers/temporary_folder.h"
 #include "motion/margins.h"
 #include "pipeline/box_request.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/proof.h"
 #include "pipeline/road.h"
+#include "plan/program.h"
+#include "plan/tool_plan.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

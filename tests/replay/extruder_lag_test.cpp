@@ -2,7 +2,6 @@
 // programs without the lags are refused. Statements of the process at the ends of beads.
 #include "replay/extruder_lag.h"
 
-#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/dialects_for.h"

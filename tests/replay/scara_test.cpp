@@ -2,7 +2,6 @@
 // otherwise is found and told in degrees and mm.
 #include "base/run_context.h"
 #include "base/units.h"
-#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/dialects_for.h"

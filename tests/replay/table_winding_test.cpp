@@ -3,7 +3,6 @@
 #include "program/program_fixture.h"
 
 #include "base/run_context.h"
-#include "plan/finding_kinds.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
 

@@ -2,6 +2,8 @@
 #include "base/files.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
+#include "project/choices.h"
+#include "robot/cell.h"
 #include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 #include "scene/scene.h"

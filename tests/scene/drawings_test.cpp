@@ -1,4 +1,6 @@
 // What is left out of a picture is only what cannot be seen: counted against plain enumeration.
+#include "curved/decomposition.h"
+#include "layers/layer_stack.h"
 #include "scene/colour_values.h"
 #include "scene/drawing_data.h"
 #include "scene/fill_order.h"

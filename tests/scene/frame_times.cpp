@@ -2,6 +2,7 @@
 #include "base/stopwatch.h"
 #include "pipeline/choices.h"
 #include "project/job.h"
+#include "robot/cell.h"
 #include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 

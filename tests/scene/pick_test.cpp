@@ -1,3 +1,9 @@
+#include "curved/decomposition.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "platform/rod_shape.h"
+#include "process/process.h"
+#include "robot/cell.h"
 #include "scene/offscreen_target.h"
 
 #include "helpers/shapes.h"

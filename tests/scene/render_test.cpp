@@ -1,10 +1,14 @@
 // Pictures themselves, and the command that makes them with and without a display.
 #include "base/error.h"
 #include "base/files.h"
+#include "curved/decomposition.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pictures/job_picture.h"
+#include "process/process.h"
 #include "project/job.h"
+#include "project/loaded_part.h"
+#include "robot/cell.h"
 #include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 

@@ -1,6 +1,12 @@
 // Conflicts of two arms against dense samples of their motions.
 #include "base/run_context.h"
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "plan/tool_plan.h"
 #include "process/process.h"
+#include "robot/body.h"
+#include "robot/cell.h"
+#include "robot/robot_model.h"
 #include "together/poses.h"
 #include "together/together.h"
 

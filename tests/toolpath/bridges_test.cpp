@@ -1,4 +1,5 @@
 // Beads that hang, and how fast they are laid.
+#include "collision/growing_part.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include "one_pass.h"

@@ -4,6 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
+#include "robot/cell.h"
 #include "toolpath/directions.h"
 #include "toolpath/order/assemble.h"
 #include "toolpath/plan_toolpaths.h"

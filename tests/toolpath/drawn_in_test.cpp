@@ -1,4 +1,5 @@
 // Walls that would hang and are laid a little aside.
+#include "collision/growing_part.h"
 #include "toolpath/unsupported/inset_walls.h"
 
 #include "one_pass.h"

@@ -1,5 +1,6 @@
 // Whole plans with a brim, a prime, and settings by feature, on seeded random parts.
 #include "process/bead_model.h"
+#include "robot/cell.h"
 #include "shapes.h"
 #include "toolpath/plan_toolpaths.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "robot/cell.h"
 #include "straight_beads.h"
 #include "toolpath/unsupported/passes.h"

@@ -1,4 +1,5 @@
 // Beads that would hang a little over what is printed, laid thicker.
+#include "collision/growing_part.h"
 #include "toolpath/unsupported/thicken_unsupported.h"
 
 #include "one_pass.h"

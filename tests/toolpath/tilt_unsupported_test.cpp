@@ -1,4 +1,6 @@
 // Beads that hang, pressed against those beside them.
+#include "collision/growing_part.h"
+#include "toolpath/options.h"
 #include "toolpath/unsupported/tilt_unsupported.h"
 
 #include "base/units.h"

@@ -1,5 +1,6 @@
 #include "document/dated_findings.h"
 
+#include "curved/decomposition.h"
 #include "document/document.h"
 #include "document/stage_at.h"
 

@@ -9,7 +9,6 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
-#include "plan/finding_kinds.h"
 
 #include <QFileInfo>
 #include <QUndoCommand>

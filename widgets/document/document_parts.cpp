@@ -6,6 +6,7 @@
 #include "document/mode_switch.h"
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"

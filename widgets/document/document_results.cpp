@@ -3,6 +3,7 @@
 #include "document/document_parts.h"
 #include "document/item_result.h"
 #include "document/stage_at.h"
+#include "pipeline/checked_program.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>

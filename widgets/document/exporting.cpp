@@ -2,6 +2,8 @@
 
 #include "base/staged_folder.h"
 #include "language/words.h"
+#include "pipeline/checked_program.h"
+#include "plan/program.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,5 +1,6 @@
 #include "document/live_preview.h"
 
+#include "curved/decomposition.h"
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"

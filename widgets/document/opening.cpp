@@ -6,7 +6,6 @@
 #include "language/words.h"
 #include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
-#include "plan/finding_kinds.h"
 #include "project/job.h"
 
 #include <QFileInfo>

@@ -1,5 +1,6 @@
 #include "document/planning.h"
 
+#include "curved/decomposition.h"
 #include "document/document.h"
 #include "language/words.h"
 #include "pipeline/resume.h"

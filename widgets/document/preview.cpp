@@ -1,5 +1,8 @@
 #include "document/preview.h"
 
+#include "curved/decomposition.h"
+#include "project/loaded_part.h"
+
 #include <utility>
 
 namespace voluta::document {

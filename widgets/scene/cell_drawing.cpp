@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "robot/cell.h"
 #include "robot/shape/arm_look.h"
 #include "robot/shape/tool_shape.h"
 #include "scene/drawing_data.h"

@@ -1,9 +1,12 @@
 // Contents of the drawings. Private to the module.
 #pragma once
 
+#include "geometry/triangle_mesh.h"
+#include "robot/cell.h"
 #include "scene/colouring.h"
 #include "scene/drawings.h"
 #include "scene/layered_faces.h"
+#include "voxel/voxel_grid.h"
 
 #include <array>
 #include <cstdint>

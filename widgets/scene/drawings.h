@@ -4,14 +4,6 @@
 // cell are in the work frame [mm].
 #pragma once
 
-#include "curved/decomposition.h"
-#include "geometry/triangle_mesh.h"
-#include "layers/layer_stack.h"
-#include "plan/tool_plan.h"
-#include "plan/trajectory.h"
-#include "planar/pieces.h"
-#include "platform/platform_solid.h"
-#include "robot/cell.h"
 #include "scene/colouring.h"
 
 #include <Eigen/Geometry>
@@ -19,9 +11,30 @@
 #include <memory>
 #include <vector>
 
+namespace voluta::curved {
+struct Decomposition;
+}
+namespace voluta::geometry {
+struct TriangleMesh;
+}
+namespace voluta::layers {
+struct LayerStack;
+}
+namespace voluta::plan {
+struct ToolPlan;
+struct Trajectory;
+} // namespace voluta::plan
+namespace voluta::planar {
+struct Piece;
+struct RiskRule;
+} // namespace voluta::planar
+namespace voluta::platform {
+struct PlatformSolid;
+}
 namespace voluta::robot {
 struct ArmLook;
-}
+class Cell;
+} // namespace voluta::robot
 
 namespace voluta::scene {
 

@@ -1,3 +1,4 @@
+#include "geometry/triangle_mesh.h"
 #include "scene/drawing_data.h"
 #include "scene/feature_edges.h"
 #include "scene/mesh_buffers.h"

@@ -1,3 +1,5 @@
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
 

@@ -1,6 +1,7 @@
 #include "scene/machines_scene.h"
 
 #include "base/error.h"
+#include "robot/cell.h"
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"

@@ -1,5 +1,7 @@
 #include "scene/pick.h"
 
+#include "voxel/voxel_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vtkCellArray.h>

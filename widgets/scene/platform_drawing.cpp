@@ -1,3 +1,5 @@
+#include "platform/platform_solid.h"
+#include "platform/rod_shape.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
 

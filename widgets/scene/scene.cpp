@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "geometry/least_turn.h"
+#include "robot/cell.h"
 #include "scene/actors.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"

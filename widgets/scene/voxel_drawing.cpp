@@ -1,5 +1,7 @@
+#include "curved/decomposition.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 #include "panels/findings_model.h"
 #include "pictures/job_picture.h"
 #include "plan/finding_kinds.h"
+#include "planar/decomposition.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -1,5 +1,6 @@
 #include "window/program_preview.h"
 
+#include "pipeline/checked_program.h"
 #include "pipeline/stages.h"
 
 #include <algorithm>

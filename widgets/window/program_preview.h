@@ -3,6 +3,7 @@
 
 #include "document/document.h"
 #include "jobs/job_runner.h"
+#include "pipeline/checked_program.h"
 #include "timeline/clock.h"
 
 #include <QObject>

@@ -5,6 +5,7 @@
 #include "document/planning.h"
 #include "document/recovery.h"
 #include "forms/discard.h"
+#include "plan/trajectory.h"
 #include "window/cell/arm_import_dialog.h"
 
 #include <QFileDialog>

@@ -1,5 +1,6 @@
 #include "window/runs.h"
 
+#include "curved/decomposition.h"
 #include "forms/duration.h"
 #include "modes/mode_table.h"
 #include "panels/listed_findings.h"

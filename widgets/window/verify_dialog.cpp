@@ -4,7 +4,6 @@
 #include "language/words.h"
 #include "panels/listed_findings.h"
 #include "panels/verdict_table.h"
-#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
 #include <QDialogButtonBox>

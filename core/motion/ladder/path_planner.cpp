@@ -7,6 +7,7 @@
 #include "motion/ladder/branch_blend.h"
 #include "motion/ladder/divided_step.h"
 #include "motion/ladder/joint_costs.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
 #include "motion/smoothing/local_filter.h"

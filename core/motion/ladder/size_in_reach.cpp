@@ -2,6 +2,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
+#include "plan/tool_plan.h"
 #include "robot/nozzle_turns.h"
 
 #include <Eigen/Geometry>

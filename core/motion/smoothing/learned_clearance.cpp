@@ -1,5 +1,6 @@
 #include "motion/smoothing/learned_clearance.h"
 
+#include "collision/cell_collision.h"
 #include "indicator/contact_samples.h"
 #include "indicator/contact_space.h"
 #include "indicator/learned_indicator.h"

@@ -2,8 +2,10 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/cell_collision.h"
 #include "geometry/least_turn.h"
 #include "motion/external_axes.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "motion/transfers/rrt_connect.h"
 

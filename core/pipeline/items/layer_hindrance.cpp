@@ -7,6 +7,7 @@
 #include "geometry/measures.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
 #include "toolpath/unsupported/head_clearance.h"
 
 #include <algorithm>

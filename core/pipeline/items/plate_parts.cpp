@@ -4,12 +4,14 @@
 #include "geometry/measures.h"
 #include "geometry/meshes_meet.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "pipeline/automatic.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/items/arrangement.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 

@@ -2,7 +2,10 @@
 
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,6 @@
 // planned.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "plan/tool_plan.h"
-#include "platform/platform_solid.h"
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -12,6 +9,16 @@
 
 namespace voluta::base {
 class RunContext;
+}
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::plan {
+struct ToolPath;
+struct ToolPlan;
+} // namespace voluta::plan
+namespace voluta::platform {
+struct PlatformSolid;
 }
 
 namespace voluta::toolpath {

@@ -1,6 +1,9 @@
 #include "toolpath/unsupported/head_clearance.h"
 
+#include "collision/growing_part.h"
 #include "geometry/least_turn.h"
+#include "process/process.h"
+#include "robot/cell.h"
 
 #include <Eigen/Geometry>
 

@@ -2,12 +2,19 @@
 #pragma once
 
 #include "collision/cell_collision.h"
-#include "collision/growing_part.h"
-#include "process/process.h"
-#include "robot/cell.h"
 
 #include <Eigen/Core>
 #include <cstddef>
+
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::process {
+struct Process;
+}
+namespace voluta::robot {
+class Cell;
+}
 
 namespace voluta::toolpath {
 

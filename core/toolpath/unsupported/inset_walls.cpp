@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "collision/growing_part.h"
+#include "platform/platform_solid.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/lateral_taper.h"
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "toolpath/stitching/add_shots.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/inset_walls.h"

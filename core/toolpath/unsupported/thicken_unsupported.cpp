@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "process/bead_model.h"
 #include "toolpath/unsupported/bridges.h"
 

@@ -4,7 +4,9 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/growing_part.h"
 #include "plan/finding_kinds.h"
+#include "platform/platform_solid.h"
 #include "toolpath/unsupported/lateral_taper.h"
 #include "toolpath/unsupported/tiltable_stretches.h"
 

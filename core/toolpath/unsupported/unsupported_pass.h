@@ -1,13 +1,10 @@
 // A pass over unsupported beads: its input, its result, its row in the table (passes.h).
 #pragma once
 
-#include "collision/growing_part.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
-#include "platform/platform_solid.h"
 #include "process/tooling.h"
-#include "robot/cell.h"
 
 #include <Eigen/Core>
 #include <functional>
@@ -18,6 +15,15 @@
 
 namespace voluta::base {
 class RunContext;
+}
+namespace voluta::collision {
+class GrowingPart;
+}
+namespace voluta::platform {
+struct PlatformSolid;
+}
+namespace voluta::robot {
+class Cell;
 }
 
 namespace voluta::toolpath {

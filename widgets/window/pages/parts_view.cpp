@@ -6,6 +6,7 @@
 #include "geometry/measures.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "pipeline/choices.h"
 #include "window/presenters/presenter.h"
 

@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "modes/piece_search.h"
 #include "modes/planar_modes.h"
+#include "modes/stages.h"
 #include "panels/pieces_panel.h"
 #include "plan/finding_kinds.h"
 #include "scene/camera.h"

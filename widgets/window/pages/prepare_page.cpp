@@ -8,6 +8,7 @@
 #include "layers/tool_assignment.h"
 #include "modes/file_parameters.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "document/document.h"
 #include "modes/mode_table.h"
+#include "modes/stages.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
 #include "window/presenters/presenter.h"

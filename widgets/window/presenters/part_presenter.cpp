@@ -2,6 +2,7 @@
 
 #include "geometry/measures.h"
 #include "geometry/placement.h"
+#include "modes/stages.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"

@@ -2,6 +2,7 @@
 
 #include "document/choices_compare.h"
 #include "geometry/placement.h"
+#include "modes/stages.h"
 #include "pipeline/choices.h"
 #include "window/background.h"
 
