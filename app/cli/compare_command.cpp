@@ -3,6 +3,7 @@
 #include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "curved/decomposition.h"
 #include "pictures/job_picture.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"

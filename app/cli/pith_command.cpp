@@ -64,8 +64,7 @@ void addPith(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   CLI::App* pith = app.add_subcommand(
       "pith", "make the pith of a part: a rod along its skeleton, to be printed first");
   pith->add_option("PART", options->part, "mesh file, in mm, or sample:NAME")->required();
-  pith->add_option("-o", options->file, "FILE.stl to write, in the part's coordinates")
-      ->required();
+  pith->add_option("-o", options->file, "FILE.stl to write, in the part's coordinates")->required();
   pith->add_option("--share", rule.share, "radius as a share of the part's radius")
       ->check(CLI::Range(0.05, 0.9));
   pith->add_option("--least", rule.leastRadiusMm, "least radius [mm]")

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
+#include "plan/tool_plan.h"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "geometry/repair/repair.h"
 #include "project/loaded_part.h"
 
 namespace voluta::modes {

@@ -10,6 +10,7 @@
 #include "modes/platform_body.h"
 #include "modes/stages.h"
 #include "platform/platform_solid.h"
+#include "process/process.h"
 #include "project/choices.h"
 #include "project/file_content.h"
 #include "project/loaded_part.h"

@@ -11,6 +11,7 @@
 #include "platform/platform_solid.h"
 #include "process/bead_model.h"
 #include "process/process.h"
+#include "project/choices.h"
 #include "substrate/bead_strip.h"
 #include "substrate/seam.h"
 

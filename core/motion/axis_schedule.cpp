@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "motion/external_axes.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
 #include "motion/upright_schedule.h"

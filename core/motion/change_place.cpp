@@ -3,8 +3,11 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "collision/growing_part.h"
 #include "geometry/drop.h"
+#include "motion/motion_options.h"
 #include "motion/sequence.h"
+#include "plan/tool_plan.h"
 #include "robot/plate.h"
 #include "robot/pointing_down.h"
 

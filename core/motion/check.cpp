@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/way_clearance.h"
+#include "motion/motion_options.h"
 #include "motion/motion_scene.h"
 
 #include <algorithm>

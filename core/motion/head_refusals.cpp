@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "plan/tool_plan.h"
 

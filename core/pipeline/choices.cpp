@@ -325,9 +325,8 @@ process::Tooling chosenTooling(const project::Choices& choices,
     tools.push_back({std::move(other)});
   }
   joinHeads(tools);
-  if (std::ranges::any_of(tools, [](const process::Tool& tool) {
-        return !tool.process.beadWords.empty();
-      })) {
+  if (std::ranges::any_of(
+          tools, [](const process::Tool& tool) { return !tool.process.beadWords.empty(); })) {
     const robot::Cell cell = modes::cellOnAnyPlatform(choices, tools.front().process);
     for (process::Tool& tool : tools)
       program::fillPressWords(tool.process, cell);

@@ -1,7 +1,6 @@
 // The part that a replay judges.
 #pragma once
 
-
 #include <memory>
 
 namespace voluta::base {

@@ -149,10 +149,9 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   place(given ? *given
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.item().placement) * unit, in));
   if (values.text("orient") != "none") {
-    TurnedPart turned =
-        turnedPart(*stage->part, choices.item().placement, turnPlan(in),
-                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
-                   loaded.cells != nullptr, ctx);
+    TurnedPart turned = turnedPart(*stage->part, choices.item().placement, turnPlan(in),
+                                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
+                                   loaded.cells != nullptr, ctx);
     place(turned.placement);
     std::ranges::copy(turned.findings, std::back_inserter(stage->findings));
     stage->timings.decompose = turned.seconds;

@@ -1,7 +1,6 @@
 // Spans in which a controller takes longer than planned.
 #pragma once
 
-
 #include <cstddef>
 #include <vector>
 

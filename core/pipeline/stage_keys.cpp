@@ -203,8 +203,8 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);
   paths.canTilt = canTilt(choices, cell);
-  put(project::Stage::Toolpath, cellKey + keyOfPaths(paths) +
-                                    processKeys.bead + processKeys.head + loadKey(values));
+  put(project::Stage::Toolpath,
+      cellKey + keyOfPaths(paths) + processKeys.bead + processKeys.head + loadKey(values));
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
   // Includes the program options of each format.

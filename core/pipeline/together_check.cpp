@@ -81,8 +81,7 @@ std::optional<base::Message> refusal(const replay::SharedRun& run) {
     return base::message("machine {machine} passes the mark in line {line} before machine {other} "
                          "has reached it, if signals are still on or the programs are not started "
                          "at once"_text,
-                         unsafe->early->machine + 1, unsafe->early->line,
-                         unsafe->early->other + 1);
+                         unsafe->early->machine + 1, unsafe->early->line, unsafe->early->other + 1);
   if (const auto& stuck = run.clock.stuck)
     return base::message("machine {machine} waits in line {line} for a mark that the other does "
                          "not reach"_text,

@@ -79,8 +79,8 @@ Json startJson(const together::Order& order) {
   return {{"order", "any"},
           {"signalsBefore", "any"},
           {"signalsAfterTheEnd", "off"},
-          {"waits", "each machine waits at its first point until those that it meets are there"},
-          {"afterAStop", "stop all programs, then start all again from the beginning"}};
+          {"waits", "atTheFirstPoint"},
+          {"afterAStop", "stopAllStartAll"}};
 }
 } // namespace
 

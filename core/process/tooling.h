@@ -11,6 +11,7 @@
 
 namespace voluta::plan {
 struct ToolPath;
+struct ToolPlan;
 struct Trajectory;
 } // namespace voluta::plan
 

@@ -28,8 +28,10 @@ std::vector<std::array<double, plan::kMostMachines>> delaysOf(std::size_t machin
   for (std::size_t k = 0; k < machines; ++k)
     for (const bool isLate : {true, false}) {
       std::array<double, plan::kMostMachines>& own = delays.emplace_back();
+      const std::size_t first = isLate ? (k == 0 ? 1 : 0) : k; // machine that starts first
       for (std::size_t j = 0; j < machines; ++j)
-        own.at(j) = (j == k) == isLate ? kMostS : kStepS * static_cast<double>(j);
+        own.at(j) = (j == k) == isLate ? kMostS + kStepS * static_cast<double>(first)
+                                       : kStepS * static_cast<double>(j);
     }
   return delays;
 }
@@ -40,6 +42,13 @@ std::vector<PassedMark> marksWith(const MachineClock& clock, std::size_t other) 
   std::ranges::copy_if(clock.marks, std::back_inserter(marks),
                        [&](const PassedMark& mark) { return mark.other == other; });
   return marks;
+}
+
+// Returns how many of them a machine has left behind that may wait for ever amid the last one.
+std::size_t passedBy(const MachineClock& clock, const std::vector<PassedMark>& marks) {
+  return static_cast<std::size_t>(std::ranges::count_if(marks, [&](const PassedMark& mark) {
+    return mark.toS > mark.fromS && !clock.beginS.empty() && clock.beginS.back() >= mark.toS;
+  }));
 }
 } // namespace
 
@@ -75,8 +84,7 @@ std::optional<EarlyMark> earlyMark(const CommonClock& clock) {
         continue;
       const std::vector<PassedMark> own = marksWith(clock.machines[one], other),
                                     theirs = marksWith(clock.machines[other], one);
-      // A machine that waits for ever may be amid its last mark.
-      const std::size_t passed = own.size() - (clock.stuck && !own.empty() ? 1 : 0);
+      const std::size_t passed = clock.stuck ? passedBy(clock.machines[one], own) : own.size();
       for (std::size_t m = 0; m < passed; ++m)
         if (m >= theirs.size() || own[m].toS + kSameS < theirs[m].fromS)
           return EarlyMark{one, other, own[m].file, own[m].line};

@@ -112,9 +112,8 @@ private:
   }
 
   void prime() {
-    const double planned =
-        plannedPrimeMm3(plan_, trajectory_,
-                        tooling_.at(trajectory_.toolAt(firstPoint_)).process, firstPoint_);
+    const double planned = plannedPrimeMm3(
+        plan_, trajectory_, tooling_.at(trajectory_.toolAt(firstPoint_)).process, firstPoint_);
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;

@@ -61,17 +61,16 @@ base::Message nameOf(Step step) {
 class OrderComparer {
 public:
   OrderComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-                const Alignment& alignment, const process::Tooling& tooling,
-                std::size_t firstPoint)
+                const Alignment& alignment, const process::Tooling& tooling, std::size_t firstPoint)
       : program_(program), trajectory_(trajectory), alignment_(alignment), tooling_(tooling),
-        firstPoint_(firstPoint), dialect_(program::findDialect(program.format)) {
+        firstPoint_(firstPoint) {
     for (const StatedFact& fact : program.facts)
       if (stepOf(fact))
         facts_.push_back(&fact);
   }
 
   std::vector<TextFinding> compare() {
-    if (tooling_.isOne() || !program::hasWordFor(dialect_, EventKind::ToolChange))
+    if (tooling_.isOne() || !program::hasWordFor(dialect(), EventKind::ToolChange))
       return {};
     compareBegin();
     std::size_t last = kUnmatched;
@@ -90,13 +89,13 @@ private:
     std::vector<Stated> stated;
     auto next = std::ranges::lower_bound(facts_, motion, {}, &StatedFact::before);
     const auto takeFacts = [&](std::size_t beforePause) {
-      for (; next != facts_.end() && (*next)->before == motion &&
-             (*next)->beforePause <= beforePause;
+      for (;
+           next != facts_.end() && (*next)->before == motion && (*next)->beforePause <= beforePause;
            ++next)
         stated.push_back({*stepOf(**next), {(*next)->file + 1U, (*next)->line}, *next});
     };
-    const auto pauses = std::ranges::equal_range(program_.pauses, motion, {},
-                                                 &plan::ProgramPause::before);
+    const auto pauses =
+        std::ranges::equal_range(program_.pauses, motion, {}, &plan::ProgramPause::before);
     for (auto pause = pauses.begin(); pause != pauses.end(); ++pause) {
       takeFacts(static_cast<std::size_t>(pause - program_.pauses.begin()));
       if (pause->volumeMm3 > 0.0)
@@ -132,15 +131,15 @@ private:
         }
   }
   void tellBefore(const Stated& early, Step late) {
-    found_.push_back(textFinding(
-        program_, StatementChanged, early.place,
-        {{"statement", nameOf(early.step)},
-         {"found", base::message("before {event}"_text, nameOf(late))},
-         {"planned", base::message("behind {event}"_text, nameOf(late))}}));
+    found_.push_back(
+        textFinding(program_, StatementChanged, early.place,
+                    {{"statement", nameOf(early.step)},
+                     {"found", base::message("before {event}"_text, nameOf(late))},
+                     {"planned", base::message("behind {event}"_text, nameOf(late))}}));
   }
 
   void compareText(const StatedFact& stop, int tool) {
-    if (!dialect_.showsTexts)
+    if (!dialect().showsTexts)
       return;
     const std::string planned = program::toolName(tooling_, tool);
     if (base::lowerCase(stop.word).find(base::lowerCase(planned)) != std::string::npos)
@@ -152,13 +151,11 @@ private:
   }
 
   void compareHeat(std::size_t motion, std::span<const Stated> stated, int tool) {
-    const bool heats =
-        std::ranges::find(program_.neededFacts, FactKind::NozzleHeatWait) !=
-            program_.neededFacts.end() &&
-        tooling_.at(tool).process.material.nozzleC;
-    const bool waits = std::ranges::any_of(stated, [&](const Stated& s) {
-      return s.step == Step::Heat && s.fact->tool == tool;
-    });
+    const bool heats = std::ranges::find(program_.neededFacts, FactKind::NozzleHeatWait) !=
+                           program_.neededFacts.end() &&
+                       tooling_.at(tool).process.material.nozzleC;
+    const bool waits = std::ranges::any_of(
+        stated, [&](const Stated& s) { return s.step == Step::Heat && s.fact->tool == tool; });
     if (heats && !waits)
       found_.push_back(textFinding(program_, StatementMissing, placeOf(program_, motion),
                                    {{"statement", nameOf(Step::Heat)}}));
@@ -182,12 +179,13 @@ private:
       tellBefore({Step::Select, {selected->file + 1U, selected->line}, selected}, Step::Stop);
   }
 
+  const program::Dialect& dialect() const { return program::findDialect(program_.format); }
+
   const plan::ReadProgram& program_;
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
   const process::Tooling& tooling_;
   const std::size_t firstPoint_;
-  const program::Dialect& dialect_;
   std::vector<const StatedFact*> facts_; // that are steps, in the order of the text
   std::vector<TextFinding> found_;
 };

@@ -1,6 +1,7 @@
+#include "replay/common_clock.h"
+
 #include "base/error.h"
 #include "replay/marked_run.h"
-#include "replay/shared_run.h"
 
 #include <algorithm>
 #include <numeric>

@@ -109,8 +109,8 @@ public:
       break;
     case MarkedAction::Kind::Await: {
       const std::size_t peer = plan::markPeer(own_, action.signal / 2);
-      const auto when = peer < all.size() ? all[peer].shows(own_, action, now_)
-                                          : std::optional<double>();
+      const auto when =
+          peer < all.size() ? all[peer].shows(own_, action, now_) : std::optional<double>();
       arrive(peer, action);
       if (!when)
         return false;

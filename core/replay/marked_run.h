@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plan/program.h"
-#include "replay/shared_run.h"
+#include "replay/common_clock.h"
 
 #include <cstddef>
 #include <span>

@@ -41,11 +41,9 @@ constexpr double kPurgeShare = 0.02; // Tolerance of the volume of purges
 class EventComparer {
 public:
   EventComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-                const Alignment& alignment, const process::Tooling& tooling,
-                std::size_t firstPoint)
+                const Alignment& alignment, const process::Tooling& tooling, std::size_t firstPoint)
       : program_(program), trajectory_(trajectory), alignment_(alignment), tooling_(tooling),
-        firstPoint_(firstPoint), dialect_(program::findDialect(program.format)),
-        found_(trajectory.events.size(), false) {}
+        firstPoint_(firstPoint), found_(trajectory.events.size(), false) {}
 
   std::vector<TextFinding> compare() {
     const StatedFact* begin = nullptr; // selects the tool of the first motion
@@ -85,11 +83,11 @@ private:
                       {{"statement", base::Message("the tool that the program begins with"_text)},
                        {"found", number(begin->tool)},
                        {"planned", number(planned)}}));
-    const bool selects = !tooling_.isOne() && program::hasWordFor(dialect_, EventKind::ToolChange);
+    const bool selects = !tooling_.isOne() && program::hasWordFor(dialect(), EventKind::ToolChange);
     if (!begin && selects && program_.firstMotion < program_.motions.size())
-      findings_.push_back(textFinding(
-          program_, StatementMissing, placeOf(program_, program_.firstMotion),
-          {{"statement", base::Message("the selection of the first tool"_text)}}));
+      findings_.push_back(
+          textFinding(program_, StatementMissing, placeOf(program_, program_.firstMotion),
+                      {{"statement", base::Message("the selection of the first tool"_text)}}));
   }
 
   void compareWaits(const std::vector<double>& planned) {
@@ -217,7 +215,7 @@ private:
   void missing(const TrajectoryEvent& event) {
     if (event.kind == EventKind::Feed || event.kind == EventKind::StopLag) // compared as material
       return;
-    if (event.point <= firstPoint_ || program::leavesOut(dialect_, event.kind))
+    if (event.point <= firstPoint_ || program::leavesOut(dialect(), event.kind))
       return;
     const auto at = std::ranges::find(alignment_.pointOf, event.point);
     const auto motion = static_cast<std::size_t>(at - alignment_.pointOf.begin());
@@ -232,13 +230,14 @@ private:
                     {{"statement", program::nameOf(kind)}}));
   }
 
+  const program::Dialect& dialect() const { return program::findDialect(program_.format); }
+
   const plan::ReadProgram& program_;
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
   const process::Tooling& tooling_;
   const std::size_t firstPoint_;
-  const program::Dialect& dialect_;
-  std::vector<bool> found_; // per event of the trajectory
+  std::vector<bool> found_;                      // per event of the trajectory
   bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
   std::vector<TextFinding> findings_;
 };

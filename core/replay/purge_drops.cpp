@@ -12,7 +12,7 @@ namespace {
 using Eigen::AlignedBox3d, Eigen::Vector3d;
 using enum plan::FindingKind;
 
-constexpr double kDropMm3 = 0.5; // Less hangs on the nozzle
+constexpr double kDropMm3 = 0.5;  // Less hangs on the nozzle
 constexpr double kStrandMm = 5.0; // Width of a strand that curls up
 } // namespace
 

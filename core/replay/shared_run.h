@@ -3,14 +3,13 @@
 #pragma once
 
 #include "base/text.h"
-#include "plan/marks.h"
 #include "plan/program.h"
 #include "process/process.h"
+#include "replay/common_clock.h"
 #include "robot/cell.h"
 
 #include <Eigen/Geometry>
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -28,60 +27,6 @@ struct RunningMachine {
   const robot::Cell& cell;
   const process::Process& process; // of the tool that the program begins with
   Eigen::Isometry3d shared_T_world = Eigen::Isometry3d::Identity();
-};
-
-// A mark on a common clock: the machine waits in between. The first one with each other machine is
-// the start mark.
-struct PassedMark {
-  std::size_t other = 0; // the machine that it waits for
-  double fromS = 0.0, toS = 0.0;
-  std::size_t file = 0, line = 0;
-};
-
-// On a common clock: from the moment at which the first program is started.
-struct MachineClock {
-  std::vector<double> beginS, endS; // per motion
-  double totalS = 0.0;
-  std::vector<PassedMark> marks; // in their order
-
-  double waitS() const; // at all marks
-  // Returns the marks but the start marks.
-  std::vector<PassedMark> meetings() const;
-};
-
-// A machine that waits for a signal which does not come.
-struct Stuck {
-  std::size_t machine = 0;
-  std::size_t file = 0, line = 0;
-};
-
-// How programs are started, and what an earlier run has left.
-struct Start {
-  std::array<double, plan::kMostMachines> delayS{};                      // not negative
-  std::array<std::bitset<plan::kMarkSignals>, plan::kMostMachines> on{}; // outputs of marks
-};
-
-// Times of all programs; a machine sees a signal of another one (plan/marks.h) kSignalS after it.
-inline constexpr double kSignalS = 0.05;
-struct CommonClock {
-  std::vector<MachineClock> machines;
-  std::optional<Stuck> stuck; // the times are then those until then
-};
-// motionS: duration of each motion of each program [s]. Preconditions: at least two programs, at
-// most plan::kMostMachines; all pointers are valid.
-CommonClock commonClock(std::span<const plan::ReadProgram* const> programs,
-                        std::span<const std::vector<double>> motionS, const Start& start = {});
-
-// A mark that one machine passes before the other has reached it.
-struct EarlyMark {
-  std::size_t machine = 0, other = 0;
-  std::size_t file = 0, line = 0;
-};
-// A start after which programs do not keep together (replay/any_start.h): at least one of both.
-struct UnsafeStart {
-  Start start;
-  std::optional<EarlyMark> early;
-  std::optional<Stuck> stuck;
 };
 
 // A contact of two machines; consecutive samples with the same bodies are one.
@@ -105,10 +50,10 @@ struct SharedRun {
 };
 
 // Looks for a start after which the programs do not keep together, and samples all runs after it,
-// or started at once, every kTogetherStepS, for each two machines: bodies that move against all bodies
-// of the other machine, but its obstacles only as far as they are checked against those of their
-// own cell, and heads and arms against the material that the other has laid by then. Preconditions:
-// as for commonClock; all programs state the arm. Throws Cancelled.
+// or started at once, every kTogetherStepS, for each two machines: bodies that move against all
+// bodies of the other machine, but its obstacles only as far as they are checked against those of
+// their own cell, and heads and arms against the material that the other has laid by then.
+// Preconditions: as for commonClock; all programs state the arm. Throws Cancelled.
 inline constexpr double kTogetherStepS = 0.02;
 SharedRun runTogether(std::span<const RunningMachine> machines, const base::RunContext& ctx);
 

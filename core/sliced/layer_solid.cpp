@@ -95,7 +95,9 @@ private:
             throw base::Error(
                 base::ErrorCode::UnusableInput,
                 base::message("a bead at X{x:.1f} Y{y:.1f} Z{z:.1f} is {width:.0f} wide"_text,
-                              plan_.position[i].x(), plan_.position[i].y(), plan_.position[i].z(),
+                              base::number(plan_.position[i].x()),
+                              base::number(plan_.position[i].y()),
+                              base::number(plan_.position[i].z()),
                               base::mm(static_cast<double>(plan_.widthMm[i]))),
                 {}, "correct the amount (E) of that line, or the filament's diameter"_text);
           box_.extend(plan_.position[i]);

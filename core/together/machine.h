@@ -2,7 +2,6 @@
 // a frame that all share.
 #pragma once
 
-
 #include <Eigen/Geometry>
 
 namespace voluta::collision {

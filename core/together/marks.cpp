@@ -16,8 +16,8 @@ std::vector<MarkPlace> marksOf(const Order& order, std::size_t machine, const Re
     const bool isFirst = r.first == machine;
     const std::size_t other = isFirst ? r.second : r.first;
     others.push_back(other);
-    marks.push_back({rests.point[isFirst ? r.firstRest : r.secondRest],
-                     plan::markLinkOf(machine, other)});
+    marks.push_back(
+        {rests.point[isFirst ? r.firstRest : r.secondRest], plan::markLinkOf(machine, other)});
   }
   // By the lower and then by the higher number of both, which is ascending for each machine.
   std::ranges::sort(others);

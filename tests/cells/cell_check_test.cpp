@@ -62,8 +62,7 @@ TEST_F(CellCheck, aPlaceForPurgesOutOfReachIsTold) {
   const auto told = [](const std::string& place) {
     std::string text = robot::draftOfCell("five-axis").text();
     text.insert(text.find('{') + 1, "\"purgeMm\": " + place + ",");
-    const robot::Cell cell =
-        robot::Cell::readText(text, "five-axis.json", process(), square(60));
+    const robot::Cell cell = robot::Cell::readText(text, "five-axis.json", process(), square(60));
     std::vector<std::string> faults;
     for (const CellFault& fault : cellFaults(cell, process(), 0.0, {}))
       faults.push_back(base::english(fault.what));

@@ -11,6 +11,7 @@
 #include "plan/waypoints.h"
 #include "platform/rod_shape.h"
 #include "process/process.h"
+#include "voxel/voxel_grid.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

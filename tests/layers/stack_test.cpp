@@ -24,7 +24,7 @@ using test::flatSquare;
 constexpr double kMin = 0.4, kMax = 1.0;
 
 geometry::TriangleMesh block() {
-  return test::box({-12, -7, 0}, {12, 7, 20});
+  return test::box({-15, -10, 0}, {15, 10, 20});
 }
 
 curved::LayersResult layersOf(const geometry::TriangleMesh& part,
@@ -63,10 +63,9 @@ TEST(StackChecker, SeesFaults) {
     layers::LayerStack s = good;
     for (double& t : s.patches[10].thicknessMm)
       t *= 1.5;
-    const auto v = check(s);
-    EXPECT_GT(v.volumeRatio, 1.01);
-    EXPECT_GT(v.inSeveral, 0.005);
-    EXPECT_LT(v.asTold, 0.98);
+    EXPECT_GT(check(s).volumeRatio, 1.01);
+    EXPECT_GT(check(s).inSeveral, 0.005);
+    EXPECT_LT(check(s).asTold, 0.98);
   }
   {
     layers::LayerStack s = good;
@@ -122,7 +121,7 @@ TEST(PartialLevels, HalveWhatIsTooThickAndJoinWhatIsTooThin) {
 TEST(PartialLevels, ConserveVolumeWhereTheyMeetWholeOnes) {
   // Thickness rises along x from 0.32 to 1.3 mm: joined, whole and halved levels side by side.
   const auto r = layersOf(
-      block(), [](const Vector3d& p) { return p.z() * 0.8 / (0.81 + p.x() / 12.0 * 0.49); });
+      block(), [](const Vector3d& p) { return p.z() * 0.8 / (0.81 + p.x() / 15.0 * 0.49); });
   const auto v = check(r.stack);
   EXPECT_GT(r.partialPatches, 10u);
   EXPECT_GT(r.partialAreaMm2, 0.2 * r.statistics.areaMm2);

@@ -1,4 +1,5 @@
-// Where tools are changed and nozzles purged: in every cell nothing drips on the print or the plate.
+// Where tools are changed and nozzles purged: in every cell nothing drips on the print or the
+// plate.
 #include "motion/change_place.h"
 
 #include "base/error.h"
@@ -28,8 +29,7 @@ protected:
   template <typename Use> void with(const robot::Cell& cell, const Use& use) {
     const collision::CellCollision collision(cell, process_);
     const collision::GrowingPart part(plan_, 0.45, {});
-    use(motion::MotionScene{plan_, cell, collision, part, options_,
-                            motion::leversOf(plan_, cell)});
+    use(motion::MotionScene{plan_, cell, collision, part, options_, motion::leversOf(plan_, cell)});
   }
   robot::Cell cellOf(const std::string& choice) const {
     return robot::loadCell(choice, process_, test::disc(50.0));
@@ -66,8 +66,7 @@ TEST_F(ChangePlace, IsBesideThePlateInEveryCellWithAPlate) {
           scene, motion::stateAt(cell, cell.home()), places,
           [&](const motion::RobotState& from, const motion::RobotState& to, bool isStraight) {
             const motion::TransferPlanner planner(scene);
-            return isStraight ? planner.straight(from, to, 0)
-                              : planner.between(from, to, 0, 1, {});
+            return isStraight ? planner.straight(from, to, 0) : planner.between(from, to, 0, 1, {});
           });
       ASSERT_TRUE(trip);
       ASSERT_FALSE(trip->back.empty());
@@ -134,8 +133,7 @@ TEST_F(ChangePlace, TheMotionBeginsWithTheToolOfItsFirstBead) {
   EXPECT_NEAR(t.events[0].volumeMm3, motion::primeMm3(process_), 1e-9);
   EXPECT_TRUE(plan::purgesFirst(t));
   EXPECT_FALSE(plan::primesAtStart(plan_, t));
-  const Eigen::VectorXd q =
-      Eigen::Map<const Eigen::VectorXd>(t.at(t.events[0].point - 1), t.dof);
+  const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(t.at(t.events[0].point - 1), t.dof);
   EXPECT_FALSE(drops(cell, q, Eigen::AlignedBox3d(Vector3d(-50, -50, -5), Vector3d(50, 50, 3))));
 }
 

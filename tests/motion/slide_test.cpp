@@ -6,6 +6,7 @@
 #include "collision/growing_part.h"
 #include "motion/external_axes.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "motion/sample_plans.h"
 #include "process/tooling.h"
 

@@ -11,6 +11,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "motion/motion.h"
+#include "motion/motion_options.h"
 #include "pipeline/outputs.h"
 #include "pipeline/road.h"
 #include "planar/search/beam_search.h"

@@ -6,6 +6,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 #include "process/process.h"
+#include "robot/cell.h"
 
 #include <gtest/gtest.h>
 #include <map>

@@ -1,4 +1,5 @@
 #include "base/run_context.h"
+#include "motion/motion_options.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/stages.h"
 #include "process/process.h"

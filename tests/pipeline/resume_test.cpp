@@ -4,6 +4,7 @@
 #include "box_request.h"
 #include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
+#include "motion/motion_options.h"
 #include "motion/resume.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
@@ -230,8 +231,8 @@ TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
   PlanResult whole = planPart(twoTools(), kCtx);
   ASSERT_TRUE(nothingBlocks(whole.job.report));
   const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
-  const auto second = static_cast<std::size_t>(
-      std::ranges::find(paths, 1, &plan::ToolPath::tool) - paths.begin());
+  const auto second =
+      static_cast<std::size_t>(std::ranges::find(paths, 1, &plan::ToolPath::tool) - paths.begin());
   for (const std::size_t bead : {second / 2, second, (second + paths.size()) / 2}) {
     SCOPED_TRACE(bead);
     const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);

@@ -135,8 +135,7 @@ TEST(TracedPlans, AnUpperIsGluedOnItsSideAndAtItsEnds) {
 }
 
 TEST(TracedPlans, AFormatWithoutForceWordsIsRefused) {
-  PlanRequest request =
-      tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double) { return 10.0; }));
+  PlanRequest request = tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double) { return 10.0; }));
   request.choices.formats = {"gcode-extended"};
   EXPECT_THROW(planPart(request, {}), base::Error);
 }

@@ -11,6 +11,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 #include "voxel/voxel_text.h"
 

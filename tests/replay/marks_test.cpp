@@ -144,8 +144,8 @@ TEST_F(MarkedPrograms, EveryEditIsRefused) {
         fact->number = static_cast<double>(static_cast<int>(fact->number) ^ 1);
         break;
       case 4:
-        fact->number = static_cast<double>((static_cast<int>(fact->number) + 2) %
-                                           (2 * plan::kMarkSignals));
+        fact->number =
+            static_cast<double>((static_cast<int>(fact->number) + 2) % (2 * plan::kMarkSignals));
         break;
       case 5:
         fact->before = fact->before > 6 ? fact->before - 3 : fact->before + 4;
@@ -254,8 +254,8 @@ Timed run(std::size_t machine, std::vector<double> seconds, const std::vector<Ti
   return r;
 }
 
-// Signals of a start mark, and of a mark, take this long at most.
-constexpr double kStartS = 6.0 * kSignalS, kMarkS = 2.0 * kSignalS;
+// A start mark waits eight times in turn for a signal, a mark four times (plan::markSteps).
+constexpr double kStartS = 8.0 * kSignalS, kMarkS = 4.0 * kSignalS;
 
 CommonClock clockOf(const Timed& a, const Timed& b) {
   return commonClock(std::array{&a.program, &b.program}, std::array{a.seconds, b.seconds});

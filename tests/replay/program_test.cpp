@@ -52,9 +52,8 @@ protected:
   static std::vector<std::size_t> places() {
     const test::Scene& s = scene();
     std::vector<std::size_t> result;
-    const std::vector<double> shares = test::allSeeds()
-                                           ? std::vector{0.05, 0.3, 0.5, 0.7, 0.93}
-                                           : std::vector{0.05, 0.7};
+    const std::vector<double> shares =
+        test::allSeeds() ? std::vector{0.05, 0.3, 0.5, 0.7, 0.93} : std::vector{0.05, 0.7};
     for (const double share : shares) {
       const auto path = static_cast<std::size_t>(share * static_cast<double>(s.plan.paths.size()));
       const std::size_t waypoint = s.plan.paths[path].first + 5;

@@ -1,7 +1,7 @@
 // Primes and purges that fall on the print, on the workpiece or on the plate.
 #include "geometry/drop.h"
-#include "platform/rod_shape.h"
 #include "plan/finding_kinds.h"
+#include "platform/rod_shape.h"
 #include "replay/event_programs.h"
 #include "replay/purge_drops.h"
 #include "replay/told.h"
@@ -35,8 +35,8 @@ TEST(Drop, TargetsLeaveOutWasteAndHaveTheRod) {
   rod.rod = platform::straightRod(20.0, 200.0);
   const DropTargets targets = dropTargets(plan, rod);
   EXPECT_NEAR(targets.print.max().x(), 6.0, 1e-9);
-  EXPECT_TRUE(targets.workpiece.isApprox(
-      AlignedBox3d(Vector3d(-100, -10, -10), Vector3d(100, 10, 10))));
+  EXPECT_TRUE(
+      targets.workpiece.isApprox(AlignedBox3d(Vector3d(-100, -10, -10), Vector3d(100, 10, 10))));
   EXPECT_TRUE(targets.plate.isEmpty());
   for (plan::ToolPath& path : plan.paths)
     path.kind = plan::PathKind::Prime;
@@ -80,8 +80,8 @@ TEST_F(PurgeDrops, APrimeAbovePartIsRefused) {
     const Verification v = verify(program);
     EXPECT_FALSE(v.passed);
     ASSERT_EQ(count(v, plan::FindingKind::PurgeOnPart), 1u) << told(v);
-    const auto at = std::ranges::find(v.findings, plan::FindingKind::PurgeOnPart,
-                                      &plan::Finding::kind);
+    const auto at =
+        std::ranges::find(v.findings, plan::FindingKind::PurgeOnPart, &plan::Finding::kind);
     const auto prime = std::ranges::find_if(
         program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 1.0; });
     EXPECT_EQ(v.places[static_cast<std::size_t>(at - v.findings.begin())].line, prime->line);
@@ -89,10 +89,8 @@ TEST_F(PurgeDrops, APrimeAbovePartIsRefused) {
 }
 
 TEST_F(PurgeDrops, APlannedPurgeAbovePartIsRefused) {
-  scene_.trajectory.events = {{.point = travel(),
-                               .kind = plan::EventKind::Purge,
-                               .seconds = 4.0,
-                               .volumeMm3 = 50.0}};
+  scene_.trajectory.events = {
+      {.point = travel(), .kind = plan::EventKind::Purge, .seconds = 4.0, .volumeMm3 = 50.0}};
   const Verification above = verify(read(test::textOf(programFor("urscript"))));
   EXPECT_FALSE(above.passed);
   EXPECT_EQ(count(above, plan::FindingKind::PurgeOnPart), 1u) << told(above);

@@ -109,7 +109,7 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
 
 // A shift of the nozzle on the part, level, so that what drops falls beside a small print.
 inline Eigen::Vector3d aside(const Eigen::Vector3d& direction) {
-  constexpr double kAsideMm = 60.0;
+  constexpr double kAsideMm = 30.0;
   return kAsideMm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
 }
 

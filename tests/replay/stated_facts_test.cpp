@@ -139,7 +139,8 @@ TEST(StatedFacts, FlagsAreThoseOfTheCellsOwnArm) {
 
 // The same poses of the arm's other wrist.
 void turnWristOver(plan::Trajectory& t) {
-  const double first4 = t.joints[3], first6 = t.joints[5];
+  const double* first = t.joints.data() + t.dof; // Behind the point beside the print
+  const double first4 = first[3], first6 = first[5];
   for (std::size_t i = 0; i < t.pointCount(); ++i) {
     double* q = t.joints.data() + i * static_cast<std::size_t>(t.dof);
     q[3] += first4 > 0.0 ? -base::kPi : base::kPi;

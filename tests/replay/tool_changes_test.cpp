@@ -74,10 +74,9 @@ protected:
   }
   static void expectAt(const Verification& v, std::size_t line) {
     EXPECT_FALSE(v.passed);
-    EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
-      return place.line == line;
-    })) << "nothing is told at line "
-        << line << "\n"
+    EXPECT_TRUE(
+        std::ranges::any_of(v.places, [&](const TextPlace& place) { return place.line == line; }))
+        << "nothing is told at line " << line << "\n"
         << told(v);
   }
 
@@ -161,10 +160,10 @@ TEST_F(ToolChanges, AProgramBeginsWithItsOwnTool) {
     SCOPED_TRACE(format);
     const plan::ReadProgram program = read(test::textOf(programFor(format)));
     EXPECT_TRUE(verify(program).passed) << told(verify(program));
-    EXPECT_TRUE(std::ranges::all_of(
-        program.motions, [](const plan::ProgramMotion& m) { return m.tool == 1; }));
-    const auto selected = std::ranges::find(program.facts, plan::FactKind::ToolSelected,
-                                            &plan::StatedFact::kind);
+    EXPECT_TRUE(std::ranges::all_of(program.motions,
+                                    [](const plan::ProgramMotion& m) { return m.tool == 1; }));
+    const auto selected =
+        std::ranges::find(program.facts, plan::FactKind::ToolSelected, &plan::StatedFact::kind);
     ASSERT_NE(selected, program.facts.end());
     plan::ReadProgram other = program;
     other.facts[static_cast<std::size_t>(selected - program.facts.begin())].tool = 0;
@@ -238,8 +237,8 @@ TEST_F(ToolChanges, TheFirstSelectionIsNeeded) {
     lost.lines.erase(lost.lines.begin() + static_cast<std::ptrdiff_t>(first->line) - 1);
     EXPECT_FALSE(verify(read(lost)).passed);
     plan::ReadProgram early = whole;
-    const auto stop = std::ranges::find(early.facts, plan::FactKind::OperatorStop,
-                                        &plan::StatedFact::kind);
+    const auto stop =
+        std::ranges::find(early.facts, plan::FactKind::OperatorStop, &plan::StatedFact::kind);
     const auto select = early.facts.begin() + (first - whole.facts.begin());
     ASSERT_LT(stop, select) << "selected before the operator is asked";
     std::swap(*stop, *select);

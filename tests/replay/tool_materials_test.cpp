@@ -37,6 +37,7 @@ protected:
       ++point;
     for (plan::ToolPath& path : scene_.plan.paths)
       path.tool = path.layer > 0 ? 1 : 0;
+    test::moveAside(t, scene_.cell, point - 1);
     t.events = {{.point = point, .kind = plan::EventKind::Pause},
                 {.point = point, .kind = plan::EventKind::ToolChange, .tool = 1},
                 {.point = point,
@@ -87,10 +88,12 @@ TEST_F(ToolMaterials, TheHeatOfAnotherMaterialIsRefused) {
       const Verification v = verify(read(text));
       const bool isEdited[] = {edit.first != std::string("210"), edit.second != std::string("240")};
       EXPECT_EQ(v.passed, !isEdited[0] && !isEdited[1]);
-      if (isEdited[0])
+      if (isEdited[0]) {
         EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, first)) << told(v);
-      if (isEdited[1])
+      }
+      if (isEdited[1]) {
         EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, second)) << told(v);
+      }
     }
     // A few degrees are the operator's own matter.
     test::ProgramText tuned = whole;

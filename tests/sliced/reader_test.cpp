@@ -248,10 +248,11 @@ TEST(SlicedReader, FilesWithoutBeadsAreRefused) {
   EXPECT_NE(refusal("GCDE\1").find("is binary G-code"), std::string::npos);
   EXPECT_NE(refusal("G28\nG1 X10 F600\n").find("no motion extrudes"), std::string::npos);
   EXPECT_NE(refusal("").find("no motion extrudes"), std::string::npos);
-  EXPECT_NE(refusal("; layer_height = 0.3\nM83\nG1 X1 Y1 Z0.3 F600\nG1 X5 E05000\n;LAYER:1\n"
-                    "G1 Z0.6\nG1 X9 E1\n")
-                .find("wide"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("; layer_height = 0.3\nM83\n;LAYER:0\nG1 X1 Y1 Z0.3 F600\nG1 X5 E5000\n;LAYER:1\n"
+              "G1 Z0.6\nG1 X9 E1\n")
+          .find("wide"),
+      std::string::npos);
   EXPECT_NE(refusal("G28\nM83\nG1 X1 Y1 Z0 F600\nG1 X9 E1\nG1 X8 E1").find("not known"),
             std::string::npos);
 }

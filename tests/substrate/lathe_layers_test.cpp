@@ -78,8 +78,7 @@ TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
   LatheOptions options;
   options.firstLayerMm = 0.3;
   options.layerHeightMm = 0.2;
-  const auto made =
-      laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())), options);
+  const auto made = laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())), options);
   EXPECT_EQ(made.stack.layerCount, 12);
   EXPECT_NEAR(made.outerMm.front(), 2.8, 1e-6);
   EXPECT_NEAR(made.outerMm[1], 3.0, 1e-6);
@@ -96,22 +95,20 @@ TEST(LatheLayers, ShouldersAreLaidFromTheRodOutwards) {
 
 TEST(LatheLayers, ShouldersBetweenLevels) {
   const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 3.6}, {-4, 3.6}, {-4, 4.1},
-                                                {4, 4.1},   {4, 3.6},   {10, 3.6},  {10, 2.4}};
+                                                {4, 4.1},   {4, 3.6},   {10, 3.6}, {10, 2.4}};
   laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
 }
 
 TEST(LatheLayers, TwoCollarsGrowTogether) {
   const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 4}, {-6, 4}, {-6, 3},
-                                                {6, 3},     {6, 4},   {10, 4},  {10, 2.4}};
+                                                {6, 3},     {6, 4},   {10, 4}, {10, 2.4}};
   const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 6);
   EXPECT_EQ(made.stack.patches.size(), 2u + 2u * 4u);
 }
 
 TEST(LatheLayers, TaperedEnds) {
-  const std::vector<Eigen::Vector2d> section = {{-14, 2.4}, {-14, 2.5}, {-4, 5},
-                                                {4, 5},     {14, 2.5},  {14, 2.4}};
-  laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+  laid(test::revolved(test::taperedSection(), 256), kRod, revolvedOnRod(test::taperedSection()));
 }
 
 TEST(LatheLayers, HalfTurnSector) {

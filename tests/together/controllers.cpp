@@ -34,7 +34,8 @@ void tellMarks(Statements& statements) {
       hasAwaited[channel] = false;
       statement.arrives = static_cast<int>(channel);
     }
-    // Which end it is shows in the start mark: the one that leads first awaits an input that is off.
+    // Which end it is shows in the start mark: the one that leads first awaits an input that is
+    // off.
     if (!sets && !hasAwaited[channel]) {
       if (count[channel] == 0)
         leads[channel] = !statement.on;
@@ -59,9 +60,9 @@ Statements statementsOf(const plan::ReadProgram& program, std::mt19937& random) 
       statements.push_back({Statement::Kind::Move, durationOf(random)});
     motion = std::max(motion, fact.before);
     const int code = static_cast<int>(fact.number);
-    statements.push_back({fact.kind == plan::FactKind::MarkSet ? Statement::Kind::Set
-                                                               : Statement::Kind::Await,
-                          0.0, plan::markSignalOf(code), plan::markIsOn(code)});
+    statements.push_back(
+        {fact.kind == plan::FactKind::MarkSet ? Statement::Kind::Set : Statement::Kind::Await, 0.0,
+         plan::markSignalOf(code), plan::markIsOn(code)});
   }
   if (program.motions.size() > motion)
     statements.push_back({Statement::Kind::Move, durationOf(random)});
@@ -121,8 +122,7 @@ bool Controllers::allEnded() const {
 }
 
 std::size_t Controllers::arrived(std::size_t machine, std::size_t other) const {
-  return machines_[machine].arrived.at(
-      static_cast<std::size_t>(plan::markChannel(machine, other)));
+  return machines_[machine].arrived.at(static_cast<std::size_t>(plan::markChannel(machine, other)));
 }
 std::size_t Controllers::passed(std::size_t machine, std::size_t other) const {
   return machines_[machine].passed.at(static_cast<std::size_t>(plan::markChannel(machine, other)));

@@ -18,9 +18,9 @@ namespace voluta::test {
 struct Statement {
   enum class Kind { Move, Set, Await };
   Kind kind = Kind::Move;
-  double seconds = 0.0;       // Move
-  int signal = 0;             // Set, Await: over all channels
-  bool on = false;            // Set, Await
+  double seconds = 0.0;         // Move
+  int signal = 0;               // Set, Await: over all channels
+  bool on = false;              // Set, Await
   std::optional<int> arrives{}; // channel whose next mark begins here
   std::optional<int> passes{};  // channel whose mark ends here
 };

@@ -260,8 +260,7 @@ TEST_F(Starts, OfMarksThatAreOnlyWithdrawnAtTheStartDoNotKeepTogether) {
       conflicts += cell.conflicts() > before ? 1 : 0;
     }
   }
-  std::printf("marks without start marks: conflicts in %zu of %zu further runs\n", conflicts, runs);
-  EXPECT_GT(conflicts, 10u);
+  EXPECT_GT(conflicts, 10u) << "of " << runs << " further runs";
 }
 
 } // namespace

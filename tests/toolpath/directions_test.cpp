@@ -11,6 +11,7 @@
 #include "toolpath/shapes.h"
 #include "toolpath/unsupported/head_clearance.h"
 #include "toolpath/vtp_writer.h"
+#include "voxel/voxel_grid.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -117,30 +117,14 @@ TEST(PrimePath, isPrintedByTheToolThatPrintsFirst) {
   const process::Tooling tooling({{process}, {narrow}});
   const robot::Cell cell = robot::loadCell("ur5-moving", process, square(200));
   plan::ToolPlan plan = onePath();
-  plan.paths[0].tool = 1;
+  plan.paths[0].tool = plan.paths[0].item = 1;
   ToolpathOptions options;
   options.prime = "line";
   addPrimePath(plan, cell, tooling, options);
   ASSERT_EQ(plan.paths.size(), 2u);
   EXPECT_EQ(plan.paths[0].tool, 1);
-  EXPECT_FLOAT_EQ(plan.widthMm[0], 0.9f);
-}
-
-TEST(PrimePath, isPrintedWithTheFirstTool) {
-  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
-  process::Tool first, second;
-  first.process = process::loadProcess("fdm-1.0");
-  second.process = first.process;
-  second.process.layerHeightMm = 0.5;
-  plan::ToolPlan plan = onePath();
-  plan.paths.front().tool = plan.paths.front().item = 1;
-  ToolpathOptions options;
-  options.prime = "line";
-  addPrimePath(plan, robot::loadCell("ur5-moving", first.process, square(200)),
-               process::Tooling({first, second}), options);
-  EXPECT_EQ(plan.paths[0].tool, 0);
   EXPECT_EQ(plan.paths[0].item, 1);
-  EXPECT_EQ(plan.heightMm[0], static_cast<float>(first.process.layerHeightMm));
+  EXPECT_FLOAT_EQ(plan.widthMm[0], 0.9f);
 }
 
 // What falls is told, where it falls; what lies on the plate is no news.

@@ -6,6 +6,7 @@
 #include "one_pass.h"
 #include "process/bead_model.h"
 #include "toolpath/unsupported/bridges.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <cmath>

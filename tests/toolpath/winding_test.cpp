@@ -222,7 +222,8 @@ TEST(WoundInfill, EveryRowOfTheTableFillsRodsSectorsAndHoles) {
   layers::Patch patches[] = {whole(), halfTurn(), withHole()};
   for (const toolpath::InfillKind& kind : toolpath::infillKinds())
     for (std::size_t i = 0; i < 3; ++i)
-      for (int layer = test::ofSeeds(static_cast<int>(i % 2), 0); layer < 2; layer += test::ofSeeds(2, 1)) {
+      for (int layer = test::ofSeeds(static_cast<int>(i % 2), 0); layer < 2;
+           layer += test::ofSeeds(2, 1)) {
         SCOPED_TRACE(std::string(kind.id) + " of patch " + std::to_string(i) + ", layer " +
                      std::to_string(layer));
         patches[i].layer = layer;
@@ -247,9 +248,8 @@ TEST(WoundInfill, EveryRowOfTheTableCancelsWithinALayer) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       token.cancel();
     });
-    EXPECT_THROW(
-        kind.fill({s, depth, hatchMm, 1.0, 0, 0.0, 0.5, 1.0}, base::RunContext(token, 1)),
-        base::Cancelled);
+    EXPECT_THROW(kind.fill({s, depth, hatchMm, 1.0, 0, 0.0, 0.5, 1.0}, base::RunContext(token, 1)),
+                 base::Cancelled);
   }
 }
 

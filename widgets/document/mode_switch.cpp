@@ -5,6 +5,8 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "process/process.h"
+#include "robot/cell.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

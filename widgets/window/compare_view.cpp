@@ -1,6 +1,7 @@
 #include "window/compare_view.h"
 
 #include "base/data_files.h"
+#include "curved/growth_row.h"
 #include "forms/colours.h"
 #include "forms/duration.h"
 #include "language/words.h"

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "geometry/least_squares.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 
 #include <Eigen/Geometry>

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "motion/external_axes.h"
+#include "motion/motion_options.h"
 
 #include <utility>
 

@@ -9,6 +9,13 @@
 #include <optional>
 #include <vector>
 
+namespace voluta::base {
+class RunContext;
+}
+namespace voluta::collision {
+struct Margins;
+}
+
 namespace voluta::motion {
 
 struct TransferPoint {

@@ -140,20 +140,27 @@ private:
       definition(scanner);
     else if (assign(code))
       return;
-    else if (!out_.word(melfaWords(), word))
+    else if ((word == "open" && !opensScreen(scanner)) || !out_.word(melfaWords(), word))
       unknown(word, code);
     else if (word == "hlt")
       out_.operatorStop();
-    else if (word == "print")
-      show(scanner);
+    else if (word == "print" && !show(scanner))
+      notUnderstood(code);
+  }
+  // Other lines lead to machines, which may command.
+  static bool opensScreen(MelfaScanner& scanner) {
+    std::string_view line;
+    return scanner.take('"') && scanner.textBehindQuote(line) && sameWord(line, "com1:");
   }
   // Print #1,"text"
-  void show(MelfaScanner& scanner) {
+  bool show(MelfaScanner& scanner) {
     double line = 0.0;
     std::string_view text;
-    if (scanner.take('#') && scanner.number(line) && scanner.take(',') && scanner.take('"') &&
-        scanner.textBehindQuote(text))
+    const bool isText = scanner.take('#') && scanner.number(line) && scanner.take(',') &&
+                        scanner.take('"') && scanner.textBehindQuote(text);
+    if (isText)
       out_.show(text);
+    return isText;
   }
   void unknown(std::string_view word, std::string_view code) {
     if (word.empty() || code.find('=') != std::string_view::npos)

@@ -14,6 +14,7 @@
 #include "toolpath/order/travel.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/head_clearance.h"
+#include "voxel/voxel_grid.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #include "window/presenters/part_presenter.h"
 
+#include "curved/decomposition.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "modes/stages.h"
