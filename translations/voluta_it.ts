@@ -9933,6 +9933,26 @@ facce %</translation>
         <translation>non usati perché danneggiati: tipi e impostazioni degli oggetti ({where}): modificatori e volumi negativi possono essere stampati come pezzi: {why}</translation>
     </message>
     <message>
+        <source>does not have three numbers</source>
+        <translation>non ha tre numeri</translation>
+    </message>
+    <message>
+        <source>refers to a missing vertex</source>
+        <translation>si riferisce a un vertice mancante</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>non ha triangoli</translation>
+    </message>
+    <message>
+        <source>is another version</source>
+        <translation>è un&apos;altra versione</translation>
+    </message>
+    <message>
+        <source>is unknown</source>
+        <translation>è sconosciuto</translation>
+    </message>
+    <message>
         <source>line {line} ({command})</source>
         <translation>riga {line} ({command})</translation>
     </message>
@@ -12592,6 +12612,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Saved %1</source>
         <translation>Salvato %1</translation>
+    </message>
+    <message>
+        <source>Not complete: %1 mm³ stay in slots, undercuts or holes, up to %2 mm high. Use a smaller cutter or a smaller distance of lines, or turn the part.</source>
+        <translation>Non completo: %1 mm³ restano in cave, sottosquadri o fori, alti fino a %2 mm. Usare una fresa più piccola o una minore distanza tra le linee, o girare il pezzo.</translation>
     </message>
 </context>
 <context>

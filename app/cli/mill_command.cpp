@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/staged_folder.h"
 #include "cli/run_interruptibly.h"
+#include "pipeline/mill_job.h"
 #include "pipeline/mill_part.h"
 #include "project/loaded_part.h"
 
@@ -55,6 +56,11 @@ Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled) {
                      {"removedMm3", v.removedMm3},
                      {"deepestMm", v.deepestMm},
                      {"residueMm", v.residueMm},
+                     {"complete", v.isComplete()},
+                     {"leftMm3", v.left.volumeMm3},
+                     {"leftThickestMm", v.left.thickestMm},
+                     {"leftAtMm", {v.left.atMm.x(), v.left.atMm.y(), v.left.atMm.z()}},
+                     {"cornersMm3", v.left.cornersMm3},
                      {"refusals", std::move(refusals)}});
   return report;
 }
@@ -65,10 +71,30 @@ pipeline::MilledPart mill(MillOptions options, const std::filesystem::path& fold
   options.order.name = loaded->name;
   pipeline::MilledPart milled = pipeline::millPart(*loaded->mesh, options.order, ctx.sub(0.1, 1.0));
   base::writeFile(folder / "report.json", reportOf(options, milled).dump(2) + "\n");
+  base::writeFile(folder / pipeline::kMillJobFile,
+                  pipeline::writeMillJob(milled.part, options.order));
   if (milled.verdict.passed)
     base::writeFile(folder / "mill.nc", milled.program);
   return milled;
 }
+
+} // namespace
+
+ExitCode millExitCode(const milling::MillVerdict& v) {
+  if (!v.passed)
+    fmt::print(stderr, "voluta-cli: the program was refused: {} (line {})\n",
+               base::english(v.refusals.front().reason), v.refusals.front().line);
+  else if (!v.isComplete())
+    fmt::print(
+        stderr,
+        "voluta-cli: {:.0f} mm3 of the block stay in slots, undercuts or holes that should be "
+        "free, up to {:.1f} mm high at ({:.1f}, {:.1f}, {:.1f}): use a smaller cutter or a smaller "
+        "distance of lines, or turn the part\n",
+        v.left.volumeMm3, v.left.thickestMm, v.left.atMm.x(), v.left.atMm.y(), v.left.atMm.z());
+  return v.isComplete() ? kDone : kNotAll;
+}
+
+namespace {
 
 ExitCode millCommand(MillOptions options) {
   const milling::CuttingData* data = milling::cuttingDataFor(options.material);
@@ -86,12 +112,11 @@ ExitCode millCommand(MillOptions options) {
   if (!milled)
     return kCancelled;
   const milling::MillVerdict& v = milled->verdict;
-  fmt::print("{} moves, {:.0f} min, {:.0f} mm3 removed; deepest {:.3f} mm, residue {:.3f} mm\n",
-             milled->motions, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm);
-  if (!v.passed)
-    fmt::print(stderr, "voluta-cli: the program was refused: {} (line {})\n",
-               base::english(v.refusals.front().reason), v.refusals.front().line);
-  return v.passed ? kDone : kNotAll;
+  fmt::print("{} moves, {:.0f} min, {:.0f} mm3 removed; deepest {:.3f} mm, residue {:.3f} mm, "
+             "{:.0f} mm3 in corners and between lines\n",
+             milled->motions, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm,
+             v.left.cornersMm3);
+  return millExitCode(v);
 }
 
 } // namespace

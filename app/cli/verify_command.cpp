@@ -1,12 +1,52 @@
+#include "base/files.h"
 #include "cli/commands.h"
+#include "cli/mill_command.h"
 #include "cli/run_interruptibly.h"
+#include "pipeline/mill_job.h"
 #include "plan/finding_kinds.h"
 
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <string>
 
 namespace voluta::cli {
 
+namespace {
+
+// Other jobs may be large: only the beginning is read.
+bool isMillJob(const std::filesystem::path& file) {
+  constexpr std::size_t kBegin = 64;
+  std::ifstream in(file, std::ios::binary);
+  std::string begin(kBegin, '\0');
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  return pipeline::isMillJob(begin);
+}
+
+ExitCode verifyMilled(const VerifyOptions& options) {
+  auto outcome = runInterruptibly(
+      [options](const base::RunContext& ctx) {
+        const pipeline::MillJob job =
+            pipeline::readMillJob(base::readFile(options.job), options.job.string());
+        return pipeline::verifyMilling(base::readFile(options.program), job, ctx);
+      },
+      options.threads, progressSink(options.progress), [] {});
+  endProgress(options.progress);
+  const auto verdict = endedWith(std::move(outcome));
+  if (!verdict)
+    return kCancelled;
+  fmt::print("{}: {} (milling): {:.0f} mm3 removed, {:.0f} mm3 stay, deepest {:.3f} mm\n",
+             options.program.string(), verdict->passed ? "passed" : "refused", verdict->removedMm3,
+             verdict->left.volumeMm3, verdict->deepestMm);
+  return millExitCode(*verdict);
+}
+
+} // namespace
+
 ExitCode verifyCommand(const VerifyOptions& options) {
+  if (isMillJob(options.job))
+    return verifyMilled(options);
   auto outcome = runInterruptibly(
       [options](const base::RunContext& ctx) {
         return pipeline::verifyProgram(options.program, options.job, ctx);

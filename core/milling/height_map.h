@@ -38,6 +38,10 @@ struct HeightMap {
   static constexpr double kNone = -std::numeric_limits<double>::infinity();
   CellGrid grid;
   std::vector<double> top; // per cell [mm]; kNone: beside the part
+  // Height of the part's material over the cell [mm]: less than from its bottom to its top where
+  // it has undercuts
+  std::vector<double> solidMm;
+  std::vector<double> solidMomentMm2; // of that material: the integral of z over its height
 
   bool isPart(std::size_t cell) const { return top[cell] > kNone; }
 };

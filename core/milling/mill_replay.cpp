@@ -45,6 +45,7 @@ public:
     measure();
     verdict_.passed = verdict_.refusals.empty();
     verdict_.rest = isTurned_ ? stock_.turned() : std::move(stock_);
+    verdict_.left = leftMaterial(*verdict_.rest, plan_, rule_);
     return std::move(verdict_);
   }
 

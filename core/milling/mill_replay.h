@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "milling/left_material.h"
 #include "milling/mill_passes.h"
 #include "milling/mill_reader.h"
 #include "milling/stock.h"
@@ -13,7 +14,7 @@
 namespace voluta::milling {
 
 struct MillVerdict {
-  bool passed = false;
+  bool passed = false;              // does no harm; `left` may not be empty
   std::vector<MillDefect> refusals; // at their lines
   double removedMm3 = 0.0;
   double seconds = 0.0;       // feeds by the text, rapid moves at kRapidMmPerMin
@@ -21,6 +22,10 @@ struct MillVerdict {
   double residueMm = 0.0;     // greatest thickness of material left on the part
   double sideResidueMm = 0.0; // of it, on the part's lower side
   std::optional<Stock> rest;  // the block afterwards, as side A sees it
+  LeftMaterial left;          // in space that should be free
+
+  // Returns whether the program does no harm and leaves nothing.
+  bool isComplete() const { return passed && left.volumeMm3 == 0.0; }
 };
 
 inline constexpr double kRapidMmPerMin = 1500.0; // an assumption

@@ -134,6 +134,29 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a refused request left something";
 }
 
+TEST_F(CommandLine, AMilledPartIsVerifiedFromItsFolder) {
+  const fs::path out = folder_ / "out";
+  const std::string program = (out / "mill.nc").string(), job = (out / "mill.json").string();
+  const Ended milled = run({"mill", smallBox(), "-o", out.string(), "--pitch", "0.2"});
+  EXPECT_EQ(milled.code, 0) << milled.err;
+  const Ended verified = run({"verify", program, "--job", job});
+  EXPECT_EQ(verified.code, 0) << verified.err;
+  std::string text = base::readFile(program);
+  const std::size_t at = text.rfind("G1 ");
+  text.erase(at, text.find('\n', at) + 1 - at);
+  base::writeFile(program, text);
+  EXPECT_EQ(run({"verify", program, "--job", job}).code, 4);
+}
+
+TEST_F(CommandLine, AMilledPartWithANarrowSlotIsNotComplete) {
+  geometry::TriangleMesh mesh = test::box({-10, -9, 0}, {10, 9, 3});
+  test::append(mesh, test::box({-10, -9, 3}, {10, -1, 8}));
+  test::append(mesh, test::box({-10, 1, 3}, {10, 9, 8}));
+  const Ended ended = run({"mill", stl("slot.stl", mesh), "-o", (folder_ / "out").string(),
+                           "--pitch", "0.2", "--as-it-lies"});
+  expectOneLine(ended, 4, {"mm3", "smaller cutter"});
+}
+
 TEST_F(CommandLine, SeveralPartsArePlacedAndPlanned) {
   const std::string part = smallBox(), out = (folder_ / "out").string();
   const Ended ended =

@@ -50,8 +50,14 @@ QIcon swatch(const scene::Colour& colour) {
 }
 
 QString verdictText(const milling::MillVerdict& verdict) {
-  if (verdict.passed)
+  if (verdict.isComplete())
     return MillDialog::tr("Passed: the program was read back and run on the block.");
+  if (verdict.passed)
+    return MillDialog::tr(
+               "Not complete: %1 mm³ stay in slots, undercuts or holes, up to %2 mm high. Use a "
+               "smaller cutter or a smaller distance of lines, or turn the part.")
+        .arg(QLocale().toString(verdict.left.volumeMm3, 'f', 0),
+             QLocale().toString(verdict.left.thickestMm, 'f', 1));
   const milling::MillDefect& first = verdict.refusals.front();
   const QString reason = language::words(first.reason);
   return first.line > 0 ? MillDialog::tr("Refused: %1 (line %2)").arg(reason).arg(first.line)
@@ -253,7 +259,7 @@ void MillDialog::showFigures() {
           .arg(number(v.removedMm3 / kMm3PerCm3), number(size.prod() / kMm3PerCm3)),
       tr("Left on the part: at most %1 mm").arg(number(left)),
       tr("Missing from the part: at most %1 mm").arg(number(v.deepestMm, 2))};
-  say(lines.join(QLatin1Char('\n')), v.passed ? forms::Icon::Good : forms::Icon::Blocked);
+  say(lines.join(QLatin1Char('\n')), v.isComplete() ? forms::Icon::Good : forms::Icon::Blocked);
   save_->setEnabled(v.passed);
 }
 
