@@ -149,9 +149,28 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   place(given ? *given
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.item().placement) * unit, in));
   if (values.text("orient") != "none") {
+    const auto cutsLeave =
+        [&](const geometry::Placement& how) -> std::optional<placement::CutOutcome> {
+      modes::LoadStage placed;
+      placed.placement = how;
+      const double scale = scaleFor(how) * unit;
+      try {
+        placed.part = std::make_shared<geometry::TriangleMesh>(
+            geometry::place(*shape.mesh(scale, how.rotation, ctx), scale, how));
+        if (choices.item().platform.isOfCell())
+          placed.platform =
+              cellPlate(fittingCell(choices, process), *placed.part, plateNeeds(values));
+        const auto cut = mode.decompose(in, {placed, {}, {}}, ctx.quiet());
+        return placement::CutOutcome{cut->report.riskyAreaMm2,
+                                     static_cast<std::size_t>(cut->report.pieces)};
+      } catch (const base::Error&) { // does not fit the plate
+        return std::nullopt;
+      }
+    };
     TurnedPart turned = turnedPart(*stage->part, choices.item().placement, turnPlan(in),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
-                                   loaded.cells != nullptr, ctx);
+                                   loaded.cells != nullptr,
+                                   mode.cuts ? CheckedCuts(cutsLeave) : CheckedCuts(), ctx);
     place(turned.placement);
     std::ranges::copy(turned.findings, std::back_inserter(stage->findings));
     stage->timings.decompose = turned.seconds;

@@ -130,7 +130,10 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.choices, in.values, in.process);
-  text += keyOfTurn(turnPlan(in));
+  const TurnPlan turn = turnPlan(in);
+  text += keyOfTurn(turn);
+  if (const modes::Mode& mode = modes::findMode(c.item().mode); turn.cuts && mode.cuts)
+    text += mode.decompose.key(in); // the orientation is chosen by what these cuts leave
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n" + pathShapeKey(in.values);
   if (c.item().platform.isOfCell()) {

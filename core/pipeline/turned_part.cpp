@@ -73,7 +73,8 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
     values.push_back({"leftBefore", base::mm2(found.cutsBefore.riskyMm2)});
     values.push_back({"piecesBefore", found.cutsBefore.pieces});
   }
-  return plan::makeFinding(row.turned, std::move(values), std::nullopt, found.tried);
+  return plan::makeFinding(found.areCutsChecked ? FindingKind::TurnedAfterCuts : row.turned,
+                           std::move(values), std::nullopt, found.tried);
 }
 
 } // namespace
@@ -95,7 +96,7 @@ TurnPlan turnPlan(const modes::ModeChoices& in) {
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const TurnPlan& plan, double voxelMm, bool onlyQuarters,
-                      const base::RunContext& ctx) {
+                      const CheckedCuts& checkedCuts, const base::RunContext& ctx) {
   TurnedPart out;
   out.placement = placement;
   if (plan.objective == "none")
@@ -118,6 +119,12 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
           geometry::place(coarse, 1.0, {turn, Eigen::Vector2d::Zero(), 0.0}), *plan.cuts, quiet);
       return placement::CutOutcome{cut.riskyMm2, cut.pieces};
     };
+    if (checkedCuts)
+      options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
+        geometry::Placement turned = placement;
+        turned.rotation = (turn * placement.rotation.normalized()).normalized();
+        return checkedCuts(turned);
+      };
   }
   const placement::Orientation found =
       placement::bestOrientation(placed, row.objective, options, ctx);

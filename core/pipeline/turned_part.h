@@ -7,9 +7,11 @@
 #include "geometry/triangle_mesh.h"
 #include "modes/cut_estimate.h"
 #include "modes/from_options.h"
+#include "placement/orient.h"
 #include "plan/finding.h"
 #include "project/choices.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -32,11 +34,16 @@ struct TurnPlan {
 // If no search is required, the values that only a search uses are left at zero.
 TurnPlan turnPlan(const modes::ModeChoices& in);
 
+// Returns what the cuts of a mode that makes pieces leave of the part placed like that; nullopt if
+// it cannot be cut.
+using CheckedCuts =
+    std::function<std::optional<placement::CutOutcome>(const geometry::Placement& placement)>;
+
 // Searches for the orientation. `placed`: the part placed by `placement`. `voxelMm`: replaces the
 // plan's voxel width. `onlyQuarters`: only quarter turns, which keep the part's own cells. Without
-// a search the placement is returned unchanged. Throws as placement::bestOrientation(); Cancelled.
+// a search the placement is returned unchanged. `checkedCuts`: empty if the mode makes no pieces. Throws as placement::bestOrientation(); Cancelled.
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const TurnPlan& plan, double voxelMm, bool onlyQuarters,
-                      const base::RunContext& ctx);
+                      const CheckedCuts& checkedCuts, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

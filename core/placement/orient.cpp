@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 namespace voluta::placement {
@@ -109,23 +110,12 @@ public:
   }
 
   Orientation leastAfterCuts() {
-    const std::vector<CutOutcome> outcomes = cutAll();
-    const auto cost = [&](std::size_t n) {
-      return outcomes[n].riskyMm2 +
-             kPieceCost * found_[0].score.riskyMm2 * static_cast<double>(outcomes[n].pieces);
-    };
-    const auto key = [&](std::size_t n) {
-      return std::tuple(!found_[n].score.stands, cost(n), found_[n].score.heightMm);
-    };
-    std::size_t winner = 0;
-    for (std::size_t n = 1; n < found_.size(); ++n)
-      if (key(n) < key(winner))
-        winner = n;
-    if (found_[0].score.stands && cost(0) <= kStays * cost(winner))
-      winner = 0;
+    CutsOfTurns cuts{cutAll(), std::vector<char>(found_.size())};
+    const std::size_t winner = options_.checkedCuts ? bestChecked(cuts) : bestByCuts(cuts);
     Orientation out = chosen(winner);
-    out.cuts = outcomes[winner];
-    out.cutsBefore = outcomes[0];
+    out.cuts = cuts.outcomes[winner];
+    out.cutsBefore = cuts.outcomes[0];
+    out.areCutsChecked = cuts.isChecked[winner] != 0;
     return out;
   }
 
@@ -188,12 +178,66 @@ private:
 
   CoarseGrid grid(double pitchMm) const { return {pitchMm, options_.centreMm, options_.platform}; }
 
+  struct CutsOfTurns { // by candidate
+    std::vector<CutOutcome> outcomes;
+    std::vector<char> isChecked;
+  };
+  double costOf(const CutsOfTurns& cuts, std::size_t n) const {
+    return cuts.outcomes[n].riskyMm2 +
+           kPieceCost * found_[0].score.riskyMm2 * static_cast<double>(cuts.outcomes[n].pieces);
+  }
+  auto keyOf(const CutsOfTurns& cuts, std::size_t n) const {
+    return std::tuple(!found_[n].score.stands, costOf(cuts, n), found_[n].score.heightMm);
+  }
+  bool presentIsAsGood(const CutsOfTurns& cuts, std::size_t winner) const {
+    return found_[0].score.stands && costOf(cuts, 0) <= kStays * costOf(cuts, winner);
+  }
+
+  std::size_t bestByCuts(const CutsOfTurns& cuts) const {
+    std::size_t winner = 0;
+    for (std::size_t n = 1; n < found_.size(); ++n)
+      if (keyOf(cuts, n) < keyOf(cuts, winner))
+        winner = n;
+    return presentIsAsGood(cuts, winner) ? 0 : winner;
+  }
+
+  // Replaces the outcomes of the best by what the cuts really leave.
+  std::size_t bestChecked(CutsOfTurns& cuts) const {
+    std::vector<std::size_t> order(found_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return keyOf(cuts, a) < keyOf(cuts, b); });
+    const std::size_t byEstimate = bestByCuts(cuts);
+    std::optional<std::size_t> winner;
+    const auto check = [&](std::size_t n) {
+      const std::optional<CutOutcome> left = options_.checkedCuts(found_[n].turn);
+      if (!left)
+        return;
+      cuts.outcomes[n] = *left;
+      cuts.isChecked[n] = 1;
+      if (!winner || keyOf(cuts, n) < keyOf(cuts, *winner))
+        winner = n;
+    };
+    std::size_t checked = 0;
+    for (const std::size_t n : order) {
+      if (checked == kChecked || (winner && keyOf(cuts, *winner) <= keyOf(cuts, n)))
+        break;
+      check(n);
+      ctx_.report(0.5 + 0.5 * static_cast<double>(++checked) / (kChecked + 1), "orientation"_text);
+    }
+    if (!winner)
+      return byEstimate;
+    if (!cuts.isChecked[0] && presentIsAsGood(cuts, *winner))
+      check(0);
+    return cuts.isChecked[0] && presentIsAsGood(cuts, *winner) ? 0 : *winner;
+  }
+
   // Cuts the part in each orientation.
   std::vector<CutOutcome> cutAll() const {
     std::vector<CutOutcome> out(found_.size());
-    base::parallelWithProgress(ctx_, out.size(), 1.0, "orientation"_text, [&](std::size_t n) {
-      out[n] = options_.cutOutcome(found_[n].turn);
-    });
+    base::parallelWithProgress(
+        ctx_, out.size(), options_.checkedCuts ? 0.5 : 1.0, "orientation"_text,
+        [&](std::size_t n) { out[n] = options_.cutOutcome(found_[n].turn); });
     return out;
   }
 

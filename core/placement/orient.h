@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace voluta::placement {
 
@@ -29,6 +30,10 @@ struct CutOutcome {
 // threads.
 using CutOutcomeOf = std::function<CutOutcome(const Eigen::Quaterniond& turn)>;
 
+// Returns what the cuts really leave, as they are planned; nullopt if the part cannot be cut in
+// that orientation.
+using CheckedCutsOf = std::function<std::optional<CutOutcome>(const Eigen::Quaterniond& turn)>;
+
 struct OrientOptions {
   double voxelMm = 0.8;                    // voxel width for growing the part
   double overhangRad = 0.7853981633974483; // facets beyond it are risky
@@ -36,7 +41,8 @@ struct OrientOptions {
   bool quarterTurns = false;               // true: quarter turns only
   std::size_t searchVoxels = 18000;        // of the coarse grid
   PlatformOf platform = {};
-  CutOutcomeOf cutOutcome = {}; // required by LeastAfterCuts
+  CutOutcomeOf cutOutcome = {};   // required by LeastAfterCuts
+  CheckedCutsOf checkedCuts = {}; // empty: cutOutcome decides
 };
 
 struct Orientation {
@@ -50,6 +56,7 @@ struct Orientation {
   std::size_t missedAtVoxelMm = 0;        // ... and rotated, at voxelMm
   ResidualAreas residual, residualBefore; // LeastResidual only
   CutOutcome cuts, cutsBefore;            // LeastAfterCuts only
+  bool areCutsChecked = false;            // `cuts` is of OrientOptions::checkedCuts
 };
 
 // Returns the best orientation of `mesh` (mm). Compares the present one; each of 26 directions
@@ -63,8 +70,9 @@ struct Orientation {
 //   orientation is kept if it misses no more voxels than the best one and has at most a quarter
 //   more risky area;
 //   LeastAfterCuts: minimum risky area after cutting, where a piece counts as 0.2 % of the present
-//   risky area, then minimum height; no small rotations. The present orientation is kept if it is
-//   at most a quarter worse than the best one;
+//   risky area, then minimum height; no small rotations. With checkedCuts the best by cutOutcome
+//   are checked one after another, four at most, until the next one cannot be better. The present
+//   orientation is kept if it is at most a quarter worse than the best one;
 //   LeastResidual: compares other orientations instead, see leastResidualTurn().
 // Same result for any number of threads. Preconditions (Error{Internal}): mesh not empty, voxelMm
 // > 0, cutOutcome for LeastAfterCuts. Throws Error{Usage} as voxel::solidVoxels(), and what

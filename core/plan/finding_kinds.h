@@ -37,6 +37,7 @@ enum class FindingKind : std::uint8_t {
   TurnedFewestMissed,
   TurnedLeastResidual,
   TurnedLeastAfterCuts,
+  TurnedAfterCuts,
   NotTurned,
   CellCannotPrint,
   LargerThanPlates,

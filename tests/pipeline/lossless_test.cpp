@@ -16,6 +16,7 @@
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -202,6 +203,25 @@ TEST(Lossless, LeastAfterCutsStatesWhatPiecesLeave) {
   const std::string text = plan::englishReason(plan.job.report.findings.back());
   EXPECT_NE(text.find("estimated overhang after cutting 0 mm2 (pieces: 1)"), std::string::npos)
       << text;
+}
+
+// In mode planar the sentence states what the plan's own cuts leave, not the estimate.
+TEST(Lossless, LeastAfterCutsStatesWhatThePlansCutsLeave) {
+  PlanRequest request;
+  request.item().loaded = toothPart(false);
+  request.until = Stage::Decompose;
+  request.choices.item().mode = "planar";
+  request.choices.item().automatic = false;
+  request.choices.item().parameters = {{"orient", "leastAfterCuts"}, {"planarScheme", "greedy"}};
+  const PlanResult plan = planPart(request, {});
+  const auto turned = std::ranges::find(plan.job.report.findings,
+                                        plan::FindingKind::TurnedAfterCuts, &plan::Finding::kind);
+  ASSERT_NE(turned, plan.job.report.findings.end());
+  const std::string text = plan::englishReason(*turned),
+                    left = fmt::format("overhang after cutting {:.0f} mm2 (pieces: {})",
+                                       plan.job.report.item().decomposition.riskyAreaMm2,
+                                       plan.job.report.item().decomposition.pieces);
+  EXPECT_NE(text.find(left), std::string::npos) << text;
 }
 
 TEST(Lossless, OddValuesAreNamed) {

@@ -136,6 +136,43 @@ TEST(Orient, LeastAfterCutsChoosesWhatThePiecesLeave) {
     EXPECT_TRUE(teeAfterCuts({left, 2}, {1.0, 2}).turn.isApprox(Eigen::Quaterniond::Identity()));
 }
 
+// The estimate prefers upside down, where the cuts really leave 30 mm2.
+TEST(Orient, LeastAfterCutsIsCheckedByTheCutsThemselves) {
+  OrientOptions options = atOneMm();
+  const auto isUpsideDown = [](const Eigen::Quaterniond& turn) {
+    return (turn * Eigen::Vector3d::UnitZ()).z() < -0.99;
+  };
+  options.cutOutcome = [&](const Eigen::Quaterniond& turn) {
+    return isUpsideDown(turn) ? CutOutcome{1.0, 2} : CutOutcome{9.0, 2};
+  };
+  int checked = 0;
+  options.checkedCuts = [&](const Eigen::Quaterniond& turn) -> std::optional<CutOutcome> {
+    ++checked;
+    return isUpsideDown(turn) ? CutOutcome{30.0, 4} : CutOutcome{10.0, 3};
+  };
+  const Orientation found = bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet);
+  EXPECT_FALSE(isUpsideDown(found.turn));
+  EXPECT_TRUE(found.areCutsChecked);
+  EXPECT_EQ(found.cuts.riskyMm2, 10.0);
+  EXPECT_EQ(found.cuts.pieces, 3u);
+  EXPECT_LE(checked, 5);
+  // Where the cuts leave what was estimated, no other orientation is cut.
+  checked = 0;
+  options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
+    ++checked;
+    return std::optional(options.cutOutcome(turn));
+  };
+  EXPECT_TRUE(
+      isUpsideDown(bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet).turn));
+  EXPECT_EQ(checked, 1);
+  // What cannot be cut is not chosen.
+  options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
+    return isUpsideDown(turn) ? std::nullopt : std::optional(options.cutOutcome(turn));
+  };
+  EXPECT_FALSE(
+      isUpsideDown(bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet).turn));
+}
+
 TEST(Orient, LeastAfterCutsCountsPieces) {
   // A piece costs 0.2 % of the present 50 mm2: 0.1 mm2.
   const CutOutcome few{0.0, 2}, many{0.0, 3};
