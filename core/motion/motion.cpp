@@ -467,6 +467,8 @@ private:
         jerk->where = plan_.position[w];
       result_.findings.push_back(std::move(*jerk));
     }
+    if (std::optional<plan::Finding> shots = longShots(t, plan_))
+      result_.findings.push_back(std::move(*shots));
     if (!check_.collisions.empty()) {
       const TrajectoryCollision& c = check_.collisions.front();
       add(plan::FindingKind::CollisionInMotion, plan::waypointAhead(t, c.point), t.timeS[c.point],

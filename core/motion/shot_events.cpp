@@ -1,5 +1,7 @@
 #include "motion/shot_events.h"
 
+#include "plan/finding_kinds.h"
+
 #include <algorithm>
 
 namespace voluta::motion {
@@ -28,6 +30,38 @@ double addShotEvents(plan::Trajectory& trajectory, double volumeMm3,
     trajectory.events.push_back(
         {.point = point, .kind = plan::EventKind::Wait, .seconds = options.shotWaitS});
   return seconds + std::max(0.0, options.shotWaitS);
+}
+
+std::optional<plan::Finding> longShots(const plan::Trajectory& trajectory,
+                                       const plan::ToolPlan& plan) {
+  std::size_t count = 0;
+  double longest = kLongestShotS;
+  std::optional<Eigen::Vector3d> at;
+  const auto& events = trajectory.events;
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    if (events[e].kind != plan::EventKind::Shot)
+      continue;
+    double seconds = events[e].seconds;
+    if (e + 1 < events.size() && events[e + 1].kind == plan::EventKind::Wait &&
+        events[e + 1].point == events[e].point)
+      seconds += events[e + 1].seconds;
+    if (seconds <= kLongestShotS)
+      continue;
+    ++count;
+    if (seconds <= longest)
+      continue;
+    longest = seconds;
+    const std::size_t waypoint = trajectory.waypoint[events[e].point - 1];
+    if (waypoint < plan.waypointCount())
+      at = plan.position[waypoint];
+  }
+  if (count == 0)
+    return std::nullopt;
+  return plan::makeFinding(plan::FindingKind::LongShot,
+                           {{"shots", count},
+                            {"seconds", base::seconds(longest)},
+                            {"most", base::seconds(kLongestShotS)}},
+                           at, count);
 }
 
 } // namespace voluta::motion

@@ -119,6 +119,7 @@ enum class FindingKind : std::uint8_t {
   NoWayFrom,
   LeftOut,
   JerkOverLimit,
+  LongShot,
   // replay
   UnreadableLine,
   EndMissing,

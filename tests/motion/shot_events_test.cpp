@@ -1,7 +1,10 @@
 // Shots into pockets in a trajectory.
 #include "motion/shot_events.h"
 
+#include "plan/finding_kinds.h"
+
 #include <gtest/gtest.h>
+#include <string>
 
 namespace voluta::motion {
 namespace {
@@ -68,6 +71,31 @@ TEST(ShotEvents, LastAsLongAsTheFlowNeeds) {
   EXPECT_EQ(events(options)[1].kind, plan::EventKind::Wait);
   options.shotFlowMm3PerS = 400.0;
   EXPECT_DOUBLE_EQ(events(options)[0].seconds, 5.0) << "beyond the process";
+}
+
+// 212 mm3 at 12 mm3/s are 17.7 s in a pocket that a nozzle may stay in for 4 s.
+TEST(ShotEvents, LongShotsAreReported) {
+  process::Process process;
+  process.maxFlowMm3PerS = 12.0;
+  const plan::ToolPlan plan = shotPlan();
+  const auto told = [&](double volumeMm3, double waitS) {
+    plan::Trajectory t;
+    t.timeS = {0.0, 1.0};
+    t.waypoint = {2, 3};
+    MotionOptions options;
+    options.shotWaitS = waitS;
+    addShotEvents(t, volumeMm3, process, options);
+    return longShots(t, plan);
+  };
+  const auto finding = told(212.0, 0.0);
+  ASSERT_TRUE(finding);
+  EXPECT_FALSE(finding->blocking);
+  EXPECT_EQ(finding->where, plan.position[3]);
+  EXPECT_NE(plan::englishReason(*finding).find("1 shot into a pocket lasts up to 17.7"),
+            std::string::npos)
+      << plan::englishReason(*finding);
+  EXPECT_FALSE(told(36.0, 0.0)) << "3 s";
+  EXPECT_TRUE(told(36.0, 1.5)) << "the wait counts too";
 }
 
 } // namespace
