@@ -48,6 +48,14 @@ ExitCode processSizesCommand(const ProcessOptions& options) {
              "{} sizes, within {:.3f} mm of the fitted law\n",
              fit.process.scaleX, fit.process.scaleY, fit.process.outlineOffsetMm,
              fit.process.holeOffsetMm, sizes.size(), fit.residualMm);
+  constexpr double kPercent = 100.0;
+  for (const auto& [axis, deviation] :
+       {std::pair('x', fit.scaleDeviationX), std::pair('y', fit.scaleDeviationY)})
+    if (!process::tellsScale(deviation))
+      fmt::print(
+          "the sizes do not tell scale{} from an excess: it is uncertain by {:.2f} %; measure "
+          "a short and a long length along {}\n",
+          axis == 'x' ? 'X' : 'Y', kPercent * deviation, axis);
   if (options.file.empty())
     return kDone;
   const bool isShipped = process::comesWithProgram(Shelf::Processes, item.id());

@@ -97,16 +97,24 @@ Equation equationOf(const MeasuredSize& size, const Process& printed) {
   return e;
 }
 
+struct Likeliest {
+  Eigen::Vector4d values, deviations; // of the unknowns [mm]
+};
+
 // Returns the unknowns of a machine whose errors are of the size that Castelli 5.1.1 measured (up
 // to 0.8 mm in 360, 0.25 mm in 20 and 0.4 mm in a hole of 10), from sizes read on a calliper: so
 // that a doubtful hundredth on a small part does not become a factor of percents.
-Eigen::VectorXd likeliest(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& errors) {
-  constexpr double kFactorErrorMm = 0.2, kOffsetErrorMm = 0.15, kReadingErrorMm = 0.01;
+Likeliest likeliest(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& errors) {
+  constexpr double kFactorErrorMm = kUnknownFactor * kFactorMm, kOffsetErrorMm = 0.15,
+                   kReadingErrorMm = 0.01;
   Eigen::Vector4d expected;
   expected << kFactorErrorMm, kFactorErrorMm, kOffsetErrorMm, kOffsetErrorMm;
   const Eigen::Matrix4d prior = (kReadingErrorMm / expected.array()).square().matrix().asDiagonal();
   const Eigen::Matrix4d normal = matrix.transpose() * matrix + prior;
-  return normal.ldlt().solve(matrix.transpose() * errors);
+  const Eigen::LDLT<Eigen::Matrix4d> solver = normal.ldlt();
+  const Eigen::Matrix4d inverse = solver.solve(Eigen::Matrix4d::Identity());
+  return {solver.solve(matrix.transpose() * errors),
+          kReadingErrorMm * inverse.diagonal().cwiseSqrt()};
 }
 
 // Returns a correction as a file states it: more digits mean nothing.
@@ -151,11 +159,13 @@ SizeFit fitSizes(std::span<const MeasuredSize> sizes, const Process& printed) {
       matrix(static_cast<Eigen::Index>(i), k) = e.row[static_cast<std::size_t>(k)];
     errors[static_cast<Eigen::Index>(i)] = e.errorMm;
   }
-  const Eigen::VectorXd found = likeliest(matrix, errors);
+  const Likeliest likely = likeliest(matrix, errors);
+  const Eigen::Vector4d& found = likely.values;
   const double factorX = 1.0 + found[FactorX] / kFactorMm,
                factorY = 1.0 + found[FactorY] / kFactorMm, factor = 0.5 * (factorX + factorY);
   constexpr double kFactorDigits = 1e6, kMmDigits = 1e4;
-  SizeFit fit{printed, (matrix * found - errors).cwiseAbs().maxCoeff()};
+  SizeFit fit{printed, (matrix * found - errors).cwiseAbs().maxCoeff(),
+              likely.deviations[FactorX] / kFactorMm, likely.deviations[FactorY] / kFactorMm};
   fit.process.scaleX = rounded(1.0 / factorX, kFactorDigits);
   fit.process.scaleY = rounded(1.0 / factorY, kFactorDigits);
   fit.process.outlineOffsetMm = rounded(-found[Outline] / factor, kMmDigits);

@@ -33,7 +33,18 @@ std::vector<MeasuredSize> readMeasuredSizes(std::string_view text, std::string_v
 struct SizeFit {
   Process process;         // as printed, with new corrections
   double residualMm = 0.0; // greatest difference of a measured size from the fitted law
+  // Standard deviations of the fitted factors along x and y [mm/mm]. Without sizes that tell a
+  // factor from an excess, such as one short length, they are kUnknownFactor.
+  double scaleDeviationX = 0.0, scaleDeviationY = 0.0;
 };
+// Error that a machine's factor usually has [mm/mm]: what is known of it without any size.
+inline constexpr double kUnknownFactor = 0.002;
+// Returns whether the sizes tell a factor with this standard deviation.
+constexpr bool tellsScale(double deviation) {
+  return deviation < 0.5 * kUnknownFactor;
+}
+
+
 // Fits a factor along x and y, an excess of outlines and one of holes to the sizes (least squares,
 // with the errors that machines usually have as a prior), and returns the process with which they
 // would be right. `printed`: the process of the measured parts, whose corrections they have.

@@ -99,6 +99,21 @@ TEST(MeasuredSizes, OneSizeIsCorrectedToo) {
   }
 }
 
+// One short length is corrected as an excess: as a factor it would be 1.25 %. Its scale is named as
+// unknown; a long and a short length tell it.
+TEST(MeasuredSizes, OneShortLengthTellsNoScale) {
+  const MeasuredSize shortOne{SizeKind::Length, 'x', 20.0, 19.75};
+  const SizeFit fit = fitSizes({&shortOne, 1}, Process());
+  EXPECT_NEAR(fit.process.scaleX, 1.0, 0.0003);
+  EXPECT_NEAR(fit.process.outlineOffsetMm, 0.12, 0.01);
+  EXPECT_FALSE(tellsScale(fit.scaleDeviationX));
+  EXPECT_NEAR(fit.scaleDeviationX, kUnknownFactor, 0.05 * kUnknownFactor);
+  EXPECT_NEAR(fit.scaleDeviationY, kUnknownFactor, 1e-12);
+  const std::vector<MeasuredSize> two{shortOne, {SizeKind::Length, 'x', 200.0, 199.75}};
+  EXPECT_TRUE(tellsScale(fitSizes(two, Process()).scaleDeviationX));
+  EXPECT_FALSE(tellsScale(fitSizes(two, Process()).scaleDeviationY));
+}
+
 // Readings that contradict each other on a small plate.
 TEST(MeasuredSizes, DoubtfulReadingsGiveNoFactorOfPercents) {
   const std::vector<MeasuredSize> sizes{{SizeKind::Length, 'x', 50.0, 49.85},
