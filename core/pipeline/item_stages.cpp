@@ -4,6 +4,7 @@
 #include "curved/decomposition.h"
 #include "geometry/measures.h"
 #include "layers/steps.h"
+#include "layers/walled_support.h"
 #include "modes/mode_table.h"
 #include "modes/part_voxels.h"
 #include "pipeline/automatic.h"
@@ -59,6 +60,19 @@ std::shared_ptr<const modes::LayersStage> withSteps(std::shared_ptr<const modes:
   measured->report.stepMeanMm = steps.meanMm;
   measured->report.stepMaxMm = steps.maxMm;
   return measured;
+}
+
+std::shared_ptr<const modes::LayersStage>
+withWalledSupport(std::shared_ptr<const modes::LayersStage> stage,
+                  const geometry::TriangleMesh& part) {
+  if (!stage->layers)
+    return stage;
+  const std::optional<plan::Finding> walled = layers::walledSupport(*stage->layers, part);
+  if (!walled)
+    return stage;
+  auto told = std::make_shared<modes::LayersStage>(*stage);
+  told->findings.push_back(*walled);
+  return told;
 }
 
 // Returns the stage with the part moved down to z = 0.
@@ -225,10 +239,11 @@ ItemOutcome ItemStages::layers() {
     if (hasGivenPaths_)
       return layersOfGiven(*loaded_->toolPaths);
     const base::RunContext span = context_.span(Stage::Layers);
-    return withTools(
-        withSteps(mode_.layers(modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95)),
-                  item().printed(), span.sub(0.95, 1.0).quiet()),
-        tools_);
+    const auto made =
+        mode_.layers(modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95));
+    return withTools(withSteps(withWalledSupport(made, item().printed()), item().printed(),
+                               span.sub(0.95, 1.0).quiet()),
+                     tools_);
   });
   item().layers = stage->layers;
   report().layers = stage->report;

@@ -218,6 +218,10 @@ constexpr auto kRows =
         {UnheldOverhang, "unheldOverhang", "unheldOverhang", Layers, Info,
          "{area:.3g} overhangs where a support would have no footing"_text,
          "use a larger platform (fit:MARGIN), or turn the part"_text, kForUnheld},
+        {WalledSupport, "walledSupport", "walledSupport", Layers, Info,
+         "support in closed hollows of the part cannot be removed: {volume:.3g}"_text,
+         "open the hollow or turn the part; without supports (supports=none) the hollow's roof is "
+         "unsupported"_text},
         {PlaneMisses, "planeMisses", "planeMisses", Layers, Info,
          "layer planes miss the part: {planes}"_text, "move or remove them"_text},
         {HeightBeyondLimits, "heightBeyondLimits", "heightBeyondLimits", Layers, Info,

@@ -78,6 +78,7 @@ enum class FindingKind : std::uint8_t {
   BeginsInAirOverSurface,
   NotLaid,
   UnheldOverhang,
+  WalledSupport,
   PlaneMisses,
   HeightBeyondLimits,
   PartsHinder,

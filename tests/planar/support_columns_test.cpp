@@ -1,6 +1,7 @@
 // Columns under what layers leave hanging.
 #include "helpers/all_seeds.h"
 #include "layers/layer_checks.h"
+#include "layers/walled_support.h"
 #include "plan/finding_kinds.h"
 #include "sliced_parts.h"
 
@@ -34,6 +35,26 @@ std::vector<const layers::Patch*> supportsOf(const SliceResult& sliced) {
     if (patch.group == layers::kSupportGroup)
       out.push_back(&patch);
   return out;
+}
+
+// A box of 30 mm with a hollow of 20 mm: the columns under its roof stay in it.
+TEST(Supports, ColumnsInAClosedHollowAreReported) {
+  TriangleMesh closed = test::box({0, 0, 0}, {30, 30, 30});
+  TriangleMesh open = closed;
+  test::append(closed, test::box({5, 5, 5}, {25, 25, 25}), true);
+  SliceOptions options = supported(40);
+  options.plate = {{-5, -5}, {40, -5}, {40, 40}, {-5, 40}};
+  const SliceResult sliced = slicePieces({pieceOf(closed)}, options, {});
+  ASSERT_GT(sliced.supportVolumeMm3, 100.0);
+  const auto walled = layers::walledSupport(sliced.stack, closed);
+  ASSERT_TRUE(walled);
+  EXPECT_FALSE(walled->blocking);
+  EXPECT_LT((*walled->where - Vector3d(15, 15, 15)).norm(), 1e-9);
+  ASSERT_TRUE(walled->value("volume"));
+  EXPECT_NE(plan::englishReason(*walled).find("cannot be removed"), std::string::npos);
+  // The same columns are free where the part is no hollow around them.
+  EXPECT_FALSE(layers::walledSupport(sliced.stack, open));
+  EXPECT_FALSE(layers::walledSupport(slicePieces({pieceOf(closed)}, {}, {}).stack, closed));
 }
 
 TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
