@@ -5,6 +5,7 @@
 #include "geometry/boundary.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_boolean.h"
+#include "geometry/remesh.h"
 #include "planar/pith_limbs.h"
 
 #include <Eigen/Geometry>
@@ -113,6 +114,15 @@ geometry::TriangleMesh solidOf(const Rod& rod) {
   return mesh;
 }
 
+// The flow moves vertices: the long triangles of CAD have none between the ends of a limb.
+geometry::TriangleMesh forFlow(const geometry::TriangleMesh& part) {
+  constexpr std::size_t kTriangles = 8000;
+  constexpr double kLong = 4.0; // even edges
+  return geometry::longestEdge(part) > kLong * geometry::evenEdge(part, kTriangles)
+             ? geometry::remeshed(part, kTriangles)
+             : part;
+}
+
 [[noreturn]] void refuse(const base::Message& what, const base::Message& remedy) {
   throw base::Error(base::ErrorCode::UnusableInput, what, "pith"_text, remedy);
 }
@@ -127,7 +137,7 @@ PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
   if (part.empty() || !geometry::boundaryLoops(part).empty())
     refuse("the part is not closed"_text, "repair the part first"_text);
   ctx.report(0.0, "find the skeleton"_text);
-  const CurveSkeleton skeleton = curveSkeleton(part, ctx.sub(0.0, 0.7));
+  const CurveSkeleton skeleton = curveSkeleton(forFlow(part), ctx.sub(0.0, 0.7));
   const std::vector<Limb> limbs =
       limbsOf(skeleton, geometry::MeshQuery(part),
               kSpacing * geometry::bounds(part).diagonal().norm());

@@ -100,6 +100,47 @@ TEST(PithBody, OfATreeBranchesAndIsThickerThere) {
                              38.5 * Vector3d(side * std::sin(lean), 0.01, std::cos(lean))));
 }
 
+// A T of square bars with the long triangles of CAD.
+geometry::TriangleMesh tee() {
+  return joined(test::box({-4, -4, 0}, {4, 4, 41}), test::box({-40, -3.9, 40}, {40, 3.9, 48}));
+}
+
+TEST(PithBody, OfLongTrianglesHasAllLimbs) {
+  const PithBody body = pithBody(tee(), {}, {});
+  EXPECT_EQ(body.limbs, 3);
+  EXPECT_NEAR(body.lengthMm, 80.0 + 44.0, 6.0);
+  const geometry::MeshQuery query(body.mesh);
+  EXPECT_TRUE(query.inside(Vector3d(0, 0, 1.5)));
+  EXPECT_TRUE(query.inside(Vector3d(-38, 0, 44)));
+  EXPECT_TRUE(query.inside(Vector3d(38, 0, 44)));
+}
+
+// A shaft with a wide gear (24 teeth) between its ends.
+TEST(PithBody, OfAShaftWithAGearIsARod) {
+  constexpr int kTeeth = 24;
+  geometry::TriangleMesh gear;
+  for (const double z : {20.0, 30.0})
+    for (int k = 0; k < 2 * kTeeth; ++k) {
+      const double angle = 0.5 * base::kTurn * k / kTeeth, radius = k % 2 == 0 ? 14.0 : 11.0;
+      gear.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  const int low = 4 * kTeeth, high = low + 1;
+  gear.vertices.emplace_back(0, 0, 20);
+  gear.vertices.emplace_back(0, 0, 30);
+  for (int k = 0; k < 2 * kTeeth; ++k) {
+    const int a = k, b = (k + 1) % (2 * kTeeth), up = 2 * kTeeth;
+    gear.triangles.push_back({low, b, a});
+    gear.triangles.push_back({high, a + up, b + up});
+    gear.triangles.push_back({a, b, b + up});
+    gear.triangles.push_back({a, b + up, a + up});
+  }
+  const PithBody body = pithBody(joined(gear, test::box({-5, -5, 0}, {5, 5, 70})), {}, {});
+  EXPECT_GE(body.limbs, 1);
+  const geometry::MeshQuery query(body.mesh);
+  for (const double z : {2.0, 15.0, 25.0, 35.0, 68.0})
+    EXPECT_TRUE(query.inside(Vector3d(0, 0, z))) << z;
+}
+
 TEST(PithBody, AnOpenPartIsRefused) {
   geometry::TriangleMesh open = test::box({0, 0, 0}, {10, 10, 40});
   open.triangles.pop_back();
