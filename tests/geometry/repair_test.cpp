@@ -126,6 +126,23 @@ TEST(Repair, UnitesOverlappingBoxes) {
   EXPECT_NEAR(r.diagnosis.volumeMm3, 1000 + 10 * 9.5 * 9 - 5 * 4.5 * 4, 1e-6);
 }
 
+// 140 bars across 140 others: more crossings than a union takes in reasonable time.
+TEST(Repair, TooManyCrossingsAreTold) {
+  TriangleMesh bars;
+  constexpr int kBars = 140;
+  for (int i = 0; i < kBars; ++i) {
+    const double at = 3.0 * i, end = 3.0 * kBars;
+    test::append(bars, test::box({at, -1.0, 0.0}, {at + 1.0, end, 1.0}));
+    test::append(bars, test::box({-1.0, at, 0.3}, {end, at + 1.0, 1.3}));
+  }
+  const geometry::RepairResult result = repair(bars);
+  EXPECT_EQ(result.mesh.triangles.size(), bars.triangles.size());
+  ASSERT_FALSE(result.remains.empty());
+  EXPECT_NE(base::english(result.remains.back()).find("too many intersecting triangles"),
+            std::string::npos)
+      << base::english(result.remains.back());
+}
+
 TEST(Repair, SplitsTJunctions) {
   TriangleMesh m = unitBox();
   // Edge 0-1 is left whole on one side and has a vertex in its middle on the other.

@@ -15,8 +15,9 @@ namespace voluta::geometry {
 
 namespace {
 
-// With more intersecting pairs the union would take minutes.
-constexpr std::size_t kMaxPairs = 2'000'000;
+// With more intersecting pairs the union would take minutes: exact constructions manage some ten
+// thousand pairs a second.
+constexpr std::size_t kMaxPairs = 250'000;
 // Rounding after a union can create new crossings, fewer in each round.
 constexpr int kRounds = 5;
 
@@ -44,15 +45,18 @@ public:
                         "nothing is left: no triangle has area or encloses a volume"_text);
     ctx_.report(0.9, "repair: check"_text);
     RepairResult result{std::move(mesh_), std::move(notes_), {}, {}, std::move(found_), {}};
-    result.diagnosis = diagnose(result.mesh, ctx_);
+    // Of millions of crossings each count takes many seconds.
+    const bool isAsFound = tooMany_ && result.repairs.empty();
+    result.diagnosis = isAsFound ? result.found : diagnose(result.mesh, ctx_);
     if (keepsOpen()) {
       result.open = open_;
       result.remains = {open_.sentence()};
     } else {
       result.remains = result.diagnosis.sentences();
     }
-    if (lost_)
-      result.remains.push_back(*lost_);
+    for (const std::optional<base::Message>& more : {lost_, tooMany_})
+      if (more)
+        result.remains.push_back(*more);
     return result;
   }
 
@@ -171,9 +175,13 @@ private:
   }
 
   void mendIntersections() {
+    if (found_.selfIntersections.count > kMaxPairs)
+      return tellTooMany(found_.selfIntersections.count);
     auto [united, rest] = closedAndOpen();
     auto pairs = selfIntersections(united, ctx_);
-    if (pairs.empty() || pairs.size() > kMaxPairs)
+    if (pairs.size() > kMaxPairs)
+      return tellTooMany(pairs.size());
+    if (pairs.empty())
       return;
     const std::size_t before = pairs.size();
     const auto [overlapping, cutThemselves] = involved(united, pairs);
@@ -200,6 +208,13 @@ private:
          "merged {count} overlapping component|merged {count} overlapping components"_plural);
     note(cutThemselves, "removed the self-intersections of {count} component|removed the "
                         "self-intersections of {count} components"_plural);
+  }
+
+  void tellTooMany(std::size_t pairs) {
+    tooMany_ = base::message(
+        "too many intersecting triangles to unite them ({pairs} pairs, at most {most}): shells "
+        "stay as they are, overlaps count as one solid when layers are made"_text,
+        pairs, kMaxPairs);
   }
 
   void tellLost(double share) {
@@ -244,7 +259,8 @@ private:
   const base::RunContext& ctx_;
   OpenSurface open_;
   std::vector<base::Message> notes_;
-  std::optional<base::Message> lost_; // volume that the union would have dropped
+  std::optional<base::Message> lost_;    // volume that the union would have dropped
+  std::optional<base::Message> tooMany_; // intersections
 };
 
 } // namespace

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace voluta::geometry {
@@ -82,35 +84,68 @@ enum class Choice : signed char { Open, Drop, Keep };
 
 // Decides uncertain patches so that each edge has as many kept facets forward as backward: if a
 // single patch at an edge is undecided, the others determine it.
-void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& patch,
-                        std::vector<Choice>& choices) {
-  const std::vector<HalfEdge> edges = sortedHalfEdges(arrangement.facets);
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
-      int open = -1, openBalance = 0, keptBalance = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        const int at = patch[static_cast<std::size_t>(edges[i].triangle)];
-        const Choice choice = choices[static_cast<std::size_t>(at)];
-        const int way = edges[i].forward ? 1 : -1;
-        if (choice == Choice::Keep)
-          keptBalance += way;
-        if (choice != Choice::Open)
-          continue;
-        if (open >= 0 && open != at)
-          return;
-        open = at;
-        openBalance += way;
-      }
-      if (open < 0 || openBalance == 0)
-        return;
-      choices[static_cast<std::size_t>(open)] =
-          keptBalance == -openBalance ? Choice::Keep : Choice::Drop;
-      changed = true;
+class NeighbourChoice {
+public:
+  NeighbourChoice(const Arrangement& arrangement, const std::vector<int>& patch,
+                  std::vector<Choice>& choices)
+      : edges_(sortedHalfEdges(arrangement.facets)), patch_(patch), choices_(choices),
+        spansOf_(patch.size()) {
+    forEachEdge(edges_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (const std::size_t at = patchAt(i); choices_[at] == Choice::Open) {
+          std::vector<Span>& spans = spansOf_[at];
+          if (spans.empty() || spans.back().begin != begin)
+            spans.push_back({begin, end});
+        }
+      waiting_.push_back({begin, end});
     });
   }
-}
+
+  void decide() {
+    while (!waiting_.empty()) {
+      const Span span = waiting_.front();
+      waiting_.pop_front();
+      const std::optional<std::size_t> decided = decideAt(span);
+      if (decided) // its other edges may have a single undecided patch now
+        waiting_.insert(waiting_.end(), spansOf_[*decided].begin(), spansOf_[*decided].end());
+    }
+  }
+
+private:
+  struct Span { // half-edges of an edge
+    std::size_t begin, end;
+  };
+  std::size_t patchAt(std::size_t halfEdge) const {
+    return static_cast<std::size_t>(patch_[static_cast<std::size_t>(edges_[halfEdge].triangle)]);
+  }
+  // Returns the patch that the edge decides.
+  std::optional<std::size_t> decideAt(const Span& span) {
+    std::optional<std::size_t> open;
+    int openBalance = 0, keptBalance = 0;
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+      const std::size_t at = patchAt(i);
+      const int way = edges_[i].forward ? 1 : -1;
+      if (choices_[at] == Choice::Keep)
+        keptBalance += way;
+      if (choices_[at] != Choice::Open)
+        continue;
+      if (open && *open != at)
+        return std::nullopt;
+      open = at;
+      openBalance += way;
+    }
+    if (!open || openBalance == 0)
+      return std::nullopt;
+    choices_[*open] = keptBalance == -openBalance ? Choice::Keep : Choice::Drop;
+    return open;
+  }
+
+  std::vector<HalfEdge> edges_;
+  const std::vector<int>& patch_;
+  std::vector<Choice>& choices_;
+  std::vector<std::vector<Span>> spansOf_; // of open patches
+  std::deque<Span> waiting_;
+};
 
 // Volume of the tetrahedra between the facets and a point.
 double volumeBelow(const TriangleMesh& mesh, const std::vector<int>& facets, const Vector3d& from) {
@@ -163,7 +198,7 @@ WindingUnion boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
   TriangleMesh measured = kept(choices);
   if (isWatertight(measured))
     return {std::move(measured), insideOut};
-  chooseByNeighbours(arrangement, patch, certain);
+  NeighbourChoice(arrangement, patch, certain).decide();
   return {kept(certain), insideOut};
 }
 
