@@ -346,6 +346,9 @@ private:
       const bool counts = decides(*result_.checked[i]), first = !told && counts;
       told = told || first;
       tellProgram(*result_.checked[i], first, counts, report(), findings);
+      if (const auto without = program::withoutForce(result_.checked[i]->program.format, tooling_);
+          without && counts)
+        findings.push_back(*without);
     }
     if (isHopeless()) // Some formats may not have been written
       context_.reject(project::Stage::Replay, findings);

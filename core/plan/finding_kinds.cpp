@@ -505,6 +505,26 @@ constexpr auto kRows =
         {ForeignRefused, "foreignRefused", "programRefused", Replay, Info,
          "the {format} program, for another controller, is not released: {failed}"_text,
          "use the program for the cell's own controller"_text},
+        {GivenUncovered, "givenUncovered", "uncovered", Replay, Error,
+         "{share:.2f} of the part is not covered by beads, mostly around this point"_text, kSliceDenser,
+         kNoRemedies, kSlicersPaths},
+        {GivenOverfill, "givenOverfill", "overfill", Replay, Error,
+         "{outside:.2f} of the part's volume is deposited outside it, {noRoom:.2f} does not fit"_text, kSliceLess,
+         kNoRemedies, kSlicersPaths},
+        {GivenMass, "givenMass", "mass", Replay, Error,
+         "deposited volume: {share:.2f} of the part's"_text, kSliceAmounts,
+         kNoRemedies, kSlicersPaths},
+        {GivenUnsupported, "givenUnsupported", "unsupported", Replay, Error,
+         "{length:.1f} of bead is unsupported; the first place is here"_text, kSliceSupports,
+         kNoRemedies, kSlicersPaths},
+        {GivenLongBridge, "givenLongBridge", "longBridge", Replay, Info,
+         "{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}"_text, kSliceSupports,
+         kNoRemedies, kSlicersPaths},
+        {FormatRefused, "formatRefused", "programRefused", Replay, Error,
+         "no {format} program: {why}"_text, "{help}"_text, kNoRemedies, kOtherFormat},
+        {WithoutForce, "withoutForce", "withoutForce", Replay, Info,
+         "the {format} program lays beads by position, without the force of process {process}"_text,
+         "to press with the force, use {formats}, or add the statements to the process (beadWords)"_text},
     });
 
 // Kinds of older versions, as their ids in project files.
@@ -542,7 +562,7 @@ constexpr bool inOrder() {
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (static_cast<std::size_t>(kRows[i].kind) != i)
       return false;
-  return kRows.size() == static_cast<std::size_t>(ForeignRefused) + 1;
+  return kRows.size() == static_cast<std::size_t>(WithoutForce) + 1;
 }
 static_assert(inOrder(), "a row a kind, in the order of FindingKind");
 } // namespace

@@ -175,6 +175,13 @@ enum class FindingKind : std::uint8_t {
   PathDeviation,
   ProgramRefused,
   ForeignRefused,
+  GivenUncovered,
+  GivenOverfill,
+  GivenMass,
+  GivenUnsupported,
+  GivenLongBridge,
+  FormatRefused,
+  WithoutForce,
 };
 
 enum class Severity {

@@ -71,10 +71,26 @@ inline constexpr base::Text kSaysItself = "the message says how to fix it"_text;
 inline constexpr base::Text kOldProject =
     "stored as text in an older project: plan again to see remedies"_text;
 inline constexpr base::Text kOthersHelp = "see the remedies of the findings before this one"_text;
+inline constexpr base::Text kOtherFormat = "choose another program format"_text;
+inline constexpr base::Text kSlicersPaths =
+    "the tool-paths are those of the file: change them where they were made"_text;
 inline constexpr base::Text kFinest = "no available process has narrower beads"_text;
 inline constexpr base::Text kOtherBead = "choose the bead to resume from on the Simulate page"_text;
 inline constexpr base::Text kCellFile = "change the cell's file: Edit, Edit cell"_text;
 
+// The tool-paths of a file are not planned again.
+inline constexpr base::Text kSliceSupports =
+    "slice the part again with supports there, or with denser infill; its tool-paths are printed "
+    "as they are"_text;
+inline constexpr base::Text kSliceDenser =
+    "check the widths and layer heights in the slicer against the bead of the process; the "
+    "tool-paths are printed as they are"_text;
+inline constexpr base::Text kSliceLess =
+    "check the flow in the slicer, and purge or prime lines that it does not mark; the tool-paths "
+    "are printed as they are"_text;
+inline constexpr base::Text kSliceAmounts =
+    "check the slicer's flow, its filament diameter and its amounts at tool changes; the "
+    "tool-paths are printed as they are"_text;
 inline constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
 inline constexpr base::Text kJoin =

@@ -36,12 +36,19 @@ std::vector<std::string> readStatements(const JsonNode& words, std::string_view 
   return statements;
 }
 
+bool hasForce(const std::vector<std::string>& statements) {
+  return std::ranges::any_of(statements, [](const std::string& statement) {
+    return statement.find("{press") != std::string::npos;
+  });
+}
+
 std::vector<BeadWords> readBeadWords(const JsonNode& list) {
   std::vector<BeadWords> all;
   for (const JsonNode& item : list.items()) {
     item.allowOnly({"format", "start", "end"});
     BeadWords words{item.at("format").text(), readStatements(item, "start"),
                     readStatements(item, "end")};
+    words.isForce = hasForce(words.start) || hasForce(words.end);
     if (words.start.empty() && words.end.empty())
       item.fail("has no statements"_text);
     if (std::ranges::any_of(all, [&](const BeadWords& w) { return w.format == words.format; }))

@@ -24,6 +24,8 @@ struct ExtruderLag {
 struct BeadWords {
   std::string format; // Id in the dialect registry
   std::vector<std::string> start, end;
+  // Press with a force ({press...}): beads are also laid without, by position alone
+  bool isForce = false;
 
   bool operator==(const BeadWords&) const = default;
 };

@@ -1,6 +1,7 @@
 #include "program/bead_words.h"
 
 #include "base/error.h"
+#include "plan/finding_kinds.h"
 #include "program/common/text.h"
 
 #include <algorithm>
@@ -73,13 +74,39 @@ void uncoverBeadWords(std::vector<plan::ProgramFile>& files, std::string_view re
       });
 }
 
+namespace {
+// Returns whether a process has statements, but none for the format.
+bool lacksWords(const process::Process& process, std::string_view format) {
+  return !process.beadWords.empty() && !process.wordsFor(format);
+}
+bool isForceOnly(const process::Process& process) {
+  return std::ranges::all_of(process.beadWords,
+                             [](const process::BeadWords& words) { return words.isForce; });
+}
+std::string formatsWithWords(const process::Process& process) {
+  std::string formats;
+  for (const process::BeadWords& words : process.beadWords)
+    formats += joined({formats.empty() ? "" : ", ", words.format});
+  return formats;
+}
+} // namespace
+
+std::optional<plan::Finding> withoutForce(std::string_view format,
+                                          const process::Tooling& tooling) {
+  for (const process::Tool& tool : tooling.tools())
+    if (lacksWords(tool.process, format) && isForceOnly(tool.process))
+      return plan::makeFinding(plan::FindingKind::WithoutForce,
+                               {{"process", tool.process.id},
+                                {"format", std::string(format)},
+                                {"formats", formatsWithWords(tool.process)}});
+  return std::nullopt;
+}
+
 void requireBeadWords(std::string_view format, const process::Tooling& tooling) {
   for (const process::Tool& tool : tooling.tools()) {
-    if (tool.process.beadWords.empty() || tool.process.wordsFor(format))
+    if (!lacksWords(tool.process, format) || isForceOnly(tool.process))
       continue;
-    std::string formats;
-    for (const process::BeadWords& words : tool.process.beadWords)
-      formats += joined({formats.empty() ? "" : ", ", words.format});
+    const std::string formats = formatsWithWords(tool.process);
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("process {process} has no statements (beadWords) for format {format}, "

@@ -2,10 +2,12 @@
 // dialect's writer and reader see them as remarks.
 #pragma once
 
+#include "plan/finding.h"
 #include "plan/program.h"
 #include "plan/stated_facts.h"
 #include "process/tooling.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +21,11 @@ std::string beadWordRemark(std::string_view statement);
 void uncoverBeadWords(std::vector<plan::ProgramFile>& files, std::string_view remark);
 
 // Throws Error{Usage} if a tool's process has statements, but none for the format: its beads need
-// them.
+// them, unless they only press with a force.
 void requireBeadWords(std::string_view format, const process::Tooling& tooling);
+
+// Returns the finding "withoutForce" if a tool's process presses with a force in other formats.
+std::optional<plan::Finding> withoutForce(std::string_view format, const process::Tooling& tooling);
 
 // The statements of a text, and the files in which they are remarks.
 struct ReadBeadWords {

@@ -12,6 +12,7 @@
 #include "plan/waypoints.h"
 #include "project/loaded_part.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -134,10 +135,19 @@ TEST(TracedPlans, AnUpperIsGluedOnItsSideAndAtItsEnds) {
   EXPECT_EQ(plan.job.items[0].layers->patches.size(), 1u + 1u + 4u);
 }
 
-TEST(TracedPlans, AFormatWithoutForceWordsIsRefused) {
-  PlanRequest request = tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double) { return 10.0; }));
-  request.choices.formats = {"gcode-extended"};
-  EXPECT_THROW(planPart(request, {}), base::Error);
+// Force is an option: without its statements the arm follows the seam by position, as the source
+// drove it on a TM5.
+TEST(TracedPlans, AFormatWithoutForceWordsIsWrittenWithoutForce) {
+  PlanRequest request = tracedRequest(bodyOver({40.0, 30.0}, 20, 90, [](double) { return 10.0; }));
+  request.choices.cell = "tm5-moving";
+  request.choices.formats = {"tmscript"};
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  const auto without = std::ranges::find(plan.job.report.findings, plan::FindingKind::WithoutForce,
+                                         &plan::Finding::kind);
+  ASSERT_NE(without, plan.job.report.findings.end()) << reasons(plan);
+  EXPECT_FALSE(without->blocking);
 }
 
 TEST(TracedPlans, WithoutAGentleSurfaceTheReasonIsGiven) {

@@ -3,6 +3,7 @@
 #include "program/press_words.h"
 
 #include "base/error.h"
+#include "plan/finding_kinds.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "robot/cell.h"
@@ -68,19 +69,24 @@ TEST_F(PressWords, OtherBracesAreLeftAlone) {
   EXPECT_THROW(fillPressWords(glue, cellOf("ur5-moving", glue)), base::Error);
 }
 
-TEST_F(PressWords, FormatsWithoutThemAreRefused) {
-  const process::Tooling glue(process::loadProcess("glue-3"));
-  EXPECT_NO_THROW(requireBeadWords("urscript", glue));
-  EXPECT_NO_THROW(requireBeadWords("melfa", glue));
+// A force is an option: formats without it lay beads by position. Other statements are a demand.
+TEST_F(PressWords, FormatsWithoutThemLayBeadsWithoutForce) {
+  process::Process glue = process::loadProcess("glue-3");
+  const process::Tooling pressed(glue);
+  EXPECT_NO_THROW(requireBeadWords("urscript", pressed));
+  EXPECT_NO_THROW(requireBeadWords("rapid", pressed));
+  EXPECT_FALSE(withoutForce("urscript", pressed));
+  const auto finding = withoutForce("rapid", pressed);
+  ASSERT_TRUE(finding);
+  EXPECT_FALSE(finding->blocking);
+  const std::string reason = plan::englishReason(*finding);
+  EXPECT_NE(reason.find("rapid"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("glue-3"), std::string::npos) << reason;
   EXPECT_NO_THROW(requireBeadWords("rapid", process::Tooling(process::loadProcess("fdm-1.0"))));
-  try {
-    requireBeadWords("rapid", glue);
-    FAIL();
-  } catch (const base::Error& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("rapid"), std::string::npos) << text;
-    EXPECT_NE(text.find("glue-3"), std::string::npos) << text;
-  }
+  glue.beadWords = {{"krl", {"$OUT[1]=TRUE"}, {"$OUT[1]=FALSE"}}};
+  const process::Tooling switched(glue);
+  EXPECT_FALSE(withoutForce("rapid", switched));
+  EXPECT_THROW(requireBeadWords("rapid", switched), base::Error);
 }
 
 } // namespace
