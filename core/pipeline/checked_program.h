@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace voluta::plan {
@@ -40,6 +41,8 @@ struct CheckedProgram {
   replay::WorstPlaces worst;
   std::size_t deviations = 0; // places where the text differs from the plan
   bool armChecked = false;    // as replay::Verification::armChecked
+  // Why there is no text, and what helps; empty if there is one.
+  std::optional<base::Message> refusal, refusalHelp;
 };
 
 // Returns the line of each point of the trajectory that `program` was written from. A point whose

@@ -19,8 +19,10 @@
 #include "project/loaded_part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace voluta::pipeline {
 
@@ -244,6 +246,23 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
   placement.centreMm = box.center().head<2>();
   placement.liftMm = box.min().z();
   return placement;
+}
+
+plan::Findings withRemediesForGiven(plan::Findings findings) {
+  using enum plan::FindingKind;
+  constexpr std::array<std::pair<plan::FindingKind, plan::FindingKind>, 5> kKinds{
+      {{Uncovered, GivenUncovered},
+       {Overfill, GivenOverfill},
+       {Mass, GivenMass},
+       {Unsupported, GivenUnsupported},
+       {LongBridge, GivenLongBridge}}};
+  for (plan::Finding& finding : findings)
+    for (const auto& [planned, given] : kKinds)
+      if (finding.kind == planned) {
+        finding.kind = given;
+        break;
+      }
+  return findings;
 }
 
 void requireOwnSize(const project::Choices& choices) {

@@ -4,6 +4,7 @@
 
 #include "base/parameters.h"
 #include "geometry/placement.h"
+#include "plan/finding.h"
 #include "project/choices.h"
 
 #include <memory>
@@ -45,6 +46,10 @@ project::Choices choicesForGivenPaths(project::Choices choices);
 // Returns the default placement of such a part: that of the file if it is in the work frame;
 // nullopt if the part is placed as others are.
 std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loaded);
+
+// Returns findings of the replay with remedies for tool-paths that were not planned: turning the
+// part or choosing another way of building does not change them.
+plan::Findings withRemediesForGiven(plan::Findings findings);
 
 // Throws Error{Usage} if the scale or unit of the choices would change the size of the beads.
 void requireOwnSize(const project::Choices& choices);

@@ -201,6 +201,10 @@ std::shared_ptr<const CheckedProgram> refusedProgram(const program::Dialect& dia
   checked->program.foreign = program::isForeign(dialect, cell);
   checked->verdict = replayReport({});
   checked->failed = {reason.whole()};
+  checked->refusal = base::Error(reason.code(), reason.message(), reason.context()).whole();
+  checked->refusalHelp = reason.remedy().empty()
+                             ? base::Message("choose another program format"_text)
+                             : reason.remedy();
   return checked;
 }
 } // namespace
@@ -285,7 +289,12 @@ void tellProgram(const CheckedProgram& checked, bool first, bool decides, projec
   }
   if (first || !checked.passed)
     findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
-  if (!checked.passed)
+  if (checked.refusal)
+    findings.push_back(
+        plan::makeFinding(plan::FindingKind::FormatRefused, {{"format", checked.program.format},
+                                                             {"why", *checked.refusal},
+                                                             {"help", *checked.refusalHelp}}));
+  else if (!checked.passed)
     findings.push_back(
         plan::makeFinding(plan::FindingKind::ProgramRefused,
                           {{"format", checked.program.format}, {"failed", checked.failed}}));

@@ -350,6 +350,8 @@ private:
           without && counts)
         findings.push_back(*without);
     }
+    if (first().hasGivenPaths())
+      findings = withRemediesForGiven(std::move(findings));
     if (isHopeless()) // Some formats may not have been written
       context_.reject(project::Stage::Replay, findings);
     done(project::Stage::Replay, findings, timings);

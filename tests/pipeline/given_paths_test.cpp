@@ -9,6 +9,7 @@
 #include "helpers/temporary_folder.h"
 #include "layers/layer_stack.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
@@ -217,6 +218,28 @@ TEST(GivenPaths, BeadsOutsideTheProcessAreReportedWithTheWorst) {
     EXPECT_NE(plan::englishReason(*finding).find("9 mm of the file's beads are outside"),
               std::string::npos)
         << plan::englishReason(*finding);
+  }
+}
+
+// Turning the part or another way of building does not change the tool-paths of a file.
+TEST(GivenPaths, FaultsNameWhatToChangeInTheSlicer) {
+  using enum plan::FindingKind;
+  plan::Findings planned{
+      plan::makeFinding(Unsupported, {{"length", base::mm(7.0)}}),
+      plan::makeFinding(LongBridge, {{"length", base::mm(9.0)}, {"bridge", base::mm(6.0)}}),
+      plan::makeFinding(Mass, {{"share", base::percent(112.0)}}),
+      plan::makeFinding(Uncovered, {{"share", base::percent(5.0)}}),
+      plan::makeFinding(Overfill,
+                        {{"outside", base::percent(1.0)}, {"noRoom", base::percent(5.0)}})};
+  const plan::Findings given = withRemediesForGiven(planned);
+  ASSERT_EQ(given.size(), planned.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    EXPECT_EQ(plan::englishReason(given[i]), plan::englishReason(planned[i]));
+    EXPECT_EQ(plan::reportId(given[i]), plan::reportId(planned[i]));
+    EXPECT_EQ(given[i].blocking, planned[i].blocking);
+    const std::string remedy = plan::englishRemedy(given[i]);
+    EXPECT_NE(remedy.find("slice"), std::string::npos) << remedy;
+    EXPECT_EQ(remedy.find("turn the part"), std::string::npos) << remedy;
   }
 }
 

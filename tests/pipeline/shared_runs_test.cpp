@@ -321,8 +321,11 @@ TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   plan::Findings findings;
   tellProgram(*checked, true, true, report, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings.front().kind, plan::FindingKind::ProgramRefused);
+  EXPECT_EQ(findings.front().kind, plan::FindingKind::FormatRefused);
   EXPECT_TRUE(findings.front().blocking);
+  // No finding is before this one: it says itself what helps.
+  EXPECT_FALSE(plan::englishRemedy(findings.front()).empty());
+  EXPECT_EQ(plan::englishRemedy(findings.front()).find("before this one"), std::string::npos);
   EXPECT_GT(report.replay.thresholds.covered, 0.0);
   PlanResult result;
   result.checked = {checked};
