@@ -70,6 +70,29 @@ Paths grown(const Paths& paths, double byMm) {
   return out;
 }
 
+// Removes steps of an outline to the side: where the normals of neighbouring triangles differ, the
+// outline jumps by a fraction of a millimetre, and a strip along it would fold. A short edge
+// between edges of nearly one direction is replaced by its middle.
+Path withoutJags(Path path, double shortMm) {
+  constexpr double kSameWay = 0.9; // cosine
+  for (bool isChanged = true; isChanged && path.size() > 4;) {
+    isChanged = false;
+    for (std::size_t i = 0; i < path.size() && path.size() > 4; ++i) {
+      const std::size_t n = path.size();
+      const Vector2d before = fromClipper(path[(i + n - 1) % n]), from = fromClipper(path[i]),
+                     to = fromClipper(path[(i + 1) % n]), after = fromClipper(path[(i + 2) % n]);
+      const Vector2d way = (from - before).normalized(), step = to - from;
+      const bool isAside = step.norm() > 0.0 && step.normalized().dot(way) < kSameWay;
+      if (step.norm() >= shortMm || !isAside || way.dot((after - to).normalized()) < kSameWay)
+        continue;
+      path[i] = toClipper(0.5 * (from + to));
+      path.erase(path.begin() + static_cast<std::ptrdiff_t>((i + 1) % n));
+      isChanged = true;
+    }
+  }
+  return path;
+}
+
 // Returns the part of a triangle where the angle is at most `steepRad`, seen from above.
 Path gentlePart(const geometry::TriangleMesh& mesh, std::size_t t,
                 const std::array<double, 3>& angle, double steepRad) {
@@ -135,6 +158,9 @@ private:
     std::erase_if(closed, [](const Path& path) {
       return path.size() < 3 || ClipperLib::Area(path) <= 0.0; // holes
     });
+    constexpr double kShortShare = 0.25; // of a step
+    for (Path& path : closed)
+      path = withoutJags(std::move(path), kShortShare * rule_.stepMm);
     return closed;
   }
 

@@ -112,27 +112,36 @@ TEST(TracedPlans, AnUpperHasTwoSeams) {
 }
 
 // The same crown with a pass on its side, lines at heel and toe, and the force words of both
-// controllers that have them.
+// controllers that have them, each on its own arm. A smaller upper is in reach of the RV-2F.
 TEST(TracedPlans, AnUpperIsGluedOnItsSideAndAtItsEnds) {
-  PlanRequest request = tracedRequest(bodyOver(
-      {90.0, 38.0}, 90, 240, [](double share) { return 45.0 - 18.0 * std::pow(share, 6); }));
-  request.choices.formats = {"urscript", "melfa"};
-  auto& parameters = request.choices.item().parameters;
-  parameters["traceSpacing"] = "6";
-  parameters["traceSidePasses"] = "1";
-  parameters["traceSideDepth"] = "3";
-  parameters["traceFillLines"] = "2";
-  const PlanResult plan = planPart(request, {});
-  ASSERT_EQ(plan.checked.size(), 2u) << reasons(plan);
-  for (const auto& checked : plan.checked) {
-    EXPECT_TRUE(checked->passed) << checked->program.format << "\n" << reasons(plan);
-    const std::string& text = checked->program.files.front().text;
-    const bool isUrscript = checked->program.format == "urscript";
-    EXPECT_NE(text.find(isUrscript ? "force_mode(tool_pose()" : "P_FsFCd0=(0,0,5,0,0,0)(0,0)"),
-              std::string::npos);
-    EXPECT_NE(text.find(isUrscript ? "end_force_mode()" : "Fsc Off"), std::string::npos);
+  struct Controller {
+    const char *cell, *format, *on, *off;
+    double scale;
+    std::size_t lines; // for which both ends have room
+  };
+  for (const Controller& c :
+       {Controller{"ur5-moving", "urscript", "force_mode(tool_pose()", "end_force_mode()", 1.0, 4},
+        Controller{"rv2f-moving", "melfa", "P_FsFCd0=(0,0,5,0,0,0)(0,0)", "Fsc Off", 0.5, 2}}) {
+    PlanRequest request =
+        tracedRequest(bodyOver({c.scale * 90.0, c.scale * 38.0}, 90, 240, [&](double share) {
+          return c.scale * (45.0 - 18.0 * std::pow(share, 6));
+        }));
+    request.choices.cell = c.cell;
+    request.choices.formats = {c.format};
+    auto& parameters = request.choices.item().parameters;
+    parameters["traceSpacing"] = "6";
+    parameters["traceSidePasses"] = "1";
+    parameters["traceSideDepth"] = "3";
+    parameters["traceFillLines"] = "2";
+    const PlanResult plan = planPart(request, {});
+    ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+    EXPECT_TRUE(plan.checked[0]->passed) << c.format << "\n" << reasons(plan);
+    ASSERT_FALSE(plan.checked[0]->program.files.empty());
+    const std::string& text = plan.checked[0]->program.files.front().text;
+    EXPECT_NE(text.find(c.on), std::string::npos);
+    EXPECT_NE(text.find(c.off), std::string::npos);
+    EXPECT_EQ(plan.job.items[0].layers->patches.size(), 1u + 1u + c.lines) << c.format;
   }
-  EXPECT_EQ(plan.job.items[0].layers->patches.size(), 1u + 1u + 4u);
 }
 
 // Force is an option: without its statements the arm follows the seam by position, as the source

@@ -173,6 +173,30 @@ TEST(Seam, OfAnUpperFollowsItsShape) {
 }
 
 // Pappus: the strip around a circle on a plane has the volume of its section times its length.
+// The normals of neighbouring triangles differ a little, so that the outline of a crown steps aside
+// by a tenth of a millimetre; a strip along it must not fold there.
+TEST(Seam, OfACrownHasNoSteps) {
+  SeamRule rule;
+  rule.stepMm = 2.0;
+  rule.curves = 2;
+  rule.spacingMm = 6.0;
+  const TriangleMesh crown = surfaceOver(
+      1.0, 90, 240,
+      [](const Vector2d& p) {
+        return 45.0 - 18.0 * std::pow(Vector2d(p.x() / 90.0, p.y() / 38.0).norm(), 6);
+      },
+      {90.0, 38.0});
+  const std::vector<SeamCurve> seams = seamCurves(crown, rule, kOne);
+  ASSERT_EQ(seams.size(), 2u);
+  for (const SeamCurve& seam : seams)
+    for (std::size_t i = 0, n = seam.points.size(); i < n; ++i) {
+      const Vector3d before = seam.points[(i + 1) % n] - seam.points[i],
+                     after = seam.points[(i + 2) % n] - seam.points[(i + 1) % n];
+      EXPECT_GT(before.normalized().dot(after.normalized()), 0.97)
+          << seam.points[i].transpose();
+    }
+}
+
 TEST(BeadStrip, HasTheVolumeOfItsBead) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0.0, 1.0);
