@@ -6665,8 +6665,8 @@ mm³</translation>
         <translation>Prova i modi di costruire uno dopo l&apos;altro, finché nulla è senza appoggio o manca</translation>
     </message>
     <message>
-        <source>turn the part, or let Voluta choose the way of building</source>
-        <translation>gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
+        <source>add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building</source>
+        <translation>aggiungi supporti, rendi più denso il riempimento, gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
     </message>
     <message>
         <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
@@ -9951,6 +9951,69 @@ facce %</translation>
     <message>
         <source>is unknown</source>
         <translation>è sconosciuto</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang after cutting {left:.0f} (pieces: {pieces}) instead of {leftBefore:.0f#} (pieces: {piecesBefore}, estimated); uncut {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): sbalzo dopo i tagli {left:.0f} (parti: {pieces}) invece di {leftBefore:.0f#} (parti: {piecesBefore}, stimato); senza tagli {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{shots} shots into pockets last up to {seconds:.1f}: after {most:.0f} in a pocket the nozzle melts the layers around it</source>
+        <translation>
+            <numerusform>{shots} iniezione in una tasca dura fino a {seconds:.1f}: dopo {most:.0f} nella tasca l&apos;ugello fonde gli strati attorno</numerusform>
+            <numerusform>{shots} iniezioni nelle tasche durano fino a {seconds:.1f}: dopo {most:.0f} in una tasca l&apos;ugello fonde gli strati attorno</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>use a process with a greater flow, or smaller pockets (stitchDiameter)</source>
+        <translation>usa un processo con una portata maggiore, o tasche più piccole (stitchDiameter)</translation>
+    </message>
+    <message>
+        <source>support in closed hollows of the part cannot be removed: {volume:.3g}</source>
+        <translation>i supporti nelle cavità chiuse del pezzo non si possono togliere: {volume:.3g}</translation>
+    </message>
+    <message>
+        <source>open the hollow or turn the part; without supports (supports=none) the hollow&apos;s roof is unsupported</source>
+        <translation>apri la cavità o gira il pezzo; senza supporti (supports=none) la volta della cavità non è sostenuta</translation>
+    </message>
+    <message>
+        <source>too many intersecting triangles to unite them ({pairs} pairs, at most {most}): shells stay as they are, overlaps count as one solid when layers are made</source>
+        <translation>troppi triangoli si intersecano per unirli ({pairs} coppie, al massimo {most}): i gusci restano come sono, le sovrapposizioni contano come un solo solido quando si fanno gli strati</translation>
+    </message>
+    <message>
+        <source>choose another program format</source>
+        <translation>scegli un altro formato di programma</translation>
+    </message>
+    <message>
+        <source>the tool-paths are those of the file: change them where they were made</source>
+        <translation>i percorsi sono quelli del file: cambiali dove sono stati fatti</translation>
+    </message>
+    <message>
+        <source>slice the part again with supports there, or with denser infill; its tool-paths are printed as they are</source>
+        <translation>affetta di nuovo il pezzo con supporti in quel punto, o con un riempimento più denso; i suoi percorsi si stampano come sono</translation>
+    </message>
+    <message>
+        <source>check the widths and layer heights in the slicer against the bead of the process; the tool-paths are printed as they are</source>
+        <translation>confronta larghezze e altezze degli strati nello slicer con il cordone del processo; i percorsi si stampano come sono</translation>
+    </message>
+    <message>
+        <source>check the flow in the slicer, and purge or prime lines that it does not mark; the tool-paths are printed as they are</source>
+        <translation>controlla la portata nello slicer, e le linee di spurgo o di innesco che non contrassegna; i percorsi si stampano come sono</translation>
+    </message>
+    <message>
+        <source>check the slicer&apos;s flow, its filament diameter and its amounts at tool changes; the tool-paths are printed as they are</source>
+        <translation>controlla la portata dello slicer, il suo diametro del filamento e le sue quantità ai cambi di utensile; i percorsi si stampano come sono</translation>
+    </message>
+    <message>
+        <source>no {format} program: {why}</source>
+        <translation>nessun programma {format}: {why}</translation>
+    </message>
+    <message>
+        <source>the {format} program lays beads by position, without the force of process {process}</source>
+        <translation>il programma {format} posa i cordoni per posizione, senza la forza del processo {process}</translation>
+    </message>
+    <message>
+        <source>to press with the force, use {formats}, or add the statements to the process (beadWords)</source>
+        <translation>per premere con la forza, usa {formats}, o aggiungi le istruzioni al processo (beadWords)</translation>
     </message>
     <message>
         <source>line {line} ({command})</source>
