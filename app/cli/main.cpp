@@ -274,7 +274,9 @@ void addVerify(CLI::App& app, Parsed& parsed, int threads) {
   values->options.threads = threads;
   CLI::App* verify = app.add_subcommand("verify", "replay a program from disk");
   verify->add_option("PROGRAM", values->options.program, "program file")->required();
-  verify->add_option("--job", values->options.job, "job.voluta, or mill.json of a milled part, from which it was made")
+  verify
+      ->add_option("--job", values->options.job,
+                   "job.voluta, or mill.json of a milled part, from which it was made")
       ->required();
   addRunOptions(*verify, values->options.threads, values->progress);
   verify->callback([values, &parsed] {

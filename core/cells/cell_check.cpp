@@ -156,7 +156,6 @@ void checkLoad(const robot::Cell& cell, double partKg, std::vector<CellFault>& f
                       "reduce the payload, or use a stronger robot"_text});
 }
 
-
 void checkPurgePlace(const robot::Cell& cell, const CellCollision& collision,
                      std::vector<CellFault>& faults) {
   const std::optional<Eigen::Vector3d>& place = cell.purgePlaceMm();
@@ -171,11 +170,11 @@ void checkPurgePlace(const robot::Cell& cell, const CellCollision& collision,
     return !collision.bodies(frames, {});
   });
   if (solutions.empty())
-    faults.push_back({"the arm does not reach the place for purges"_text,
-                      "move the place for purges"_text});
+    faults.push_back(
+        {"the arm does not reach the place for purges"_text, "move the place for purges"_text});
   else if (!isFree)
-    faults.push_back({"the arm collides at the place for purges"_text,
-                      "move the place for purges"_text});
+    faults.push_back(
+        {"the arm collides at the place for purges"_text, "move the place for purges"_text});
 }
 } // namespace
 

@@ -1,7 +1,6 @@
 // The chosen growth scheme.
 #pragma once
 
-
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,6 @@
 // The order in which the layers of several items are printed: joins their stacks into one.
 #pragma once
 
-
 #include <cstddef>
 #include <memory>
 #include <span>

@@ -43,10 +43,11 @@ std::vector<int> ToolAssignment::used() const {
 
 base::ParameterTable toolParameters() {
   return base::ParameterTable({
-      base::integerParameter(kTool, 1, 1, kMost, "Tools"_text, "tool"_text,
-                             "Number of the tool that prints the part. The tips of all tools are in one "
-                             "place, that of the cell's nozzle."_text,
-                             true),
+      base::integerParameter(
+          kTool, 1, 1, kMost, "Tools"_text, "tool"_text,
+          "Number of the tool that prints the part. The tips of all tools are in one "
+          "place, that of the cell's nozzle."_text,
+          true),
       base::integerParameter(kSupportTool, 0, 0, kMost, "Tools"_text, "tool of supports"_text,
                              "Number of the tool that prints supports; 0: that of the part."_text,
                              true),

@@ -332,8 +332,8 @@ base::ParameterTable planarModeParameters() {
                             "Diameter of a pocket where it is widest. Its opening is half of it "
                             "wide."_text),
       base::choiceParameter("stitchShape", "dovetail",
-                            {{"dovetail", "dovetail"_text}, {"cone", "cone"_text}},
-                            "Stitches"_text, "shape of stitches"_text,
+                            {{"dovetail", "dovetail"_text}, {"cone", "cone"_text}}, "Stitches"_text,
+                            "shape of stitches"_text,
                             "Dovetail: chamber, cone and opening, three quarters of the diameter "
                             "high. Cone: half of the diameter high."_text),
       base::integerParameter("stitchLayers", planar::StitchRule{}.everyLayers, 2, 10000,

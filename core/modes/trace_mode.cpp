@@ -118,14 +118,14 @@ std::shared_ptr<const LayersStage> layersOf(const TracePlan& plan, const Decompo
 } // namespace
 
 Mode traceMode() {
-  Mode mode{
-      "trace",
-      "Trace on a surface"_text,
-      {tracePlan, decompose},
-      {tracePlan, layersOf},
-      project::ResultKind::OnGround,
-      {"overhangAngle", "traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing",
-       "traceSidePasses", "traceSideDepth", "traceFillLines", "traceFillAngle"}};
+  Mode mode{"trace",
+            "Trace on a surface"_text,
+            {tracePlan, decompose},
+            {tracePlan, layersOf},
+            project::ResultKind::OnGround,
+            {"overhangAngle", "traceAngle", "traceInset", "traceSpacing", "tracePasses",
+             "traceClosing", "traceSidePasses", "traceSideDepth", "traceFillLines",
+             "traceFillAngle"}};
   mode.onPart = true;
   mode.platform = {bodyPlan, bodyOf};
   mode.defaults = {{"walls", "1"}};
@@ -150,10 +150,9 @@ base::ParameterTable traceParameters() {
       base::numberParameter("traceSpacing", "mm", 0.0, 0.0, 1000.0, "Trace"_text,
                             "distance of seams"_text,
                             "Distance between beads, seen from above. 0: the bead's width."_text),
-      base::integerParameter("traceSidePasses", d.sideCurves, 0, 1000, "Trace"_text,
-                             "side passes"_text,
-                             "Number of beads on the side of the part, below the outline."_text,
-                             true),
+      base::integerParameter(
+          "traceSidePasses", d.sideCurves, 0, 1000, "Trace"_text, "side passes"_text,
+          "Number of beads on the side of the part, below the outline."_text, true),
       base::numberParameter("traceSideDepth", "mm", d.sideDepthMm, 0.0, 1000.0, "Trace"_text,
                             "depth of side passes"_text,
                             "Height of the outline above the first side pass."_text, true),

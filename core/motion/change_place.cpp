@@ -20,11 +20,11 @@ namespace {
 using Eigen::AlignedBox3d, Eigen::Isometry3d, Eigen::Vector3d;
 using robot::JointVector;
 
-constexpr double kSpareMm = 30.0;  // of drops from the part
-constexpr double kWipeMm = 15.0;   // beside the place
-constexpr std::size_t kMostPlaces = 12;  // places
+constexpr double kSpareMm = 30.0;                                         // of drops from the part
+constexpr double kWipeMm = 15.0;                                          // beside the place
+constexpr std::size_t kMostPlaces = 12;                                   // places
 constexpr double kStepRad = base::degreesToRadians(10.0), kStepMm = 20.0; // of the first joints
-constexpr int kSteps = 18; // to each side
+constexpr int kSteps = 18;                                                // to each side
 
 AlignedBox3d partBox(const MotionScene& scene) {
   AlignedBox3d box = scene.part.bounds();
@@ -116,8 +116,7 @@ private:
       }
   }
   static std::vector<Vector3d> around(const AlignedBox3d& box, double asideMm, double z) {
-    const Vector3d middle = box.center(),
-                   half = 0.5 * box.sizes() + Vector3d::Constant(asideMm);
+    const Vector3d middle = box.center(), half = 0.5 * box.sizes() + Vector3d::Constant(asideMm);
     std::vector<Vector3d> points;
     for (const double a : {-1.0, -0.5, 0.0, 0.5, 1.0})
       for (const double b : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -136,9 +135,8 @@ private:
   }
 
   void keepFree() {
-    std::ranges::stable_sort(candidates_, {}, [](const Candidate& c) {
-      return std::tuple(c.tier, c.turnRad);
-    });
+    std::ranges::stable_sort(candidates_, {},
+                             [](const Candidate& c) { return std::tuple(c.tier, c.turnRad); });
     for (Candidate& c : candidates_) {
       if (places_.size() == kMostPlaces)
         break;
@@ -200,7 +198,7 @@ private:
 
 // Appends the points in reverse order, from the last one to `first`.
 void appendBackwards(const std::vector<TransferPoint>& points, const RobotState& first,
-                    std::vector<TransferPoint>& out) {
+                     std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
     out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].most});
 }

@@ -68,9 +68,9 @@ void purgeBeside(plan::Trajectory& to, const MotionScene& scene, const RobotStat
   const auto trip =
       purgeTrip(scene, home, purgePlaces(scene, home.q),
                 [&](const RobotState& from, const RobotState& at, bool isStraight) {
-                  return isStraight ? planner.straight(from, at, before)
-                                    : planner.between(from, at, before,
-                                                      scene.options.seed + before, ctx);
+                  return isStraight
+                             ? planner.straight(from, at, before)
+                             : planner.between(from, at, before, scene.options.seed + before, ctx);
                 });
   const auto go = [&](const RobotState& from, const std::vector<TransferPoint>& points) {
     if (!points.empty())

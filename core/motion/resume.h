@@ -46,9 +46,9 @@ plan::Trajectory partOf(const plan::Trajectory& trajectory, std::size_t first, s
 struct Resumed {
   // The motion up to the point, then home along the reversed approach, then the rest: from home,
   // approach, and all remaining motions as planned. The rest begins with the tool of its first bead
-  // (plan::Trajectory::toolAt(firstPoint)). In a job of several tools, and with purge.primesBeside where
-  // a prime at home would drop onto the part, the arm first goes to a place beside the part, where
-  // the nozzle is purged (change_place.h).
+  // (plan::Trajectory::toolAt(firstPoint)). In a job of several tools, and with purge.primesBeside
+  // where a prime at home would drop onto the part, the arm first goes to a place beside the part,
+  // where the nozzle is purged (change_place.h).
   plan::Trajectory trajectory;
   std::size_t firstPoint = 0; // Start of the rest: home
 };

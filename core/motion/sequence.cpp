@@ -259,11 +259,10 @@ private:
   // Appends a trip from rest to the place beside the part, the steps there, a wipe, and the way
   // back. If there is no such place, the steps are done at rest.
   void doBeside(Transfer& all, const std::vector<ToolStep::Kind>& steps, std::size_t before) {
-    const auto trip =
-        purgeTrip(scene_, rest(), placesBeside(rest().q),
-                  [&](const RobotState& from, const RobotState& to, bool isStraight) {
-                    return go(from, to, isStraight, before);
-                  });
+    const auto trip = purgeTrip(scene_, rest(), placesBeside(rest().q),
+                                [&](const RobotState& from, const RobotState& to, bool isStraight) {
+                                  return go(from, to, isStraight, before);
+                                });
     if (trip)
       append(all, trip->there);
     for (const ToolStep::Kind step : steps)
@@ -315,8 +314,7 @@ private:
   // Appends the motion to or from the dock of a tool; throws if there is none.
   void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before,
             bool isStraight = false) {
-    const auto way =
-        go(all.points.empty() ? rest() : all.points.back().at, to, isStraight, before);
+    const auto way = go(all.points.empty() ? rest() : all.points.back().at, to, isStraight, before);
     if (way)
       append(all, way->points);
     else

@@ -54,8 +54,9 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // leave; if it cannot reach a run's start, the run begins at the first point that it can reach. So
 // at worst the whole run is lost, but never later ones. The last transfer, home, always exists if
 // there is a run. Throws Cancelled; Error{UnusableInput} if the arm does not reach the dock of a
-// tool or the cell's own place for purges. `known`: transfers of this scene; new ones are added. `highBefore`: first waypoints of
-// runs, ascending, to which the transfer lifts by kHighLiftMm if it can.
+// tool or the cell's own place for purges. `known`: transfers of this scene; new ones are added.
+// `highBefore`: first waypoints of runs, ascending, to which the transfer lifts by kHighLiftMm if
+// it can.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
                           PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx,
                           const std::set<std::size_t>& highBefore = {});

@@ -41,7 +41,8 @@ using CheckedCuts =
 
 // Searches for the orientation. `placed`: the part placed by `placement`. `voxelMm`: replaces the
 // plan's voxel width. `onlyQuarters`: only quarter turns, which keep the part's own cells. Without
-// a search the placement is returned unchanged. `checkedCuts`: empty if the mode makes no pieces. Throws as placement::bestOrientation(); Cancelled.
+// a search the placement is returned unchanged. `checkedCuts`: empty if the mode makes no pieces.
+// Throws as placement::bestOrientation(); Cancelled.
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const TurnPlan& plan, double voxelMm, bool onlyQuarters,
                       const CheckedCuts& checkedCuts, const base::RunContext& ctx);

@@ -22,8 +22,8 @@ namespace voluta::planar {
 namespace {
 using Eigen::Vector3d;
 
-constexpr int kSides = 32;    // around a limb
-constexpr int kCapRings = 6;  // of the half ball at its end
+constexpr int kSides = 32;        // around a limb
+constexpr int kCapRings = 6;      // of the half ball at its end
 constexpr double kSpacing = 0.01; // of points, as a share of the part's diagonal
 
 // A limb's axis with a radius per point.
@@ -52,8 +52,7 @@ Rod rodOf(const Limb& limb, const PithRule& rule) {
       gain += rule.branchGain * fade(along, 2.0 * limb.partRadiusMm.front());
     if (limb.branchesLast)
       gain += rule.branchGain * fade(length - along, 2.0 * limb.partRadiusMm.back());
-    rod.radiusMm.push_back(gain *
-                           std::max(rule.leastRadiusMm, rule.share * limb.partRadiusMm[i]));
+    rod.radiusMm.push_back(gain * std::max(rule.leastRadiusMm, rule.share * limb.partRadiusMm[i]));
   }
   return rod;
 }
@@ -138,9 +137,8 @@ PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
     refuse("the part is not closed"_text, "repair the part first"_text);
   ctx.report(0.0, "find the skeleton"_text);
   const CurveSkeleton skeleton = curveSkeleton(forFlow(part), ctx.sub(0.0, 0.7));
-  const std::vector<Limb> limbs =
-      limbsOf(skeleton, geometry::MeshQuery(part),
-              kSpacing * geometry::bounds(part).diagonal().norm());
+  const std::vector<Limb> limbs = limbsOf(skeleton, geometry::MeshQuery(part),
+                                          kSpacing * geometry::bounds(part).diagonal().norm());
   if (limbs.empty())
     refuse("the part has no limbs"_text,
            "use infill that is dense along the part's middle (sparsePattern=pith)"_text);
@@ -163,13 +161,13 @@ PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
       extendEnd(rod);
     }
     const geometry::TriangleMesh solid = solidOf(rod);
-    joined = joined ? geometry::meshBoolean(geometry::BooleanOperation::Union, *joined, solid, false)
-                    : solid;
+    joined = joined
+                 ? geometry::meshBoolean(geometry::BooleanOperation::Union, *joined, solid, false)
+                 : solid;
     if (!joined)
       refuse("the limbs of the pith cannot be joined"_text, "change the pith's share"_text);
   }
-  auto cut =
-      geometry::meshBoolean(geometry::BooleanOperation::Intersection, *joined, part, false);
+  auto cut = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *joined, part, false);
   if (!cut || cut->empty())
     refuse("the pith cannot be cut at the part's surface"_text, "repair the part first"_text);
   body.mesh = std::move(*cut);

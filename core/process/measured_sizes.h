@@ -44,7 +44,6 @@ constexpr bool tellsScale(double deviation) {
   return deviation < 0.5 * kUnknownFactor;
 }
 
-
 // Fits a factor along x and y, an excess of outlines and one of holes to the sizes (least squares,
 // with the errors that machines usually have as a prior), and returns the process with which they
 // would be right. `printed`: the process of the measured parts, whose corrections they have.

@@ -17,7 +17,6 @@ template <typename CanSay> std::string formatsThat(const CanSay& canSay) {
   return ids;
 }
 
-
 base::Message useFormats(const std::string& ids) {
   return ids.empty() ? base::Message() : base::message("use {formats}"_text, ids);
 }

@@ -239,9 +239,8 @@ namespace {
 // Names the tool, which an operator may have to fit first, also before the rest of a print.
 std::string toolQuestion(const ProgramInput& input) {
   const bool isFed = input.cell.toolChange().by == robot::ToolChange::By::Feeder;
-  const std::string tool =
-      joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
-              isFed ? " selected" : " fitted"});
+  const std::string tool = joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
+                                   isFed ? " selected" : " fitted"});
   std::string question = tool + " and the way clear?";
   if (const int bed = plateC(input); bed > 0) {
     std::string all =

@@ -1,7 +1,6 @@
 // The result of a mode's decomposition; each kind of mode has its own type.
 #pragma once
 
-
 #include <memory>
 #include <variant>
 

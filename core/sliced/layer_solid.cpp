@@ -25,9 +25,9 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kMostFaces = 4e5; // Soft limit
 constexpr double kMostCells = 1 << 27;
-constexpr double kShellBeads = 0.8;  // Part of an outer wall that is certainly solid
-constexpr double kThinBeads = 0.75;  // Gaps between neighbouring beads are no holes
-constexpr double kWithinShare = 0.8; // Of a gap that is inside the part
+constexpr double kShellBeads = 0.8;     // Part of an outer wall that is certainly solid
+constexpr double kThinBeads = 0.75;     // Gaps between neighbouring beads are no holes
+constexpr double kWithinShare = 0.8;    // Of a gap that is inside the part
 constexpr float kWidestBeadMm = 200.0f; // Wider than any nozzle lays: an amount for another way
 
 bool isOfPart(plan::PathKind kind) {

@@ -94,7 +94,9 @@ TEST(Examples, FromAFileToAVerdict) {
 
   const replay::Verification verdict =
       replay::replayProgram({read, toolPlan, trajectory, cell, tooling, part, plate}, {}, ctx);
-  EXPECT_TRUE(verdict.passed);
+  EXPECT_TRUE(verdict.passed) << (verdict.findings.empty()
+                                      ? ""
+                                      : plan::englishReason(verdict.findings.front()));
 }
 
 TEST(Examples, PiecesAndRods) {

@@ -96,8 +96,7 @@ TEST(Seam, SidePassesAreBelowTheOutline) {
   rule.sideCurves = 2;
   rule.sideDepthMm = 1.5;
   rule.spacingMm = 2.0;
-  const std::vector<SeamCurve> sides =
-      seamCurves(test::box({-10, -6, 0}, {10, 6, 5}), rule, kOne);
+  const std::vector<SeamCurve> sides = seamCurves(test::box({-10, -6, 0}, {10, 6, 5}), rule, kOne);
   ASSERT_EQ(sides.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_NEAR(sides[k].lengthMm(), 64.0, 0.1);
@@ -180,20 +179,19 @@ TEST(Seam, OfACrownHasNoSteps) {
   rule.stepMm = 2.0;
   rule.curves = 2;
   rule.spacingMm = 6.0;
-  const TriangleMesh crown = surfaceOver(
-      1.0, 90, 240,
-      [](const Vector2d& p) {
-        return 45.0 - 18.0 * std::pow(Vector2d(p.x() / 90.0, p.y() / 38.0).norm(), 6);
-      },
-      {90.0, 38.0});
+  const TriangleMesh crown =
+      surfaceOver(1.0, 90, 240,
+                  [](const Vector2d& p) {
+                    return 45.0 - 18.0 * std::pow(Vector2d(p.x() / 90.0, p.y() / 38.0).norm(), 6);
+                  },
+                  {90.0, 38.0});
   const std::vector<SeamCurve> seams = seamCurves(crown, rule, kOne);
   ASSERT_EQ(seams.size(), 2u);
   for (const SeamCurve& seam : seams)
     for (std::size_t i = 0, n = seam.points.size(); i < n; ++i) {
       const Vector3d before = seam.points[(i + 1) % n] - seam.points[i],
                      after = seam.points[(i + 2) % n] - seam.points[(i + 1) % n];
-      EXPECT_GT(before.normalized().dot(after.normalized()), 0.97)
-          << seam.points[i].transpose();
+      EXPECT_GT(before.normalized().dot(after.normalized()), 0.97) << seam.points[i].transpose();
     }
 }
 

@@ -142,7 +142,8 @@ std::string gcodeStopText(std::string_view message) {
     if (endsStop(text, i))
       text[i] = static_cast<char>(text[i] - 'A' + 'a');
   // Where a comment or a checksum begins.
-  std::ranges::replace_if(text, [](char c) { return c == ';' || c == '*'; }, ' ');
+  std::ranges::replace_if(
+      text, [](char c) { return c == ';' || c == '*'; }, ' ');
   return text;
 }
 

@@ -154,8 +154,7 @@ private:
       out_.operatorStop();
       return line.ended();
     }
-    if (std::string_view text;
-        word == "msgnotify" && line.takeMark('(') && line.takeText(text))
+    if (std::string_view text; word == "msgnotify" && line.takeMark('(') && line.takeText(text))
       out_.show(text);
     return takeRest(line);
   }

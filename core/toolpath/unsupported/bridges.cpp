@@ -29,7 +29,7 @@ Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size
 }
 
 Vector3d sideAcross(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
-                const Vector3d& direction) {
+                    const Vector3d& direction) {
   const Vector3d side = direction.cross(along(plan, path, waypoint));
   return side.squaredNorm() > 1e-12 ? side.normalized() : direction.unitOrthogonal();
 }

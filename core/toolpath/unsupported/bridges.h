@@ -2,7 +2,6 @@
 // planned.
 #pragma once
 
-
 #include <Eigen/Core>
 #include <cstddef>
 #include <vector>
