@@ -10108,6 +10108,25 @@ facce %</translation>
         <source>low</source>
         <translation>ridotta</translation>
     </message>
+    <message>
+        <source>no place differs from the plan by more than the tolerances</source>
+        <translation>nessun punto differisce dal piano oltre le tolleranze</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} places are beyond the tolerances</source>
+        <translation>
+            <numerusform>{count} punto è oltre le tolleranze</numerusform>
+            <numerusform>{count} punti sono oltre le tolleranze</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>only {recorded:.1f} of {planned:.1f} of beads are recorded</source>
+        <translation>sono registrati solo {recorded:.1f} di {planned:.1f} di cordoni</translation>
+    </message>
+    <message>
+        <source>this is no record of this job: {recorded:.1f} of {planned:.1f} of beads agree</source>
+        <translation>questa non è una registrazione di questo lavoro: corrispondono {recorded:.1f} di {planned:.1f} di cordoni</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13714,10 +13733,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Beads recorded: %1 of %2 mm</source>
         <translation>Cordoni registrati: %1 di %2 mm</translation>
-    </message>
-    <message>
-        <source>No place differs from the plan by more than the tolerances.</source>
-        <translation>Nessun punto differisce dal piano oltre le tolleranze.</translation>
     </message>
 </context>
 </TS>

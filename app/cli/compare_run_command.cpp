@@ -66,11 +66,12 @@ ExitCode compareRunCommand(const CompareRunOptions& options) {
   sayPlaces(comparison, options.places);
   if (!options.curve.empty())
     base::writeFile(options.curve, record::curveCsv(comparison.curve));
-  if (comparison.isWithin())
+  const std::string verdict = base::english(record::verdictSentence(comparison));
+  if (comparison.verdict() == record::RunVerdict::Within) {
+    fmt::print("{}\n", verdict);
     return kDone;
-  fmt::print(stderr, "{}: {} beyond the tolerances\n", options.record.string(),
-             comparison.places.size() == 1 ? "1 place"
-                                           : fmt::format("{} places", comparison.places.size()));
+  }
+  fmt::print(stderr, "{}: {}\n", options.record.string(), verdict);
   return kNotAll;
 }
 

@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kNodeMm = 0.5;   // spacing of the places that samples are assigned to
 constexpr double kSampleMm = 0.2; // samples nearer to each other are assigned together
-constexpr double kNearMm = 5.0;   // farther samples are not of this path
 constexpr int kBand = 192;        // places considered for each sample
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -53,16 +52,22 @@ std::vector<std::size_t> movingSamples(const std::vector<Vector3d>& tip, std::si
   return moving;
 }
 
-// Returns the sum of the capped squared distances of the next samples from the nodes that follow
-// `node`, taken greedily.
+constexpr std::size_t kFollowed = 200; // samples that decide where a record meets the path
+
+// Returns the mean of the capped squared distances of the next samples, from `first` on, from the
+// nodes that follow `node`, taken greedily [mm2].
 double costFrom(const std::vector<Vector3d>& tip, const std::vector<std::size_t>& moving,
-                const Nodes& nodes, std::size_t node) {
-  constexpr std::size_t kSamples = 200, kAhead = 12;
+                std::size_t first, const Nodes& nodes, std::size_t node) {
+  constexpr std::size_t kLeastAhead = 12, kMostAhead = 2000;
+  const std::size_t end = std::min(moving.size(), first + kFollowed);
   double sum = 0.0;
-  for (std::size_t k = 0; k < std::min(kSamples, moving.size()); ++k) {
+  for (std::size_t k = first; k < end; ++k) {
+    const double movedMm = k > first ? (tip[moving[k]] - tip[moving[k - 1]]).norm() : 0.0;
+    const std::size_t ahead = std::clamp(
+        static_cast<std::size_t>(std::ceil(1.5 * movedMm / kNodeMm)) + 1, kLeastAhead, kMostAhead);
     double least = kInfinite;
     std::size_t at = node;
-    for (std::size_t j = node; j < std::min(node + kAhead, nodes.tip.size()); ++j)
+    for (std::size_t j = node; j < std::min(node + ahead, nodes.tip.size()); ++j)
       if (const double d = (nodes.tip[j] - tip[moving[k]]).squaredNorm(); d < least) {
         least = d;
         at = j;
@@ -70,46 +75,56 @@ double costFrom(const std::vector<Vector3d>& tip, const std::vector<std::size_t>
     node = at;
     sum += std::min(least, kNearMm * kNearMm);
   }
-  return sum;
+  return sum / static_cast<double>(end - first);
+}
+
+struct Meeting {
+  std::size_t node = 0;
+  double costMm2 = 0.0; // of costFrom
+};
+
+// Returns where the path, from node `from` on, is near the moving sample `first`: of its passes the
+// one that the next samples follow best, of equal ones the first.
+std::optional<Meeting> meetingOf(const std::vector<Vector3d>& tip,
+                                 const std::vector<std::size_t>& moving, std::size_t first,
+                                 const Nodes& nodes, std::size_t from) {
+  constexpr double kSameMm2 = 0.005;
+  const Vector3d& p = tip[moving[first]];
+  std::vector<std::size_t> near; // the nearest node of each pass
+  bool within = false;
+  for (std::size_t j = from; j < nodes.tip.size(); ++j) {
+    const double d = (nodes.tip[j] - p).squaredNorm();
+    if (d > kNearMm * kNearMm) {
+      within = false;
+      continue;
+    }
+    if (!within)
+      near.push_back(j);
+    else if (d < (nodes.tip[near.back()] - p).squaredNorm())
+      near.back() = j;
+    within = true;
+  }
+  std::optional<Meeting> best;
+  for (const std::size_t node : near)
+    if (const double cost = costFrom(tip, moving, first, nodes, node);
+        !best || cost < best->costMm2 - kSameMm2)
+      best = Meeting{node, cost};
+  return best;
 }
 
 struct Start {
   std::size_t sample = 0, node = 0;
 };
 
-// Returns where the record meets the path. Its samples may be anywhere before; the path that is
-// followed best counts, of equal ones the first.
+// Returns where the record meets the path first. Its samples may be anywhere before.
 std::optional<Start> startOf(const std::vector<Vector3d>& tip, const Nodes& nodes,
                              const base::RunContext& ctx) {
-  constexpr double kSameMm2 = 1.0;
   // An arm that waits, perhaps for minutes, is as far from the path as before.
-  for (const std::size_t i : movingSamples(tip, 0)) {
+  const std::vector<std::size_t> moving = movingSamples(tip, 0);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
     ctx.checkpoint();
-    std::vector<std::size_t> near; // the nearest node of each pass
-    bool within = false;
-    for (std::size_t j = 0; j < nodes.tip.size(); ++j) {
-      const double d = (nodes.tip[j] - tip[i]).norm();
-      if (d > kNearMm) {
-        within = false;
-        continue;
-      }
-      if (!within)
-        near.push_back(j);
-      else if (d < (nodes.tip[near.back()] - tip[i]).norm())
-        near.back() = j;
-      within = true;
-    }
-    if (near.empty())
-      continue;
-    const std::vector<std::size_t> moving = movingSamples(tip, i);
-    Start best{i, near.front()};
-    double least = kInfinite;
-    for (const std::size_t node : near)
-      if (const double cost = costFrom(tip, moving, nodes, node); cost < least - kSameMm2) {
-        least = cost;
-        best.node = node;
-      }
-    return best;
+    if (const auto met = meetingOf(tip, moving, k, nodes, 0))
+      return Start{moving[k], met->node};
   }
   return std::nullopt;
 }
@@ -203,8 +218,37 @@ private:
       row.cost[k] = least + own(r, node);
       from[k] = static_cast<std::uint8_t>(at);
     }
+    if (isLost(r, row.low))
+      searchAhead(r, best, row, from);
     push(row, from);
     last_ = row;
+  }
+
+  bool isLost(std::size_t r, std::size_t low) const {
+    for (std::size_t k = 0; k < kBand; ++k)
+      if (own(r, low + k) <= kNearMm * kNearMm)
+        return false;
+    return true;
+  }
+
+  // Moves the row of a sample that the band has lost to where the path meets the record again, from
+  // the node `best` of the row before.
+  void searchAhead(std::size_t r, std::size_t best, Row& row,
+                   std::array<std::uint8_t, kBand>& from) {
+    constexpr std::size_t kMostWait = 50; // bounds the searches of a record that stays away
+    constexpr double kFollowsMm2 = 0.25 * kNearMm * kNearMm;
+    if (r < nextSearch_)
+      return;
+    searches_ = std::min(searches_ + 1, kMostWait);
+    nextSearch_ = r + searches_;
+    const auto met = meetingOf(tip_, moving_, r, nodes_, row.low + kBand);
+    if (!met || met->costMm2 > kFollowsMm2)
+      return;
+    searches_ = 0;
+    row.low = met->node - kBand / 4;
+    for (std::size_t k = 0; k < kBand; ++k)
+      row.cost[k] = last_.cost[best] + own(r, row.low + k);
+    from.fill(static_cast<std::uint8_t>(best));
   }
 
   const std::vector<Vector3d>& tip_;
@@ -213,6 +257,7 @@ private:
   std::vector<std::size_t> low_;
   std::vector<std::array<std::uint8_t, kBand>> from_;
   Row last_;
+  std::size_t searches_ = 0, nextSearch_ = 0; // of samples that the band has lost
 };
 
 // Returns the place of the path between two lengths that is nearest to a point.
@@ -255,7 +300,10 @@ std::optional<PathAlignment> alignRecord(const std::vector<Vector3d>& tip,
   for (std::size_t r = 0; r < moving.size(); ++r) {
     const std::size_t until = r + 1 < moving.size() ? moving[r + 1] : tip.size();
     const double low = nodes.alongMm[node[r]] - kNodeMm;
-    const double high = nodes.alongMm[r + 1 < moving.size() ? node[r + 1] : node[r]] + kNodeMm;
+    // Samples up to the next moving one have hardly left this one, even where that one is far on.
+    const double high = std::min(nodes.alongMm[r + 1 < moving.size() ? node[r + 1] : node[r]],
+                                 nodes.alongMm[node[r]] + 2.0 * kNodeMm) +
+                        kNodeMm;
     for (std::size_t i = moving[r]; i < until; ++i) {
       // A sample between two moving ones is beside the first of them.
       const double most = i == moving[r] ? nodes.alongMm[node[r]] + kNodeMm : high;

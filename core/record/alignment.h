@@ -27,11 +27,15 @@ struct PathAlignment {
   std::vector<AlignedSample> samples; // per sample from `first` to `end`
 };
 
+// Samples farther from the path than this [mm] are not of it.
+inline constexpr double kNearMm = 5.0;
+
 // Assigns each sample to a place of the planned path so that places never decrease and the sum of
 // the squared distances is least (dynamic programming within a band of the path that follows the
-// samples). Skipping more of the plan than the record has moved costs extra. The record may begin
-// or end within the plan. Returns nullopt if no sample comes within 5 mm of the path. Throws
-// Cancelled.
+// samples). Skipping more of the plan than the record has moved costs extra. A sample that the band
+// has lost, as after a motion recorded by its two ends only, is searched in the rest of the plan.
+// The record may begin or end within the plan. Returns nullopt if no sample comes within kNearMm of
+// the path. Throws Cancelled.
 std::optional<PathAlignment> alignRecord(const std::vector<Eigen::Vector3d>& tip,
                                          const PlannedRun& planned, const base::RunContext& ctx);
 

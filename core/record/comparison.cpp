@@ -82,7 +82,7 @@ public:
         ctx.checkpoint();
       addBead(beads[b]);
     }
-    addMissing();
+    addBeads();
     finish();
     return std::move(result_);
   }
@@ -129,8 +129,6 @@ private:
         ++to;
       addSample(samples_[k], isWide(from, to) ? errorsOf(from, to) : none);
     }
-    const double mm = samples_[bead.end - 1].place.alongMm - samples_[bead.begin].place.alongMm;
-    result_.printedMm += mm;
     plannedS_ += samples_[bead.end - 1].place.timeS - samples_[bead.begin].place.timeS;
     recordedS_ += timeOf(bead.end - 1) - timeOf(bead.begin);
     if (result_.flowIsRecorded) {
@@ -201,8 +199,9 @@ private:
     open.reset();
   }
 
-  // Beads that lie between consecutive samples, which the record has passed over.
-  void addMissing() {
+  // Beads between consecutive samples are recorded, unless the record has passed over them or was
+  // not near the path.
+  void addBeads() {
     constexpr double kLeastMm = 2.0;
     for (std::size_t k = 1; k < samples_.size(); ++k) {
       const PlannedPlace &a = samples_[k - 1].place, &b = samples_[k].place;
@@ -213,8 +212,11 @@ private:
         if (planned_.prints[s] != 0)
           beadMm += std::max(0.0, std::min(b.alongMm, planned_.alongMm[s]) -
                                       std::max(a.alongMm, planned_.alongMm[s - 1]));
-      if (beadMm < kLeastMm + 2.0 * movedMm)
+      if (beadMm < kLeastMm + 2.0 * movedMm) {
+        if (std::max(samples_[k - 1].distanceMm, samples_[k].distanceMm) <= kNearMm)
+          result_.printedMm += beadMm;
         continue;
+      }
       ErrorPlace place{ErrorKind::Missing, beadMm, b.alongMm - a.alongMm};
       locate(place, a, timeOf(k - 1));
       result_.missingMm += beadMm;
@@ -259,6 +261,33 @@ base::Text kindName(ErrorKind kind) {
     return "flow"_text;
   case ErrorKind::Missing:
     return "missing"_text;
+  }
+  return {};
+}
+
+RunVerdict RunComparison::verdict() const {
+  if (printedMm < kSameJobShare * beadsMm)
+    return RunVerdict::OtherJob;
+  if (printedMm < kCompleteShare * beadsMm)
+    return RunVerdict::Incomplete;
+  return places.empty() ? RunVerdict::Within : RunVerdict::Beyond;
+}
+
+base::Message verdictSentence(const RunComparison& c) {
+  switch (c.verdict()) {
+  case RunVerdict::Within:
+    return "no place differs from the plan by more than the tolerances"_text;
+  case RunVerdict::Beyond:
+    return base::message(
+        "{count} place is beyond the tolerances|{count} places are beyond the tolerances"_plural,
+        c.places.size());
+  case RunVerdict::Incomplete:
+    return base::message("only {recorded:.1f} of {planned:.1f} of beads are recorded"_text,
+                         base::mm(c.printedMm), base::mm(c.beadsMm));
+  case RunVerdict::OtherJob:
+    return base::message(
+        "this is no record of this job: {recorded:.1f} of {planned:.1f} of beads agree"_text,
+        base::mm(c.printedMm), base::mm(c.beadsMm));
   }
   return {};
 }

@@ -42,6 +42,14 @@ struct ErrorCurve {
   std::vector<float> planS, recordS, pathMm, speed, flow; // speed, flow: NaN where not measured
 };
 
+enum class RunVerdict : std::uint8_t {
+  Within,     // the whole job, within the tolerances
+  Beyond,     // places beyond the tolerances
+  Incomplete, // less than kCompleteShare of the beads is recorded
+  OtherJob    // less than kSameJobShare of the beads is recorded
+};
+inline constexpr double kCompleteShare = 0.9, kSameJobShare = 0.01;
+
 struct RunComparison {
   // Of the samples on beads
   double pathMeanMm = 0.0, pathMaxMm = 0.0;
@@ -55,8 +63,11 @@ struct RunComparison {
   std::vector<ErrorPlace> places;          // by kind, then the worst first
   ErrorCurve curve;
 
-  bool isWithin() const { return places.empty(); }
+  RunVerdict verdict() const;
 };
+
+// Returns the verdict as a sentence with its figures.
+base::Message verdictSentence(const RunComparison& comparison);
 
 // Speed and flow are measured over at least these, within one bead.
 inline constexpr double kWindowMm = 4.0, kWindowS = 0.2;

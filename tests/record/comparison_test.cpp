@@ -44,7 +44,7 @@ TEST(CompareRun, WithoutErrorsNoneIsFound) {
     const PlannedRun planned = randomBeads(seed);
     for (const double cycleS : {kRtdeS, kMelfaS}) {
       const RunComparison c = compared(recordOf(planned, {}, cycleS), planned);
-      EXPECT_TRUE(c.isWithin()) << seed;
+      EXPECT_EQ(c.verdict(), RunVerdict::Within) << seed;
       EXPECT_LT(c.pathMaxMm, 1e-9) << seed;
       EXPECT_LT(std::abs(c.speedMostSlow) + std::abs(c.speedMostFast), 1e-3) << seed;
       EXPECT_LT(std::abs(c.speedMean), 1e-3) << seed;
@@ -110,7 +110,8 @@ TEST(CompareRun, ARecordOfAPartIsLaidBesideIt) {
     const double wholeS = planned.timeS.back();
     const RunComparison c =
         compared(recordOf(planned, {}, kRtdeS, 0.43 * wholeS, 0.8 * wholeS), planned);
-    EXPECT_TRUE(c.isWithin()) << seed;
+    EXPECT_EQ(c.verdict(), RunVerdict::Incomplete) << seed;
+    EXPECT_TRUE(c.places.empty()) << seed;
     ASSERT_FALSE(c.curve.planS.empty()) << seed;
     EXPECT_NEAR(c.curve.planS.front() - 0.43 * wholeS, 0.0, 4.0) << seed;
     for (std::size_t i = 0; i < c.curve.planS.size(); ++i)
@@ -165,6 +166,58 @@ TEST(CompareRun, ARecordOfAnotherPlaceIsRefused) {
   for (Vector3d& tip : run.tip)
     tip.z() += 100.0;
   EXPECT_THROW(compared(run, planned), base::Error);
+}
+
+// The verdict by the share of the beads that is recorded, and its sentence.
+TEST(CompareRun, LittleOfTheJobIsNoRecordOfIt) {
+  RunComparison c;
+  c.beadsMm = 9554.6;
+  EXPECT_EQ(c.verdict(), RunVerdict::OtherJob) << "nothing is compared";
+  c.printedMm = 95.0;
+  EXPECT_EQ(c.verdict(), RunVerdict::OtherJob);
+  EXPECT_EQ(base::english(verdictSentence(c)),
+            "this is no record of this job: 95.0 mm of 9554.6 mm of beads agree");
+  c.printedMm = 8599.0;
+  EXPECT_EQ(c.verdict(), RunVerdict::Incomplete);
+  EXPECT_EQ(base::english(verdictSentence(c)), "only 8599.0 mm of 9554.6 mm of beads are recorded");
+  c.printedMm = 8600.0;
+  EXPECT_EQ(c.verdict(), RunVerdict::Within);
+  c.places.emplace_back();
+  EXPECT_EQ(c.verdict(), RunVerdict::Beyond);
+  EXPECT_EQ(base::english(verdictSentence(c)), "1 place is beyond the tolerances");
+}
+
+// A transfer of which only the ends are recorded is longer than the band of places that is searched
+// for the next sample.
+TEST(CompareRun, ATransferRecordedByItsEndsIsFollowed) {
+  test::PlannedBeads beads;
+  beads.travelTo({0, 0, 400});
+  const auto layer = [&](double y, double z) {
+    beads.travelTo({0, y, z});
+    for (int line = 0; line < 6; ++line) {
+      beads.printTo({line % 2 == 0 ? 30.0 : 0.0, y + 1.2 * line, z}, 20);
+      beads.printTo({line % 2 == 0 ? 30.0 : 0.0, y + 1.2 * (line + 1), z}, 20);
+    }
+  };
+  for (int k = 0; k < 6; ++k)
+    layer(k % 2 == 0 ? 0.0 : 300.0, 0.8 * (k / 2 + 1));
+  beads.travelTo({0, 0, 400});
+  const PlannedRun& planned = beads.run();
+  RecordedRun run = recordOf(planned, {}, kRtdeS);
+  // Keeps the first sample of each transfer only, as its end is the first one on a bead.
+  RecordedRun kept;
+  for (std::size_t i = 0; i < run.tip.size(); ++i) {
+    const auto at = static_cast<std::size_t>(std::ranges::lower_bound(planned.timeS, run.timeS[i]) -
+                                             planned.timeS.begin());
+    if (i > 0 && planned.prints[std::clamp<std::size_t>(at, 1, planned.size() - 1)] == 0)
+      continue;
+    kept.tip.push_back(run.tip[i]);
+    kept.timeS.push_back(run.timeS[i]);
+  }
+  const RunComparison c = compared(kept, planned);
+  EXPECT_EQ(c.verdict(), RunVerdict::Within);
+  EXPECT_GT(c.printedMm, 0.99 * c.beadsMm);
+  EXPECT_LT(c.pathMaxMm, 1e-6);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "window/run_dialog.h"
 
 #include "forms/duration.h"
-#include "forms/icons.h"
+#include "language/words.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -25,6 +25,19 @@ QString percent(double share) {
 }
 QString mm(double length) {
   return QLocale().toString(length, 'f', 2);
+}
+
+forms::Icon signOf(record::RunVerdict verdict) {
+  switch (verdict) {
+  case record::RunVerdict::Within:
+    return forms::Icon::Good;
+  case record::RunVerdict::Beyond:
+    return forms::Icon::Warning;
+  case record::RunVerdict::Incomplete:
+  case record::RunVerdict::OtherJob:
+    break;
+  }
+  return forms::Icon::Blocked;
 }
 } // namespace
 
@@ -87,15 +100,15 @@ RunDialog::RunDialog(const QString& record, std::shared_ptr<const pipeline::Plan
           [this](double fraction) { progress_->setValue(static_cast<int>(100.0 * fraction)); });
   connect(&comparing_, &document::RunComparing::compared, this, &RunDialog::show);
   connect(&comparing_, &document::RunComparing::failed, this,
-          [this](const QString& message) { conclude(message, false); });
+          [this](const QString& message) { conclude(message, forms::Icon::Warning); });
   comparing_.compare(record, std::move(plan));
 }
 
-void RunDialog::conclude(const QString& text, bool good) {
+void RunDialog::conclude(const QString& text, forms::Icon sign) {
   progress_->hide();
   figures_->setText(text);
   const int size = fontMetrics().height() + 4;
-  sign_->setPixmap(forms::icon(good ? forms::Icon::Good : forms::Icon::Warning).pixmap(size, size));
+  sign_->setPixmap(forms::icon(sign).pixmap(size, size));
   buttons_->setStandardButtons(QDialogButtonBox::Close);
 }
 
@@ -109,9 +122,9 @@ void RunDialog::show(const pipeline::ComparedRun& run) {
           .arg(percent(c.speedMean), percent(c.speedMostSlow), percent(c.speedMostFast)),
       flow.arg(percent(c.flowMean), percent(c.flowMostLess), percent(c.flowMostMore)),
       tr("Beads recorded: %1 of %2 mm").arg(mm(c.printedMm), mm(c.beadsMm))};
-  if (c.isWithin())
-    lines << tr("No place differs from the plan by more than the tolerances.");
-  conclude(lines.join(QLatin1Char('\n')), c.isWithin());
+  lines.prepend(language::words(record::verdictSentence(c)));
+  lines.front().front() = lines.front().front().toUpper();
+  conclude(lines.join(QLatin1Char('\n')), signOf(c.verdict()));
   list(c.places);
   emit compared(c.places);
   adjustSize();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/run_comparing.h"
+#include "forms/icons.h"
 
 #include <QDialog>
 #include <QString>
@@ -30,7 +31,7 @@ signals:
 
 private:
   void show(const pipeline::ComparedRun& run);
-  void conclude(const QString& text, bool good);
+  void conclude(const QString& text, forms::Icon sign);
   void list(const std::vector<record::ErrorPlace>& places);
 
   document::RunComparing comparing_;
