@@ -26,7 +26,8 @@ struct Choice {
 struct ParameterSpec {
   std::string key; // Unique over all tables, camelCase
   ParameterType type = ParameterType::Number;
-  std::string unit; // "mm", "mm/s", "deg", "" for none
+  // "mm", "mm/s", "deg", "" for none; "share" of a whole: 0.2 in files, 20 % in forms
+  std::string unit;
   ParameterValue defaultValue;
   double minimum = 0.0, maximum = 0.0; // Inclusive; Number and Integer
   std::vector<base::Choice> choices;   // Choice

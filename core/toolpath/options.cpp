@@ -27,14 +27,14 @@ base::ParameterTable toolpathParameters() {
       base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text,
                             "infill"_text, "Pattern that fills the interior of each layer."_text,
                             true),
-      base::numberParameter("infillDensity", "", 1.0, 0.0, 1.0, "Tool-paths"_text,
+      base::numberParameter("infillDensity", "share", 1.0, 0.0, 1.0, "Tool-paths"_text,
                             "infill density"_text,
-                            "Share of the interior that is filled; 1 is solid, 0 hollow. Walls and "
-                            "skins are always solid."_text,
+                            "Share of the interior that is filled: the whole is solid, none is "
+                            "hollow. Walls and skins are always solid."_text,
                             true),
       base::choiceParameter("sparsePattern", ToolpathOptions{}.sparsePattern, patterns,
                             "Tool-paths"_text, "sparse pattern"_text,
-                            "Pattern of the interior if its density is below 1."_text, true),
+                            "Pattern of the interior if it is not solid."_text, true),
       base::integerParameter(
           "topLayers", ToolpathOptions{}.topLayers, 0, 100, "Tool-paths"_text, "top layers"_text,
           "Solid layers between the sparse interior and the surface above it."_text, true),
@@ -136,8 +136,8 @@ base::ParameterTable toolpathParameters() {
           "fibreField", "Fibre"_text, "field of tape directions"_text,
           "For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by "
           "spaces or lines, or a file of them."_text),
-      base::numberParameter("stitchExcess", "", StitchOptions{}.excess, -0.5, 1.0, "Stitches"_text,
-                            "excess of a shot"_text,
+      base::numberParameter("stitchExcess", "share", StitchOptions{}.excess, -0.5, 1.0,
+                            "Stitches"_text, "excess of a shot"_text,
                             "Material of a shot beyond the volume of its pocket, as a share of "
                             "that volume."_text),
       base::numberParameter("stitchDepth", "mm", StitchOptions{}.depthMm, 0.0, 50.0,

@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStatusTipEvent>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -27,6 +28,8 @@ base::ParameterTable table() {
                             "Wanted height."_text, true),
       base::integerParameter("walls", 2, 0, 20, "Beads"_text, "walls"_text,
                              "Beads at the edge."_text, true),
+      base::numberParameter("density", "share", 1.0, 0.0, 1.0, "Beads"_text, "density"_text,
+                            "Share that is filled."_text, true),
       base::choiceParameter("infill", "zigzag",
                             {{"zigzag", "zigzag"_text}, {"concentric", "concentric"_text}},
                             "Beads"_text, "infill"_text, "How it is filled."_text, true),
@@ -77,6 +80,53 @@ TEST_F(ParameterFormTest, TypingIsCommittedOnceByEnterAndNotByKeystrokes) {
   EXPECT_EQ(changes[0][1].toString(), "1.25");
   QTest::keyClick(box, Qt::Key_Return);
   EXPECT_EQ(changes.size(), 1);
+}
+
+// Statements of the status line that a box sends.
+class StatusTips : public QObject {
+public:
+  QStringList texts;
+
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::StatusTip)
+      texts << static_cast<QStatusTipEvent*>(event)->tip();
+    return false;
+  }
+};
+
+TEST_F(ParameterFormTest, AShareIsTypedInPercent) {
+  auto* box = editor<forms::NumberBox>("density");
+  EXPECT_EQ(box->text(), QStringLiteral("100\u00a0%"));
+  for (const auto& [typed, stored] : {std::pair("20", 0.2), std::pair("15", 0.15),
+                                      std::pair("0", 0.0), std::pair("7.5", 0.075)}) {
+    type(box, typed);
+    QTest::keyClick(box, Qt::Key_Return);
+    ASSERT_GT(changes.size(), 0);
+    EXPECT_DOUBLE_EQ(changes.last()[1].toString().toDouble(), stored) << typed;
+    EXPECT_DOUBLE_EQ(box->value(), 100.0 * stored) << typed;
+  }
+}
+
+TEST_F(ParameterFormTest, WhatABoxDoesNotTakeIsTold) {
+  for (const char* key : {"density", "walls"}) {
+    auto* box = qobject_cast<QAbstractSpinBox*>(row(key)->editor());
+    StatusTips tips;
+    box->installEventFilter(&tips);
+    type(box, "3");
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_TRUE(tips.texts.isEmpty()) << tips.texts.join(' ').toStdString();
+    type(box, "3x");
+    EXPECT_EQ(tips.texts.size(), 1);
+    QTest::keyClick(box, Qt::Key_Return);
+    tips.texts.clear();
+    type(box, "200"); // beyond the range
+    QTest::keyClick(box, Qt::Key_Return);
+    ASSERT_EQ(tips.texts.size(), 1);
+    EXPECT_TRUE(tips.texts[0].contains("200 is not possible")) << tips.texts[0].toStdString();
+    box->removeEventFilter(&tips);
+  }
+  EXPECT_DOUBLE_EQ(editor<forms::NumberBox>("density")->value(), 100.0);
+  EXPECT_EQ(editor<QSpinBox>("walls")->value(), 20);
 }
 
 TEST_F(ParameterFormTest, StepAndChoiceAndCheckBoxCommitAtOnce) {

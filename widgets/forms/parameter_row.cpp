@@ -105,10 +105,13 @@ void ParameterRow::buildEditor() {
   switch (spec_.type) {
   case base::ParameterType::Number: {
     auto* box = new NumberBox(this);
-    box->setRange(spec_.minimum, spec_.maximum);
-    box->setSingleStep(stepFor(std::get<double>(spec_.defaultValue), spec_.maximum));
+    const double shown = shownFactor(spec_);
+    box->setRange(shown * spec_.minimum, shown * spec_.maximum);
+    box->setSingleStep(
+        stepFor(shown * std::get<double>(spec_.defaultValue), shown * spec_.maximum));
     box->setUnit(unitText(spec_.unit));
-    connect(box, &QDoubleSpinBox::valueChanged, this, [this](double value) { commit(value); });
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [this, shown](double value) { commit(value / shown); });
     editor_ = box;
     break;
   }
@@ -196,7 +199,7 @@ void ParameterRow::showValue() {
   const QSignalBlocker quiet(editor_);
   switch (spec_.type) {
   case base::ParameterType::Number:
-    static_cast<NumberBox*>(editor_)->setValue(std::get<double>(value_));
+    static_cast<NumberBox*>(editor_)->setValue(shownFactor(spec_) * std::get<double>(value_));
     break;
   case base::ParameterType::Integer:
     static_cast<QSpinBox*>(editor_)->setValue(

@@ -9,7 +9,13 @@
 namespace voluta::forms {
 
 QString unitText(const std::string& unit) {
-  return unit == "deg" ? QStringLiteral("°") : QString::fromStdString(unit);
+  return unit == "deg"     ? QStringLiteral("°")
+         : unit == "share" ? QStringLiteral("%")
+                           : QString::fromStdString(unit);
+}
+
+double shownFactor(const base::ParameterSpec& spec) {
+  return spec.unit == "share" ? 100.0 : 1.0;
 }
 
 QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& value) {
@@ -17,7 +23,7 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
   const QLocale locale;
   const QString space = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QString(' ');
   if (const auto* number = std::get_if<double>(&value))
-    return language::numberText(*number, 6) + space + unit;
+    return language::numberText(shownFactor(spec) * *number, 6) + space + unit;
   if (const auto* whole = std::get_if<long long>(&value))
     return locale.toString(static_cast<qlonglong>(*whole)) + space + unit;
   if (const auto* yes = std::get_if<bool>(&value))

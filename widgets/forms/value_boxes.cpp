@@ -1,9 +1,16 @@
 #include "forms/value_boxes.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
+#include <QLineEdit>
 #include <QSpinBox>
+#include <QStatusTipEvent>
+#include <QTimer>
+#include <QToolTip>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace voluta::forms {
 
@@ -20,6 +27,80 @@ public:
     return true;
   }
 };
+
+// Returns the number that a text of the box states, whether it is a value of the box or not.
+std::optional<double> numberIn(const QAbstractSpinBox& box, QString text, const QString& suffix) {
+  if (!suffix.isEmpty() && text.endsWith(suffix))
+    text.chop(suffix.size());
+  bool isNumber = false;
+  const double number = box.locale().toDouble(text.trimmed(), &isNumber);
+  return isNumber ? std::optional(number) : std::nullopt;
+}
+
+// Qt refuses the keystroke that leaves the range: of 20 below a maximum of 1 only the 0 arrives.
+template <class Box>
+QValidator::State validated(const Box& box, const QString& text, QValidator::State byQt) {
+  return byQt == QValidator::Invalid && numberIn(box, text, box.suffix()) ? QValidator::Intermediate
+                                                                          : byQt;
+}
+
+template <class Box> void moveIntoRange(const Box& box, QString& text) {
+  if (const auto number = numberIn(box, text, box.suffix()))
+    text = box.prefix() +
+           box.textFromValue(static_cast<decltype(box.value())>(
+               std::clamp<double>(*number, box.minimum(), box.maximum()))) +
+           box.suffix();
+}
+
+void tell(QWidget& box, const QString& text) {
+  constexpr int kShownMs = 6000;
+  QStatusTipEvent tip(text);
+  QCoreApplication::sendEvent(&box, &tip);
+  QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), text, &box, {}, kShownMs);
+  QTimer::singleShot(kShownMs, &box, [&box] {
+    QStatusTipEvent none{QString()};
+    QCoreApplication::sendEvent(&box, &none);
+  });
+}
+
+template <class Box> QString rangeText(const Box& box) {
+  return QCoreApplication::translate("ValueBoxes", "%1 to %2")
+      .arg(box.textFromValue(box.minimum()) + box.suffix(),
+           box.textFromValue(box.maximum()) + box.suffix());
+}
+
+// Says which keys and numbers the box does not take.
+template <class Box> void tellRefused(Box* box, QLineEdit* line) {
+  QObject::connect(line, &QLineEdit::inputRejected, box, [box] {
+    tell(*box, QCoreApplication::translate(
+                   "ValueBoxes", "This character is not possible here. Enter a number: %1.")
+                   .arg(rangeText(*box)));
+  });
+  QObject::connect(line, &QLineEdit::textEdited, box,
+                   [box](const QString& text) { box->setProperty("typed", text); });
+  QObject::connect(box, &QAbstractSpinBox::editingFinished, box, [box] {
+    const auto typed = numberIn(*box, box->property("typed").toString(), box->suffix());
+    box->setProperty("typed", QVariant());
+    constexpr double kSame = 1e-9;
+    if (typed && std::abs(*typed - static_cast<double>(box->value())) >
+                     kSame * std::max(1.0, std::abs(*typed)))
+      tell(*box, QCoreApplication::translate("ValueBoxes",
+                                             "%1 is not possible here: %2 is used. Range: %3.")
+                     .arg(box->locale().toString(*typed),
+                          box->textFromValue(box->value()) + box->suffix(), rangeText(*box)));
+  });
+}
+
+class IntegerBox : public QSpinBox {
+public:
+  explicit IntegerBox(QWidget* parent) : QSpinBox(parent) { tellRefused(this, lineEdit()); }
+
+  QString textFromValue(int value) const override { return QSpinBox::textFromValue(value); }
+  QValidator::State validate(QString& text, int& cursor) const override {
+    return validated(*this, text, QSpinBox::validate(text, cursor));
+  }
+  void fixup(QString& text) const override { moveIntoRange(*this, text); }
+};
 } // namespace
 
 void tameWheel(QWidget* box) {
@@ -32,6 +113,15 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
   setKeyboardTracking(false);
   setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
   tameWheel(this);
+  tellRefused(this, lineEdit());
+}
+
+QValidator::State NumberBox::validate(QString& text, int& cursor) const {
+  return validated(*this, text, QDoubleSpinBox::validate(text, cursor));
+}
+
+void NumberBox::fixup(QString& text) const {
+  moveIntoRange(*this, text);
 }
 
 void NumberBox::setUnit(const QString& unit) {
@@ -68,7 +158,7 @@ QComboBox* makeCombo(QWidget* parent) {
 }
 
 QSpinBox* makeIntegerBox(QWidget* parent) {
-  auto* box = new QSpinBox(parent);
+  auto* box = new IntegerBox(parent);
   box->setKeyboardTracking(false);
   box->setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
   tameWheel(box);

@@ -1,5 +1,7 @@
 // Spin boxes and combo boxes for forms: a value is committed by Enter, by leaving the field or by a
-// step, never by a keystroke, and the wheel over a box without focus scrolls the area around it.
+// step, never by a keystroke, and the wheel over a box without focus scrolls the area around it. A
+// number beyond the range can be typed and becomes the nearest possible one. What a box does not
+// take is said below it and in the status line.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -19,6 +21,8 @@ public:
   // Unit as in the tables ("mm", "deg", ""), shown after the number.
   void setUnit(const QString& unit);
   QString textFromValue(double value) const override;
+  QValidator::State validate(QString& text, int& cursor) const override;
+  void fixup(QString& text) const override;
 };
 
 // Gives a box the wheel behaviour described above for its lifetime.
