@@ -7823,16 +7823,16 @@ previsto</translation>
         <translation>eventi in numero diverso</translation>
     </message>
     <message>
-        <source>Share of the interior that is filled; 1 is solid, 0 hollow. Walls and skins are always solid.</source>
-        <translation>Quota dell&apos;interno che viene riempita; 1 è pieno, 0 vuoto. Pareti e pelli sono sempre piene.</translation>
+        <source>Share of the interior that is filled: the whole is solid, none is hollow. Walls and skins are always solid.</source>
+        <translation>Quota dell&apos;interno che viene riempita: tutta è pieno, nessuna è vuoto. Pareti e pelli sono sempre piene.</translation>
     </message>
     <message>
         <source>sparse pattern</source>
         <translation>motivo rado</translation>
     </message>
     <message>
-        <source>Pattern of the interior if its density is below 1.</source>
-        <translation>Motivo dell&apos;interno se la sua densità è minore di 1.</translation>
+        <source>Pattern of the interior if it is not solid.</source>
+        <translation>Motivo dell&apos;interno se non è pieno.</translation>
     </message>
     <message>
         <source>top layers</source>
@@ -10127,6 +10127,21 @@ facce %</translation>
         <source>this is no record of this job: {recorded:.1f} of {planned:.1f} of beads agree</source>
         <translation>questa non è una registrazione di questo lavoro: corrispondono {recorded:.1f} di {planned:.1f} di cordoni</translation>
     </message>
+    <message>
+        <source>Plan: {finding}.</source>
+        <translation>Piano: {finding}.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan: {count} more blocking findings.</source>
+        <translation>
+            <numerusform>Piano: un&apos;altra segnalazione bloccante.</numerusform>
+            <numerusform>Piano: altre {count} segnalazioni bloccanti.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not approved: the plan has blocking findings.</source>
+        <translation>Non approvato: il piano ha segnalazioni bloccanti.</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10735,6 +10750,22 @@ Fai clic per sceglierne un altro</translation>
         <source>%1 options</source>
         <translation>Opzioni %1</translation>
     </message>
+    <message>
+        <source>Blocked plan</source>
+        <translation>Piano bloccato</translation>
+    </message>
+    <message>
+        <source>The plan has blocking findings: %1</source>
+        <translation>Il piano ha segnalazioni bloccanti: %1</translation>
+    </message>
+    <message>
+        <source>The programs move as planned, but the part will not be as intended.</source>
+        <translation>I programmi si muovono come pianificato, ma il pezzo non sarà come previsto.</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Esporta comunque</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsModel</name>
@@ -10835,6 +10866,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Not replayed since the change</source>
         <translation>Non verificato dopo la modifica</translation>
+    </message>
+    <message>
+        <source>Not passed, the plan is blocked: %1</source>
+        <translation>Non superato, il piano è bloccato: %1</translation>
     </message>
 </context>
 <context>
@@ -13144,6 +13179,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>%1 tool changes</source>
         <translation>%1 cambi utensile</translation>
     </message>
+    <message>
+        <source>not passed: blocking findings</source>
+        <translation>non superato: segnalazioni bloccanti</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -13733,6 +13772,21 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Beads recorded: %1 of %2 mm</source>
         <translation>Cordoni registrati: %1 di %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ValueBoxes</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>This character is not possible here. Enter a number: %1.</source>
+        <translation>Questo carattere non è possibile qui. Inserisci un numero: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not possible here: %2 is used. Range: %3.</source>
+        <translation>%1 non è possibile qui: si usa %2. Intervallo: %3.</translation>
     </message>
 </context>
 </TS>

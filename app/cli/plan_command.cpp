@@ -3,6 +3,7 @@
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
 
@@ -57,6 +58,19 @@ void sayItem(const project::ItemReport& item, const std::string& name) {
   fmt::print("{} layers", item.layers.count);
 }
 
+// A replay that passed is no more than that where a finding on the plan blocks.
+const char* verdictWord(const project::Report& report) {
+  switch (pipeline::verdictOf(report)) {
+  case pipeline::PlanVerdict::Passed:
+    return "passed";
+  case pipeline::PlanVerdict::Blocked:
+    return "passed, the plan NOT";
+  case pipeline::PlanVerdict::Refused:
+    break;
+  }
+  return "NOT passed";
+}
+
 void sayResult(const project::Report& r) {
   for (const project::ItemReport& item : r.items) {
     sayItem(item, r.items.size() > 1 ? item.model.file + ": " : std::string());
@@ -69,9 +83,9 @@ void sayResult(const project::Report& r) {
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
                "{} collisions, deviation {:.4f} mm\n",
-               r.replay.passed ? "passed" : "NOT passed", r.replay.coveredFraction,
-               r.replay.unsupportedFraction, r.replay.overfillFraction, r.replay.massRatio,
-               r.replay.collisions, r.replay.maxDeviationMm);
+               verdictWord(r), r.replay.coveredFraction, r.replay.unsupportedFraction,
+               r.replay.overfillFraction, r.replay.massRatio, r.replay.collisions,
+               r.replay.maxDeviationMm);
 }
 } // namespace
 

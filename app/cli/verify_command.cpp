@@ -3,6 +3,7 @@
 #include "cli/mill_command.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/mill_job.h"
+#include "pipeline/plan_verdict.h"
 #include "plan/finding_kinds.h"
 
 #include <filesystem>
@@ -59,8 +60,8 @@ ExitCode verifyCommand(const VerifyOptions& options) {
   const pipeline::VerifyResult& result = *ended;
   fmt::print("{}: {} ({}): covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, {} "
              "collisions, {} limit violations, deviation {:.4f} mm\n",
-             options.program.string(), result.replay.passed ? "passed" : "refused", result.format,
-             result.replay.coveredFraction, result.replay.unsupportedFraction,
+             options.program.string(), pipeline::isVerified(result) ? "passed" : "refused",
+             result.format, result.replay.coveredFraction, result.replay.unsupportedFraction,
              result.replay.overfillFraction, result.replay.massRatio, result.replay.collisions,
              result.replay.limitViolations, result.replay.maxDeviationMm);
   const plan::Finding* first = nullptr;
@@ -71,7 +72,7 @@ ExitCode verifyCommand(const VerifyOptions& options) {
   }
   if (first)
     fmt::print(stderr, "{}: {}\n", options.program.string(), plan::englishReason(*first));
-  return result.replay.passed && !first ? kDone : kNotAll;
+  return pipeline::isVerified(result) ? kDone : kNotAll;
 }
 
 } // namespace voluta::cli

@@ -11,6 +11,7 @@
 #include "motion/trajectory_csv.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/program_files.h"
 #include "pipeline/proof.h"
 #include "pipeline/replay_stage.h"
@@ -186,10 +187,8 @@ void writeHandover(const PlanResult& result, const Programs& programs,
   std::erase_if(written.programs,
                 [&](const project::ProgramReport& row) { return !isThere(row.format); });
   std::erase_if(written.findings, [&](const plan::Finding& finding) {
-    const base::Value* value = finding.value("format");
-    const auto* refused = value ? std::get_if<std::string>(&value->data()) : nullptr;
-    return (refused && !isThere(*refused)) ||
-           (!finding.program.format.empty() && !isThere(finding.program.format));
+    const std::string format = formatOf(finding);
+    return !format.empty() && !isThere(format);
   });
   written.peakRssMb = base::peakResidentMb();
   writeReport(std::move(written), folder);

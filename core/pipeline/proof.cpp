@@ -208,6 +208,10 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
   proof.layers = layersOf(result.job.report);
   proof.verdict = checked.verdict;
+  proof.decision = verdictOf(checked, result.job.report);
+  for (const plan::Finding& finding : blockersOf(result.job.report, checked.program.format))
+    if (formatOf(finding).empty()) // the program's own are among the checks
+      proof.blockers.push_back(plan::reasonOf(finding));
   proof.deviations = checked.deviations;
   proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
@@ -247,7 +251,12 @@ Json valueJson(const ProofValue& value, const char* key) {
 
 Json replayJson(const Proof& proof) {
   const project::ReplayReport& v = proof.verdict;
+  Json blockers = Json::array();
+  for (const base::Message& blocker : proof.blockers)
+    blockers.push_back(base::english(blocker));
   return Json{{"passed", v.passed},
+              {"planPassed", proof.decision == PlanVerdict::Passed},
+              {"blocking", std::move(blockers)},
               {"coveredFraction", v.coveredFraction},
               {"unsupportedFraction", v.unsupportedFraction},
               {"halfCarriedFraction", v.halfCarriedFraction},

@@ -5,6 +5,7 @@
 #include "page/sheet.h"
 #include "pipeline/fill_map.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/proof_style.h"
 #include "pipeline/road.h"
 #include "process/process.h"
@@ -48,6 +49,8 @@ struct Proof {
   Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero();
   int layers = 0;
   project::ReplayReport verdict;
+  PlanVerdict decision = PlanVerdict::Passed;
+  std::vector<base::Message> blockers;   // reasons of the plan's blocking findings
   std::size_t deviations = 0;            // places where the program differs from the plan
   double plannedS = 0.0, programS = 0.0; // durations by the plan and as the program runs
   double materialMm3 = 0.0;

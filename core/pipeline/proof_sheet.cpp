@@ -93,6 +93,7 @@ public:
     beadChecks();
     programChecks();
     motionChecks();
+    planChecks();
     verdict();
     maps();
     files();
@@ -321,12 +322,36 @@ private:
     return {failed, {checks}};
   }
 
+  // Findings on the plan that no replay of a program measures.
+  void planChecks() {
+    constexpr std::size_t kMost = 8;
+    for (std::size_t i = 0; i < std::min(kMost, proof_.blockers.size()); ++i)
+      check(false, message("Plan: {finding}."_text, proof_.blockers[i]));
+    if (proof_.blockers.size() > kMost)
+      check(false,
+            message(
+                "Plan: {count} more blocking finding.|Plan: {count} more blocking findings."_plural,
+                proof_.blockers.size() - kMost));
+  }
+
+  base::Text decision() const {
+    switch (proof_.decision) {
+    case PlanVerdict::Passed:
+      return "Passed: this program prints the part as planned."_text;
+    case PlanVerdict::Blocked:
+      return "Not approved: the plan has blocking findings."_text;
+    case PlanVerdict::Refused:
+      break;
+    }
+    return "Refused: do not run this program."_text;
+  }
+
   void verdict() {
+    const bool passed = proof_.decision == PlanVerdict::Passed;
     const auto failed = std::ranges::count(sheet_.checks, Mark::Failed, &page::Check::mark);
-    sheet_.verdictMark = verdict_.passed ? Mark::Passed : Mark::Failed;
-    sheet_.verdict = say(verdict_.passed ? "Passed: this program prints the part as planned."_text
-                                         : "Refused: do not run this program."_text);
-    sheet_.verdictDetail = say(verdict_.passed ? howItWasMeasured() : howItFailed(failed));
+    sheet_.verdictMark = passed ? Mark::Passed : Mark::Failed;
+    sheet_.verdict = say(decision());
+    sheet_.verdictDetail = say(passed ? howItWasMeasured() : howItFailed(failed));
     if (proof_.foreign)
       sheet_.verdictDetail += " " + say("It is for another controller than the cell's."_text);
     if (proof_.rest)

@@ -7,6 +7,7 @@
 #include "panels/format_list.h"
 #include "panels/text_preview.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/plan_verdict.h"
 #include "program/dialect.h"
 #include "timeline/timeline_bar.h"
 
@@ -142,6 +143,35 @@ TEST_F(ExportTest, AFormatThatCannotSayTheJobIsNotOffered) {
   EXPECT_EQ(panel()->checkedFormats(), before);
   chooseFormat("urscript");
   EXPECT_FALSE(why->isVisible());
+}
+
+// A small island beside a plinth begins in the air: the replay of the programs passes, as little
+// of them is unsupported, and nevertheless nothing in the window says that the plan has passed.
+TEST_F(ExportTest, ABlockedPlanHasNotPassedAnywhere) {
+  geometry::TriangleMesh mesh = box({0, 0, 0}, {40, 40, 6});
+  append(mesh, box({44, 10, 3}, {49, 15, 6}));
+  openPart(writePart("island.stl", mesh));
+  project::Choices flat = document().choices();
+  flat.item().mode = "flat";
+  document().setChoices(flat, "mode");
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  choosePage(Page::Export);
+  const auto result = document().result(Stage::Replay);
+  ASSERT_TRUE(result && result->job.report.replay.passed);
+  ASSERT_EQ(pipeline::verdictOf(result->job.report), pipeline::PlanVerdict::Blocked);
+  EXPECT_EQ(find<window::FlowBar>("flowBar")->state(Page::Export), window::PageState::Blocked);
+  EXPECT_TRUE(formats()->currentItem()->toolTip(2).contains("begins in the air"))
+      << formats()->currentItem()->toolTip(2).toStdString();
+  const QString there = path("blocked");
+  answerBox("blockedBox", QMessageBox::RejectRole);
+  exportInto(there);
+  ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 1; }, 5000));
+  EXPECT_FALSE(QDir(there).exists());
+  answerBox("blockedBox", QMessageBox::DestructiveRole);
+  QTest::mouseClick(button(panel(), "export"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return QFile::exists(QDir(there).filePath("report.json")); }, 60000));
+  EXPECT_EQ(answeredBoxes(), 2);
 }
 
 // What is unticked is not ticked again by a new plan, the last one included.

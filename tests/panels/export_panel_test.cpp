@@ -82,6 +82,24 @@ TEST_F(ExportPanelTest, RefusedProgramsOnlyAfterTheUsersWord) {
   EXPECT_TRUE(requested[0][2].toBool());
 }
 
+TEST_F(ExportPanelTest, ProgramsOfABlockedPlanOnlyAfterTheUsersWord) {
+  auto formats = gallery::sampleFormats();
+  formats[0].state = panels::VerdictState::Blocked;
+  formats[0].whyRefused = "1 piece of a layer begins in the air";
+  panel.setFormats(formats);
+  panel.setChecked({"urscript"});
+  const auto* list = panel.findChild<panels::FormatList*>();
+  EXPECT_TRUE(list->topLevelItem(0)->toolTip(2).contains(formats[0].whyRefused));
+  answerWith("none");
+  button()->click();
+  EXPECT_EQ(requested.size(), 0);
+  EXPECT_TRUE(asked.contains(formats[0].whyRefused)) << qPrintable(asked);
+  answerWith("exportBlocked");
+  button()->click();
+  ASSERT_EQ(requested.size(), 1);
+  EXPECT_FALSE(requested[0][2].toBool());
+}
+
 TEST_F(ExportPanelTest, CheckingAndChoosingAreTold) {
   QSignalSpy formats(&panel, &panels::ExportPanel::formatsChanged);
   QSignalSpy preview(&panel, &panels::ExportPanel::previewFormatChanged);

@@ -11,6 +11,7 @@
 #include "pipeline/outputs.h"
 #include "pipeline/proof.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
 
@@ -127,6 +128,31 @@ TEST(Proof, ARefusedProgramSaysSoFirst) {
   EXPECT_NE(page.find("Collisions: 2; none allowed."), std::string::npos);
   EXPECT_EQ(page.find("Passed:"), std::string::npos);
   EXPECT_EQ(proofIn(folder.path(), name)["files"][0]["name"], name);
+}
+
+// A finding on the plan is no property of its programs, whose replay passes.
+TEST(Proof, AProgramOfABlockedPlanHasNotPassed) {
+  PlanResult plan = test::boxPlan();
+  plan.job.report.findings.push_back(
+      plan::makeFinding(plan::FindingKind::BeginsInAir, {{"pieces", 1}}));
+  plan.job.report.findings.push_back(
+      plan::makeFinding(plan::FindingKind::ProgramRefused,
+                        {{"format", "another"_name}, {"failed", std::vector<base::Message>()}}));
+  EXPECT_FALSE(nothingBlocks(plan.job.report));
+  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Blocked);
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), kCtx);
+  for (const auto& checked : plan.checked) {
+    EXPECT_EQ(verdictOf(*checked, plan.job.report), PlanVerdict::Blocked);
+    EXPECT_EQ(blockersOf(plan.job.report, checked->program.format).size(), 1u);
+    const std::string page = base::readFile(folder / (proofName(*checked) + ".html"));
+    EXPECT_EQ(page.find("Passed:"), std::string::npos);
+    EXPECT_NE(page.find("Not approved: the plan has blocking findings."), std::string::npos);
+    EXPECT_NE(page.find("1 piece of a layer begins in the air"), std::string::npos);
+    const auto proof = proofIn(folder.path(), checked->program.files[0].name);
+    EXPECT_EQ(proof["replay"]["planPassed"], false);
+    EXPECT_EQ(proof["replay"]["blocking"].size(), 1u);
+  }
 }
 
 TEST(Proof, TheLegendHasTheColoursOfTheMap) {

@@ -126,7 +126,8 @@ StageState Document::state(Stage stage) const {
     return StageState::OutOfDate;
   const plan::Findings& findings = shown_[s].result->job.report.findings;
   const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
-    return f.blocking && plan::stageOf(f) == stage;
+    // The last stage hands over the whole plan.
+    return f.blocking && (plan::stageOf(f) == stage || stage == Stage::Replay);
   });
   if (blocked)
     return StageState::Blocked;

@@ -309,42 +309,66 @@ void ExportPanel::browse() {
 }
 
 void ExportPanel::exportNow() {
-  QStringList refused;
+  if (!mayExportBlocked())
+    return;
+  const std::optional<bool> includeRefused = mayExportRefused();
+  if (includeRefused)
+    emit exportRequested(folder(), list_->checkedIds(), *includeRefused);
+}
+
+std::vector<const ExportFormat*> ExportPanel::checkedIn(VerdictState state) const {
+  std::vector<const ExportFormat*> formats;
   for (const QString& id : list_->checkedIds())
-    if (const ExportFormat* format = find(id); format && format->state == VerdictState::Refused)
-      for (const ExportFile& file : format->files)
-        refused << file.name;
-  bool include = false;
-  if (!refused.isEmpty()) {
-    QMessageBox box(QMessageBox::Warning, tr("Refused programs"),
-                    tr("The replay refused some of the programs. Never run them on a robot."),
-                    QMessageBox::NoButton, this);
-    QStringList names;
-    for (const QString& name : refused)
-      names << (name.startsWith(QLatin1String("refused-")) ? name
-                                                           : QStringLiteral("refused-") + name);
-    constexpr int kNamed = 5;
-    const QString more = names.size() > kNamed ? QStringLiteral("\n…") : QString();
-    box.setInformativeText(tr("For inspection only, they can be saved as:") + QChar('\n') +
-                           names.mid(0, kNamed).join(QChar('\n')) + more);
-    QPushButton* all = box.addButton(tr("Save them too"), QMessageBox::DestructiveRole);
-    all->setObjectName(QStringLiteral("writeRefused"));
-    QPushButton* passed = nullptr;
-    const QStringList checked = list_->checkedIds();
-    if (std::any_of(checked.begin(), checked.end(), [this](const QString& id) {
-          const ExportFormat* format = find(id);
-          return format && format->state != VerdictState::Refused;
-        }))
-      passed = box.addButton(tr("Leave out"), QMessageBox::AcceptRole);
-    QPushButton* cancel = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(passed ? passed : cancel);
-    box.setEscapeButton(cancel);
-    box.exec();
-    if (box.clickedButton() == cancel || !box.clickedButton())
-      return;
-    include = box.clickedButton() == all;
-  }
-  emit exportRequested(folder(), list_->checkedIds(), include);
+    if (const ExportFormat* format = find(id); format && format->state == state)
+      formats.push_back(format);
+  return formats;
+}
+
+bool ExportPanel::mayExportBlocked() {
+  const std::vector<const ExportFormat*> blocked = checkedIn(VerdictState::Blocked);
+  if (blocked.empty())
+    return true;
+  QMessageBox box(QMessageBox::Warning, tr("Blocked plan"),
+                  tr("The plan has blocking findings: %1").arg(blocked.front()->whyRefused),
+                  QMessageBox::NoButton, this);
+  box.setObjectName(QStringLiteral("blockedBox"));
+  box.setInformativeText(tr("The programs move as planned, but the part will not be as intended."));
+  QPushButton* anyway = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
+  anyway->setObjectName(QStringLiteral("exportBlocked"));
+  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+  box.exec();
+  return box.clickedButton() == anyway;
+}
+
+std::optional<bool> ExportPanel::mayExportRefused() {
+  QStringList names;
+  const std::vector<const ExportFormat*> refused = checkedIn(VerdictState::Refused);
+  for (const ExportFormat* format : refused)
+    for (const ExportFile& file : format->files)
+      names << (file.name.startsWith(QLatin1String("refused-"))
+                    ? file.name
+                    : QStringLiteral("refused-") + file.name);
+  if (names.isEmpty())
+    return false;
+  QMessageBox box(QMessageBox::Warning, tr("Refused programs"),
+                  tr("The replay refused some of the programs. Never run them on a robot."),
+                  QMessageBox::NoButton, this);
+  constexpr int kNamed = 5;
+  const QString more = names.size() > kNamed ? QStringLiteral("\n…") : QString();
+  box.setInformativeText(tr("For inspection only, they can be saved as:") + QChar('\n') +
+                         names.mid(0, kNamed).join(QChar('\n')) + more);
+  QPushButton* all = box.addButton(tr("Save them too"), QMessageBox::DestructiveRole);
+  all->setObjectName(QStringLiteral("writeRefused"));
+  QPushButton* passed = nullptr;
+  if (refused.size() < static_cast<std::size_t>(list_->checkedIds().size()))
+    passed = box.addButton(tr("Leave out"), QMessageBox::AcceptRole);
+  QPushButton* cancel = box.addButton(QMessageBox::Cancel);
+  box.setDefaultButton(passed ? passed : cancel);
+  box.setEscapeButton(cancel);
+  box.exec();
+  if (box.clickedButton() == cancel || !box.clickedButton())
+    return std::nullopt;
+  return box.clickedButton() == all;
 }
 
 void ExportPanel::retranslate() {

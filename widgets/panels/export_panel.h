@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,11 @@ private:
   void showButton();
   void browse();
   void exportNow();
+  std::vector<const ExportFormat*> checkedIn(VerdictState state) const;
+  // Ask only if there are such programs.
+  bool mayExportBlocked();
+  // Returns whether to write the refused programs too; nullopt: nothing at all.
+  std::optional<bool> mayExportRefused();
   const ExportFormat* find(const QString& id) const;
   void retranslate();
 

@@ -20,6 +20,7 @@ forms::Icon iconOf(VerdictState state) {
   switch (state) {
   case VerdictState::Passed:
     return forms::Icon::Good;
+  case VerdictState::Blocked:
   case VerdictState::Refused:
     return forms::Icon::Blocked;
   case VerdictState::NotYet:
@@ -158,6 +159,8 @@ QString FormatList::verdictOf(const ExportFormat& format) {
     break;
   case VerdictState::Passed:
     return tr("Passed: the replay found no errors");
+  case VerdictState::Blocked:
+    return tr("Not passed, the plan is blocked: %1").arg(format.whyRefused);
   case VerdictState::Refused:
     return tr("Refused by the replay: %1").arg(format.whyRefused);
   case VerdictState::OutOfDate:

@@ -14,7 +14,8 @@
 
 namespace voluta::panels {
 
-enum class VerdictState { NotYet, Passed, Refused, OutOfDate };
+// Blocked: the replay passes, but the plan has a blocking finding.
+enum class VerdictState { NotYet, Passed, Blocked, Refused, OutOfDate };
 
 struct ExportFile {
   QString name;                            // name in the folder
@@ -27,7 +28,7 @@ struct ExportFormat {
   bool foreign = false;
   QString whyNot; // reason why this job cannot be written in it, a sentence; empty if it can
   VerdictState state = VerdictState::NotYet;
-  QString whyRefused;                           // names the failed measures
+  QString whyRefused;                           // failed measures, or the plan's first blocker
   std::optional<project::ReplayReport> verdict; // after the replay
   std::vector<ExportFile> files;                // after planning
   double plannedS = 0.0; // of the plan; the controller's duration is in the verdict

@@ -4,6 +4,7 @@
 #include "forms/duration.h"
 #include "modes/mode_table.h"
 #include "panels/listed_findings.h"
+#include "pipeline/plan_verdict.h"
 #include "project/report.h"
 
 #include <QAbstractSpinBox>
@@ -61,6 +62,18 @@ ItemTotals totalsOf(const project::Report& report) {
   return all;
 }
 
+QString verdictText(const project::Report& report) {
+  switch (pipeline::verdictOf(report)) {
+  case pipeline::PlanVerdict::Passed:
+    return Runs::tr("replay passed");
+  case pipeline::PlanVerdict::Blocked:
+    return Runs::tr("not passed: blocking findings");
+  case pipeline::PlanVerdict::Refused:
+    break;
+  }
+  return Runs::tr("replay not passed");
+}
+
 QString figuresText(const project::Report& r, Stage reached) {
   const QLocale locale;
   QStringList parts;
@@ -90,7 +103,7 @@ QString figuresText(const project::Report& r, Stage reached) {
     parts << Runs::tr("time on the controller %1")
                  .arg(forms::durationText(r.replay.controllerDurationS));
   if (reached == Stage::Replay)
-    parts << (r.replay.passed ? Runs::tr("replay passed") : Runs::tr("replay not passed"));
+    parts << verdictText(r);
   return parts.join(", ");
 }
 

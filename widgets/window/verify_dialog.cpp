@@ -4,6 +4,7 @@
 #include "language/words.h"
 #include "panels/listed_findings.h"
 #include "panels/verdict_table.h"
+#include "pipeline/plan_verdict.h"
 #include "program/dialect.h"
 
 #include <QDialogButtonBox>
@@ -79,9 +80,10 @@ void VerifyDialog::conclude(const QString& verdict, bool passed) {
 
 void VerifyDialog::show(const pipeline::VerifyResult& result) {
   const QString format = language::words(program::findDialect(result.format).label);
-  conclude(result.replay.passed ? tr("%1: passed. The program matches the plan.").arg(format)
-                                : tr("%1: refused. Do not run it on the robot.").arg(format),
-           result.replay.passed);
+  const bool passed = pipeline::isVerified(result);
+  conclude(passed ? tr("%1: passed. The program matches the plan.").arg(format)
+                  : tr("%1: refused. Do not run it on the robot.").arg(format),
+           passed);
   table_->setReport(result.replay);
   const std::vector<panels::ListedFinding> listed = panels::listed(result.findings);
   for (const panels::ListedFinding& one : listed) {

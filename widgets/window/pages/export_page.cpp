@@ -11,8 +11,10 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/proof.h"
 #include "pipeline/slow_spans.h"
+#include "plan/finding_kinds.h"
 #include "program/assumptions.h"
 #include "program/dialect.h"
 #include "window/pages/cell_view.h"
@@ -62,6 +64,27 @@ std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
                      std::shared_ptr<const std::string>(checked, &file.text)});
   return files;
 }
+
+panels::VerdictState stateOf(const pipeline::CheckedProgram& program,
+                             const project::Report& report) {
+  switch (pipeline::verdictOf(program, report)) {
+  case pipeline::PlanVerdict::Passed:
+    return panels::VerdictState::Passed;
+  case pipeline::PlanVerdict::Blocked:
+    return panels::VerdictState::Blocked;
+  case pipeline::PlanVerdict::Refused:
+    break;
+  }
+  return panels::VerdictState::Refused;
+}
+
+QString whyNotPassed(const pipeline::CheckedProgram& program, const project::Report& report) {
+  if (!program.passed)
+    return language::words(base::Value(program.failed));
+  const plan::Findings blockers = pipeline::blockersOf(report, program.program.format);
+  return blockers.empty() ? QString() : language::words(plan::reasonOf(blockers.front()));
+}
+
 // Returns the report of the program shown, else of the first written one.
 QString proofToOpen(const pipeline::Programs& programs, const QString& shownFormat) {
   const auto shown = std::ranges::find(programs, shownFormat, formatOf);
@@ -237,11 +260,9 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
               motion->job.trajectory.get()))
         format.whyNot = language::words(refusal->whole());
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
-      format.state = !current          ? panels::VerdictState::OutOfDate
-                     : program->passed ? panels::VerdictState::Passed
-                                       : panels::VerdictState::Refused;
-      if (!program->passed)
-        format.whyRefused = language::words(base::Value(program->failed));
+      format.state =
+          current ? stateOf(*program, result->job.report) : panels::VerdictState::OutOfDate;
+      format.whyRefused = whyNotPassed(*program, result->job.report);
       format.verdict = program->verdict;
       format.files = exportFiles(program);
     }

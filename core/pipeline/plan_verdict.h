@@ -1,0 +1,44 @@
+// The verdict on a plan and its programs. Exit code, reports, window and export take it from here.
+#pragma once
+
+#include "plan/finding.h"
+#include "project/report.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voluta::process {
+class Tooling;
+}
+
+namespace voluta::pipeline {
+
+struct CheckedProgram;
+struct VerifyResult;
+
+enum class PlanVerdict : std::uint8_t {
+  Passed,
+  Blocked, // the replay passes, but a finding blocks: the part does not become as planned
+  Refused  // by the replay
+};
+
+// Returns the format of the program that a finding concerns; empty: the plan.
+std::string formatOf(const plan::Finding& finding);
+
+// Returns the blocking findings of the plan and of its program in a format.
+std::vector<plan::Finding> blockersOf(const project::Report& report, const std::string& format);
+
+// Of one program of the plan.
+PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& report);
+// Of a replayed plan with all its programs.
+PlanVerdict verdictOf(const project::Report& report);
+
+// Returns the length that the material of the longest unsupported bead bridges; if no bead is too
+// long, that of the tool that bridges most [mm].
+double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling);
+
+// Returns whether the replay passes a program from disk and no finding blocks.
+bool isVerified(const VerifyResult& result);
+
+} // namespace voluta::pipeline
