@@ -1010,8 +1010,8 @@ mm²</translation>
         <translation>Forma della testa che non deve urtare il pezzo già stampato. flat: una piastra di larghezza illimitata. nozzle: la testa vera dove altrimenti si perderebbero voxel, e sotto tetti larghi. auto: la testa vera solo sotto tetti larghi.</translation>
     </message>
     <message>
-        <source>Skirt</source>
-        <translation>Skirt</translation>
+        <source>Skirt or brim</source>
+        <translation>Skirt o brim</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -11497,6 +11497,14 @@ Fai clic per sceglierne un altro</translation>
         <source>Time on the controller</source>
         <translation>Tempo sul controllore</translation>
     </message>
+    <message>
+        <source>Differences from the plan</source>
+        <translation>Differenze dal piano</translation>
+    </message>
+    <message>
+        <source>Outside limit, not refused</source>
+        <translation>Fuori limite, non rifiutato</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::WayCard</name>
@@ -13351,8 +13359,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Riempimento vuoti</translation>
     </message>
     <message>
-        <source>Skirt</source>
-        <translation>Skirt</translation>
+        <source>Skirt or brim</source>
+        <translation>Skirt o brim</translation>
     </message>
     <message>
         <source>Support</source>

@@ -6,6 +6,7 @@
 #include "pipeline/plan_verdict.h"
 #include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
+#include "project/shown_figures.h"
 
 #include <fmt/format.h>
 
@@ -80,12 +81,12 @@ void sayResult(const project::Report& r) {
   if (r.motion.toolChanges > 0)
     fmt::print(", {} tool change{}", r.motion.toolChanges, r.motion.toolChanges == 1 ? "" : "s");
   fmt::print("\n");
-  if (r.replay.thresholds.covered > 0.0)
+  const project::ReplayReport replay = project::shownFigures(r.replay);
+  if (replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
                "{} collisions, deviation {:.4f} mm\n",
-               verdictWord(r), r.replay.coveredFraction, r.replay.unsupportedFraction,
-               r.replay.overfillFraction, r.replay.massRatio, r.replay.collisions,
-               r.replay.maxDeviationMm);
+               verdictWord(r), replay.coveredFraction, replay.unsupportedFraction,
+               replay.overfillFraction, replay.massRatio, replay.collisions, replay.maxDeviationMm);
 }
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "pipeline/mill_job.h"
 #include "pipeline/plan_verdict.h"
 #include "plan/finding_kinds.h"
+#include "project/shown_figures.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -58,12 +59,13 @@ ExitCode verifyCommand(const VerifyOptions& options) {
   if (!ended)
     return kCancelled;
   const pipeline::VerifyResult& result = *ended;
+  const project::ReplayReport shown = project::shownFigures(result.replay);
   fmt::print("{}: {} ({}): covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, {} "
              "collisions, {} limit violations, deviation {:.4f} mm\n",
              options.program.string(), pipeline::isVerified(result) ? "passed" : "refused",
-             result.format, result.replay.coveredFraction, result.replay.unsupportedFraction,
-             result.replay.overfillFraction, result.replay.massRatio, result.replay.collisions,
-             result.replay.limitViolations, result.replay.maxDeviationMm);
+             result.format, shown.coveredFraction, shown.unsupportedFraction,
+             shown.overfillFraction, shown.massRatio, shown.collisions, shown.limitViolations,
+             shown.maxDeviationMm);
   const plan::Finding* first = nullptr;
   for (const plan::Finding& f : result.findings) {
     fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));

@@ -30,4 +30,15 @@ ShownNumber shownNumber(double value, int digits) {
   return {rounded, std::max(0, significant - exponent)};
 }
 
+double roundedBeyond(double value, double limit, int decimals) {
+  constexpr double kOnGrid = 1e-6;
+  const double scale = std::pow(10.0, decimals);
+  const double rounded = std::round(value * scale) / scale;
+  if (value < limit && rounded >= limit)
+    return (std::ceil(limit * scale - kOnGrid) - 1.0) / scale;
+  if (value > limit && rounded <= limit)
+    return (std::floor(limit * scale + kOnGrid) + 1.0) / scale;
+  return rounded;
+}
+
 } // namespace voluta::base

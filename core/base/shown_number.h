@@ -12,4 +12,8 @@ struct ShownNumber {
 // three as {0.12, 2}. Values nearer to 0 than 1e-9 give 0. At least one digit.
 ShownNumber shownNumber(double value, int digits);
 
+// Returns `value` rounded to `decimals`, but away from a limit that it would otherwise meet: beside
+// "at least 97.00" 96.9996 reads 96.99. A value that equals the limit stays.
+double roundedBeyond(double value, double limit, int decimals);
+
 } // namespace voluta::base

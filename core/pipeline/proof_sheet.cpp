@@ -1,8 +1,10 @@
 // The text of a proof for the operator and the recipient of the part: first the verdict, then each
 // margin as a sentence with its limit and its worst place.
 #include "base/duration.h"
+#include "base/shown_number.h"
 #include "pipeline/proof.h"
 #include "plan/finding.h"
+#include "project/shown_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +21,10 @@ using page::Mark;
 
 base::Quantity share(double fraction) {
   return base::percent(100.0 * fraction);
+}
+// With these decimals, and beyond a limit that it does not keep.
+base::Quantity share(double fraction, double limit, int decimals) {
+  return base::percent(base::roundedBeyond(100.0 * fraction, 100.0 * limit, decimals));
 }
 
 // Classes of the fill map, fullest first. Touching beads with round edges fill nine tenths of the
@@ -82,7 +88,7 @@ std::string unbroken(std::string text) {
 class SheetMaker {
 public:
   SheetMaker(const Proof& proof, const base::Language& language)
-      : proof_(proof), verdict_(proof.verdict), language_(language) {}
+      : proof_(proof), verdict_(project::shownFigures(proof.verdict)), language_(language) {}
 
   page::Sheet make() {
     sheet_.title = say(message("{part}: verification report of the {format} program"_text,
@@ -174,20 +180,23 @@ private:
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.coveredFraction >= limits.covered,
           message("Fill: {share:.1f} of the part is filled; at least {limit:.0f} required."_text,
-                  share(verdict_.coveredFraction), share(limits.covered)),
+                  share(verdict_.coveredFraction, limits.covered, 1), share(limits.covered)),
           place(proof_.gap));
     check(verdict_.overfillFraction <= limits.overfill,
           message("Overfill: {share:.1f} of the part's volume lies outside it or in places "
                   "already full; at most {limit:.0f} allowed."_text,
-                  share(verdict_.overfillFraction), share(limits.overfill)),
+                  share(verdict_.overfillFraction, limits.overfill, 1), share(limits.overfill)),
           place(proof_.overfill));
     check(std::abs(verdict_.massRatio - 1.0) <= limits.mass,
           message("Amount: {share:.1f} of the part's volume is deposited; {least:.0f#} to "
                   "{most:.0f} allowed."_text,
-                  share(verdict_.massRatio), share(1.0 - limits.mass), share(1.0 + limits.mass)));
+                  share(verdict_.massRatio,
+                        verdict_.massRatio < 1.0 ? 1.0 - limits.mass : 1.0 + limits.mass, 1),
+                  share(1.0 - limits.mass), share(1.0 + limits.mass)));
     check(verdict_.unsupportedFraction <= limits.unsupported,
           message("Unsupported: {share:.2f} of the bead length; at most {limit:.1f} allowed."_text,
-                  share(verdict_.unsupportedFraction), share(limits.unsupported)),
+                  share(verdict_.unsupportedFraction, limits.unsupported, 2),
+                  share(limits.unsupported)),
           place(proof_.unsupported));
     check(Mark::Note,
           message("Partly supported: {share:.1f} of the bead length is supported over less "
@@ -197,7 +206,8 @@ private:
     const double bridge = proof_.process.bridgeMm;
     check(verdict_.longestUnsupportedMm <= bridge ? Mark::Passed : Mark::Note,
           message("Longest unsupported run: {length:.1f}; this material bridges {bridge:.1f}."_text,
-                  base::mm(verdict_.longestUnsupportedMm), base::mm(bridge)),
+                  base::mm(base::roundedBeyond(verdict_.longestUnsupportedMm, bridge, 1)),
+                  base::mm(bridge)),
           place(proof_.longestUnsupported));
     layerTimes();
   }
@@ -230,12 +240,13 @@ private:
     check(verdict_.flowErrorFraction <= limits.flowError,
           message("Bead section: off by more than 5 % over {share:.2f} of the printed length; "
                   "at most {limit:.0f} allowed."_text,
-                  share(verdict_.flowErrorFraction), share(limits.flowError)),
+                  share(verdict_.flowErrorFraction, limits.flowError, 2), share(limits.flowError)),
           place(proof_.flowError));
     check(verdict_.maxDeviationMm <= limits.deviationMm,
           message("Path: the nozzle deviates from the planned path by up to {way:.3f}; at most "
                   "{limit:.2f} allowed."_text,
-                  base::mm(verdict_.maxDeviationMm), base::mm(limits.deviationMm)),
+                  base::mm(base::roundedBeyond(verdict_.maxDeviationMm, limits.deviationMm, 3)),
+                  base::mm(limits.deviationMm)),
           place(proof_.deviation));
     if (proof_.deviations > 0)
       check(false, message("{places} place where the program differs from the plan|{places} places "
@@ -383,7 +394,7 @@ private:
   }
 
   const Proof& proof_;
-  const project::ReplayReport& verdict_;
+  const project::ReplayReport verdict_;
   const base::Language& language_;
   page::Sheet sheet_;
 };

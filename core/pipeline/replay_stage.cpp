@@ -1,5 +1,6 @@
 #include "pipeline/replay_stage.h"
 
+#include "base/shown_number.h"
 #include "base/stopwatch.h"
 #include "motion/motion_options.h"
 #include "motion/resume.h"
@@ -10,6 +11,7 @@
 #include "project/job.h"
 #include "sliced/sliced_reader.h"
 
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 
@@ -177,12 +179,26 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   return r;
 }
 
+namespace {
+// Returns the value with four significant digits. The mass ratio is held to its distance from 1.
+double shownValue(const replay::ThresholdResult& result) {
+  constexpr int kDigits = 4;
+  const bool isRatio = result.name == "massRatio";
+  const double limit = !isRatio             ? result.limit
+                       : result.value < 1.0 ? 1.0 - result.limit
+                                            : 1.0 + result.limit;
+  const double size = std::abs(result.value);
+  const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 0;
+  return base::roundedBeyond(result.value, limit, std::max(0, kDigits - before));
+}
+} // namespace
+
 std::vector<base::Message> failedThresholds(const replay::Verification& verdict) {
   std::vector<base::Message> failed;
   for (const replay::ThresholdResult& result : verdict.results)
     if (!result.passed)
       failed.push_back(base::message("{threshold} {value:.4g} (limit {limit:.4g})"_text,
-                                     result.name, base::number(result.value),
+                                     result.name, base::number(shownValue(result)),
                                      base::number(result.limit)));
   if (verdict.deviations > 0)
     failed.push_back(base::message("{places} place where the program differs from the plan|"

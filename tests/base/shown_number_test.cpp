@@ -39,4 +39,21 @@ TEST(ShownNumber, OfNoFormatHasSixDigits) {
   EXPECT_EQ(base::english(base::message("{n}"_text, base::number(0.05))), "0.05");
 }
 
+TEST(ShownNumber, AValueBeyondItsLimitReadsBeyondIt) {
+  using base::roundedBeyond;
+  EXPECT_DOUBLE_EQ(roundedBeyond(96.9996, 97.0, 2), 96.99);
+  EXPECT_DOUBLE_EQ(roundedBeyond(97.0, 97.0, 2), 97.0);
+  EXPECT_DOUBLE_EQ(roundedBeyond(97.004, 97.0, 2), 97.01);
+  EXPECT_DOUBLE_EQ(roundedBeyond(0.9699996, 0.97, 4), 0.9699);
+  EXPECT_DOUBLE_EQ(roundedBeyond(0.50001, 0.5, 1), 0.6);
+  EXPECT_DOUBLE_EQ(roundedBeyond(94.2049, 97.0, 2), 94.2);
+  EXPECT_DOUBLE_EQ(roundedBeyond(0.06, 0.05, 1), 0.1);
+  EXPECT_DOUBLE_EQ(roundedBeyond(0.0, 0.0, 2), 0.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double value = 0.9 + 1e-4 * i + 3e-5;
+    for (int decimals = 1; decimals < 6; ++decimals)
+      EXPECT_EQ(roundedBeyond(value, 0.97, decimals) < 0.97, value < 0.97) << value;
+  }
+}
+
 } // namespace

@@ -239,7 +239,8 @@ void ExportPanel::showFormat(const QString& id) {
   whyNot_->setText(whyNot);
   whyNot_->setVisible(!whyNot.isEmpty());
   verdict_->setReport(format ? format->verdict : std::nullopt,
-                      format && format->state == VerdictState::OutOfDate);
+                      format && format->state == VerdictState::OutOfDate,
+                      format ? format->facts : VerdictFacts());
   optionsTitle_->setText(format ? tr("%1 options").arg(format->label) : QString());
   optionsForm_->setOptions(format ? format->options : std::vector<base::ParameterSpec>());
   optionsForm_->setValues(options_);

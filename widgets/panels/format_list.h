@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "panels/verdict_table.h"
 #include "project/report.h"
 
 #include <QString>
@@ -30,6 +31,7 @@ struct ExportFormat {
   VerdictState state = VerdictState::NotYet;
   QString whyRefused;                           // failed measures, or the plan's first blocker
   std::optional<project::ReplayReport> verdict; // after the replay
+  VerdictFacts facts;                           // as well
   std::vector<ExportFile> files;                // after planning
   double plannedS = 0.0; // of the plan; the controller's duration is in the verdict
   std::vector<base::ParameterSpec> options; // options of its text

@@ -1,9 +1,11 @@
 #include "panels/verdict_table.h"
 
+#include "base/shown_number.h"
 #include "forms/colours.h"
 #include "forms/duration.h"
 #include "forms/icons.h"
 #include "language/numbers.h"
+#include "project/shown_figures.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -12,7 +14,9 @@
 
 namespace voluta::panels {
 
-std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
+std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& report,
+                                            const VerdictFacts& facts) {
+  const project::ReplayReport r = project::shownFigures(report);
   const QLocale locale;
   const auto percent = [&](double share) {
     return locale.toString(100.0 * share, 'f', 2) + QStringLiteral(" %");
@@ -26,6 +30,9 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
   const auto mm = [&](double value) {
     return locale.toString(value, 'f', 3) + QStringLiteral(" mm");
   };
+  const auto shortMm = [](double value) {
+    return language::numberText(value, 4) + QStringLiteral(" mm");
+  };
   const auto& limits = r.thresholds;
   const double massError = std::abs(r.massRatio - 1.0);
   return {
@@ -34,7 +41,10 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
       {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
        atMost(shortPercent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
       {VerdictTable::tr("Less than half supported"), percent(r.halfCarriedFraction), {}, true},
-      {VerdictTable::tr("Longest unsupported run"), mm(r.longestUnsupportedMm), {}, true},
+      {VerdictTable::tr("Longest unsupported run"),
+       mm(base::roundedBeyond(r.longestUnsupportedMm, facts.bridgeMm, 3)),
+       facts.bridgeMm > 0.0 ? atMost(shortMm(facts.bridgeMm)) : QString(),
+       r.longestUnsupportedMm <= facts.bridgeMm, false},
       {VerdictTable::tr("Overfill"), percent(r.overfillFraction),
        atMost(shortPercent(limits.overfill)), r.overfillFraction <= limits.overfill},
       {VerdictTable::tr("Mass error"), percent(massError), atMost(shortPercent(limits.mass)),
@@ -44,8 +54,9 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
       {VerdictTable::tr("Limit violations"), whole(r.limitViolations),
        atMost(whole(limits.limitViolations)), r.limitViolations <= limits.limitViolations},
       {VerdictTable::tr("Path deviation"), mm(r.maxDeviationMm),
-       atMost(language::numberText(limits.deviationMm, 4) + QStringLiteral(" mm")),
-       r.maxDeviationMm <= limits.deviationMm},
+       atMost(shortMm(limits.deviationMm)), r.maxDeviationMm <= limits.deviationMm},
+      {VerdictTable::tr("Differences from the plan"), whole(facts.deviations), atMost(whole(0)),
+       facts.deviations == 0},
       {VerdictTable::tr("Flow error"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
       {VerdictTable::tr("Time on the controller"),
@@ -77,7 +88,9 @@ VerdictTable::VerdictTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   retranslate();
 }
 
-void VerdictTable::setReport(std::optional<project::ReplayReport> report, bool outOfDate) {
+void VerdictTable::setReport(std::optional<project::ReplayReport> report, bool outOfDate,
+                             const VerdictFacts& facts) {
+  facts_ = facts;
   report_ = std::move(report);
   outOfDate_ = outOfDate;
   retranslate();
@@ -99,7 +112,7 @@ void VerdictTable::retranslate() {
   for (const int column : {1, 2})
     horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   const std::vector<VerdictMeasure> measures =
-      verdictMeasures(report_.value_or(project::ReplayReport{}));
+      verdictMeasures(report_.value_or(project::ReplayReport{}), facts_);
   setRowCount(static_cast<int>(measures.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const VerdictMeasure& m = measures[static_cast<std::size_t>(row)];
@@ -121,10 +134,12 @@ void VerdictTable::retranslate() {
       continue;
     const QString kept = outOfDate_ ? tr("Not checked since the change")
                          : m.passed ? tr("Within limit")
-                                    : tr("Outside limit");
+                         : m.blocks ? tr("Outside limit")
+                                    : tr("Outside limit, not refused");
     item(row, 3)->setIcon(forms::icon(outOfDate_ ? forms::Icon::Pending
                                       : m.passed ? forms::Icon::Good
-                                                 : forms::Icon::Blocked));
+                                      : m.blocks ? forms::Icon::Blocked
+                                                 : forms::Icon::Warning));
     item(row, 3)->setToolTip(kept);
     item(row, 3)->setData(Qt::AccessibleTextRole, kept);
   }

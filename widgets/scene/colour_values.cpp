@@ -15,9 +15,8 @@ namespace {
 constexpr int kStops = 5;
 constexpr double kLoneValue = 0.6; // position on the map of a constant value
 constexpr std::array<base::Text, plan::kPathKinds> kKindNames{
-    "Wall"_text,    "Infill"_text, "Gap fill"_text,      "Skirt"_text,
-    "Support"_text, "Prime"_text,  "Sparse infill"_text, "Bridge"_text,
-    "Tape"_text,    "Shot"_text};
+    "Wall"_text,  "Infill"_text,        "Gap fill"_text, "Skirt or brim"_text, "Support"_text,
+    "Prime"_text, "Sparse infill"_text, "Bridge"_text,   "Tape"_text,          "Shot"_text};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
   switch (by) {

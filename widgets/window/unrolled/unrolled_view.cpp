@@ -22,7 +22,7 @@ QString kindName(plan::PathKind kind) {
   case plan::PathKind::GapFill:
     return UnrolledView::tr("Gap fill");
   case plan::PathKind::Skirt:
-    return UnrolledView::tr("Skirt");
+    return UnrolledView::tr("Skirt or brim");
   case plan::PathKind::Support:
     return UnrolledView::tr("Support");
   case plan::PathKind::SparseInfill:
