@@ -10142,6 +10142,14 @@ facce %</translation>
         <source>Not approved: the plan has blocking findings.</source>
         <translation>Non approvato: il piano ha segnalazioni bloccanti.</translation>
     </message>
+    <message>
+        <source>exists, perhaps with measured frames and obstacles</source>
+        <translation>esiste già, forse con riferimenti misurati e ostacoli</translation>
+    </message>
+    <message>
+        <source>give another name, --id, or replace it: --replace</source>
+        <translation>dai un altro nome, --id, oppure sostituiscilo: --replace</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11855,6 +11863,22 @@ circa %6, stimato da volume e altezza senza supporti</translation>
         <source>Assumed:</source>
         <translation>Supposto:</translation>
     </message>
+    <message>
+        <source>An arm named %1 exists.</source>
+        <translation>Esiste già un braccio di nome %1.</translation>
+    </message>
+    <message>
+        <source>Replacing it loses the frames, obstacles and other changes in these files:</source>
+        <translation>Sostituendolo si perdono i riferimenti, gli ostacoli e le altre modifiche in questi file:</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sostituisci</translation>
+    </message>
+    <message>
+        <source>Use another name</source>
+        <translation>Usa un altro nome</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::BodyTree</name>
@@ -12048,6 +12072,18 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     <message>
         <source>searching…</source>
         <translation>ricerca in corso…</translation>
+    </message>
+    <message>
+        <source>Discard the changes to this cell?</source>
+        <translation>Scartare le modifiche a questa cella?</translation>
+    </message>
+    <message>
+        <source>The last one is: %1.</source>
+        <translation>L&apos;ultima è: %1.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Scarta</translation>
     </message>
 </context>
 <context>

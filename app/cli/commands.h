@@ -105,6 +105,7 @@ struct ImportRobotOptions {
   robot::UrdfOptions options;
   std::string cell = "moving"; // Or "fixed"
   int threads = 1;
+  bool replace = false; // files of an earlier import
 };
 // Writes robot and cell files from a URDF, and prints the kind of the robot, the assumed values and
 // the command for planning with it.

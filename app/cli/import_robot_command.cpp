@@ -54,7 +54,8 @@ ExitCode importRobotCommand(const ImportRobotOptions& asked) {
     fmt::print(stderr, "cancelled; nothing was written\n");
     return kCancelled;
   }
-  const cells::ImportedFiles files = cells::writeImport(*import, folder);
+  const cells::ImportedFiles files = cells::writeImport(
+      *import, folder, asked.replace ? cells::Existing::Replace : cells::Existing::Refuse);
   const robot::RobotModel& robot = import->arm.model;
   fmt::print("robot {} {}\n", robot.id, files.robot.string());
   fmt::print("cell {} {}\n", import->layout.cell.id, files.cell.string());

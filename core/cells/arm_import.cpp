@@ -61,10 +61,32 @@ ArmImport importArm(const fs::path& urdf, const robot::UrdfOptions& options, rob
   return import;
 }
 
-ImportedFiles writeImport(const ArmImport& import, const fs::path& folder) {
+namespace {
+ImportedFiles filesOf(const ArmImport& import, const fs::path& folder) {
+  return {folder / "robots" / (import.arm.model.id + ".json"),
+          folder / "cells" / (import.layout.cell.id + ".json")};
+}
+} // namespace
+
+std::vector<fs::path> filesInTheWay(const ArmImport& import, const fs::path& folder) {
+  const ImportedFiles files = filesOf(import, folder);
+  std::vector<fs::path> there;
+  for (const fs::path& file : {files.robot, files.cell}) {
+    std::error_code none;
+    if (fs::exists(file, none))
+      there.push_back(file);
+  }
+  return there;
+}
+
+ImportedFiles writeImport(const ArmImport& import, const fs::path& folder, Existing existing) {
   const robot::RobotModel& robot = import.arm.model;
-  const ImportedFiles files{folder / "robots" / (robot.id + ".json"),
-                            folder / "cells" / (import.layout.cell.id + ".json")};
+  const ImportedFiles files = filesOf(import, folder);
+  const std::vector<fs::path> there = filesInTheWay(import, folder);
+  if (existing == Existing::Refuse && !there.empty())
+    throw base::Error(
+        base::ErrorCode::Usage, "exists, perhaps with measured frames and obstacles"_text,
+        there.back().string(), "give another name, --id, or replace it: --replace"_text);
   for (const fs::path& file : {files.robot, files.cell}) {
     std::error_code failed;
     fs::create_directories(file.parent_path(), failed);

@@ -31,8 +31,14 @@ ArmImport importArm(const std::filesystem::path& urdf, const robot::UrdfOptions&
 struct ImportedFiles {
   std::filesystem::path robot, cell;
 };
+// Returns the files of an earlier import, or of the user's, that writeImport() would replace.
+std::vector<std::filesystem::path> filesInTheWay(const ArmImport& import,
+                                                 const std::filesystem::path& folder);
+
+enum class Existing { Refuse, Replace };
 // Writes folder/robots/ID.json, its link meshes beside it, and folder/cells/CELL.json. Throws
-// Error{CannotWrite}.
-ImportedFiles writeImport(const ArmImport& import, const std::filesystem::path& folder);
+// Error{CannotWrite}; Error{Usage} if there are files that may not be replaced.
+ImportedFiles writeImport(const ArmImport& import, const std::filesystem::path& folder,
+                          Existing existing = Existing::Refuse);
 
 } // namespace voluta::cells

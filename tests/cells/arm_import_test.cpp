@@ -47,7 +47,7 @@ protected:
   // Clear at rest, by a margin, in the cell as it is read back from its file.
   void expectReady(const ArmImport& import, double upright = 0.9) {
     const std::filesystem::path data = folder_ / std::filesystem::path("data");
-    writeImport(import, data);
+    writeImport(import, data, Existing::Replace);
     const robot::Cell cell = robot::loadCell(
         import.layout.cell.id, process_,
         std::vector<Eigen::Vector2d>{{-100, -100}, {100, -100}, {100, 100}, {-100, 100}});
@@ -145,6 +145,20 @@ TEST_F(ArmImporting, NamesThatAreTakenAreSaid) {
   std::string text = test::ur5Urdf();
   text.replace(text.find("My UR5, left"), 12, "UR5");
   EXPECT_EQ(import(text).arm.model.id, "ur5-imported");
+}
+
+// The earlier cell may have measured frames and obstacles.
+TEST_F(ArmImporting, AnEarlierImportIsKeptUnlessItMayBeReplaced) {
+  const std::filesystem::path data = folder_ / std::filesystem::path("data");
+  const ArmImport import = this->import(test::urdfOf(test::irb1200()));
+  EXPECT_TRUE(filesInTheWay(import, data).empty());
+  const ImportedFiles files = writeImport(import, data);
+  base::writeFile(files.cell, "measured");
+  EXPECT_EQ(filesInTheWay(import, data), (std::vector{files.robot, files.cell}));
+  EXPECT_THROW(writeImport(import, data), base::Error);
+  EXPECT_EQ(base::readFile(files.cell), "measured");
+  writeImport(import, data, Existing::Replace);
+  EXPECT_NE(base::readFile(files.cell), "measured");
 }
 
 TEST_F(ArmImporting, ArmsOfNoSizeAndOfMillimetresAreRefused) {

@@ -62,6 +62,32 @@ protected:
   }
 };
 
+TEST_F(CellEditorTest, EscAsksBeforeEditsAreLost) {
+  inEditor([&](window::CellEditor& editor) {
+    choose(editor, "Nozzle");
+    const robot::CellDraft before = editor.draft();
+    type(editor, "placeX", 321.0);
+    ASSERT_TRUE(settled(editor));
+    const robot::CellDraft edited = editor.draft();
+    ASSERT_FALSE(edited == before);
+    answerBox("discardCellBox", QMessageBox::RejectRole);
+    QTest::keyClick(&editor, Qt::Key_Escape);
+    EXPECT_EQ(answeredBoxes(), 1);
+    EXPECT_TRUE(editor.isVisible());
+    EXPECT_TRUE(editor.draft() == edited);
+    answerBox("discardCellBox", QMessageBox::DestructiveRole);
+    QTest::keyClick(&editor, Qt::Key_Escape);
+    EXPECT_EQ(answeredBoxes(), 2);
+    EXPECT_FALSE(editor.isVisible());
+  });
+  EXPECT_EQ(document().choices().cell, "ur5-fixed");
+  inEditor([&](window::CellEditor& editor) { // Nothing is lost without edits
+    QTest::keyClick(&editor, Qt::Key_Escape);
+    EXPECT_FALSE(editor.isVisible());
+  });
+  EXPECT_EQ(answeredBoxes(), 2);
+}
+
 TEST_F(CellEditorTest, AnObstacleFromAFileIsInTheWay) {
   const auto post = box({-30, -30, 0}, {30, 30, 900});
   const QString file = writePart("tool stand.stl", post);
@@ -108,7 +134,7 @@ TEST_F(CellEditorTest, AFileThatIsNoMeshIsToldAndChangesNothing) {
     ASSERT_TRUE(waitFor([&] { return faults(editor).contains("words.stl:"); }))
         << faults(editor).toStdString();
     EXPECT_EQ(editor.draft().text(), before);
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
 }
 
@@ -142,7 +168,7 @@ TEST_F(CellEditorTest, ANozzleStandsWhereItWasMeasured) {
     QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(body(editor, robot::DraftBody::Kind::Nozzle).pose.isApprox(before, 1e-9));
     ASSERT_TRUE(settled(editor));
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
 }
 
@@ -179,7 +205,7 @@ TEST_F(CellEditorTest, ATipIsMeasuredByTouchingOnePoint) {
     EXPECT_LT((pose.translation() - tip).norm(), 1e-6);
     EXPECT_LT((pose.linear() - turn).norm(), 1e-9);
     ASSERT_TRUE(settled(editor));
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
 }
 
@@ -244,7 +270,7 @@ TEST_F(CellEditorTest, ABodyIsMovedAndTurnedByItsHandles) {
     drag(onScreen(at + 0.9 * reach * Vector3d::UnitX()), QPointF(0, 0));
     ASSERT_TRUE(settled(editor));
     EXPECT_EQ(editor.draft().text(), text);
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
 }
 
@@ -288,7 +314,7 @@ TEST_F(CellEditorTest, AnImportedArmLooksLikeItsMeshes) {
     // A box that is added leaves the arm as it looks.
     press(editor, "cellAddBox");
     EXPECT_LT(differingShare(meshes, shown()), 0.2);
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
 }
 

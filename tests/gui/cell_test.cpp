@@ -15,6 +15,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -171,7 +172,7 @@ TEST_F(CellTest, WhatACellCannotDoIsSaidAtOnce) {
     ASSERT_TRUE(settled(editor));
     EXPECT_TRUE(faults(editor).contains("7 kg")) << faults(editor).toStdString();
     EXPECT_TRUE(editor.findChild<QPushButton*>("cellSave")->isEnabled()) << "told, not forbidden";
-    editor.reject();
+    editor.done(QDialog::Rejected);
   });
   EXPECT_EQ(document().choices().cell, "ur5-fixed");
 }
@@ -205,6 +206,49 @@ TEST_F(CellTest, AnArmFromAUrdfIsImportedAndItsCellTaken) {
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   EXPECT_TRUE(document().result(Stage::Replay)->job.report.replay.passed);
+}
+
+// The cell of an earlier import may have been measured since.
+TEST_F(CellTest, ASecondImportOfAnArmKeepsTheFirstUnlessItMayBeReplaced) {
+  QFile urdf(path("arm.urdf"));
+  ASSERT_TRUE(urdf.open(QIODevice::WriteOnly));
+  urdf.write(QByteArray::fromStdString(urdfOf(irb1200())));
+  urdf.close();
+  ASSERT_TRUE(QDir(path({})).mkpath("cells"));
+  const QString cell = path("cells/mine-moving.json");
+  QFile measured(cell);
+  ASSERT_TRUE(measured.open(QIODevice::WriteOnly));
+  measured.write("measured");
+  measured.close();
+  answerFileDialog(path("arm.urdf"));
+  answerBox("replaceArmBox", QMessageBox::RejectRole);
+  int imports = 0;
+  QString proposed;
+  auto* timer = new QTimer(&window());
+  QObject::connect(timer, &QTimer::timeout, timer, [&] {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      auto* button = widget->objectName() == "armImportDialog" && widget->isVisible()
+                         ? widget->findChild<QPushButton*>("armImport")
+                         : nullptr;
+      if (!button || !button->isEnabled() || QApplication::activeModalWidget() != widget)
+        continue;
+      auto* name = widget->findChild<QLineEdit*>("armName");
+      if (imports == 0)
+        name->setText("mine");
+      else
+        proposed = name->text();
+      ++imports;
+      QTest::mouseClick(button, Qt::LeftButton);
+    }
+  });
+  timer->start(50);
+  clickMenu("fileMenu", "importArm");
+  ASSERT_TRUE(waitFor([&] { return document().choices().cell == "mine-2-moving"; }, 30000));
+  EXPECT_EQ(imports, 2);
+  EXPECT_EQ(proposed, "mine-2");
+  EXPECT_EQ(answeredBoxes(), 1);
+  ASSERT_TRUE(measured.open(QIODevice::ReadOnly));
+  EXPECT_EQ(measured.readAll(), "measured");
 }
 
 // The machine stands about the part before anything is planned: that of the chosen cell, and its

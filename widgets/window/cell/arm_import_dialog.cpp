@@ -9,15 +9,18 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace voluta::window {
 
@@ -169,9 +172,63 @@ void ArmImportDialog::import() {
   runner_->run(
       [file, folder, asked, mount](const base::RunContext& ctx) {
         const process::Process process = process::loadProcess(project::Choices().tool().process);
-        const cells::ArmImport import = cells::importArm(file, asked, mount, process, ctx);
-        cells::writeImport(import, folder);
-        return import.layout.cell.id;
+        const auto import = std::make_shared<const cells::ArmImport>(
+            cells::importArm(file, asked, mount, process, ctx));
+        return std::pair(import, cells::filesInTheWay(*import, folder));
+      },
+      [this](const base::Outcome<std::pair<Import, Files>>& outcome) {
+        setBusy(false);
+        if (const auto* made = std::get_if<std::pair<Import, Files>>(&outcome)) {
+          if (made->second.empty() || mayReplace(made->second))
+            write(made->first);
+          else
+            proposeName();
+        } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+          found_->setPlainText(language::words(error->whole()));
+        }
+      });
+  setBusy(true);
+}
+
+bool ArmImportDialog::mayReplace(const Files& files) {
+  QStringList names;
+  for (const std::filesystem::path& file : files)
+    names << QString::fromStdString(file.string());
+  QMessageBox box(QMessageBox::Warning, windowTitle(),
+                  tr("An arm named %1 exists.").arg(name_->text()), QMessageBox::NoButton, this);
+  box.setObjectName(QStringLiteral("replaceArmBox"));
+  box.setInformativeText(
+      tr("Replacing it loses the frames, obstacles and other changes in these files:") +
+      QChar('\n') + names.join(QChar('\n')));
+  const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+  QPushButton* other = box.addButton(tr("Use another name"), QMessageBox::RejectRole);
+  box.setDefaultButton(other);
+  box.setEscapeButton(other);
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
+void ArmImportDialog::proposeName() {
+  const auto isTaken = [this](const QString& name) {
+    const QDir folder(folder_);
+    return folder.exists(QStringLiteral("robots/%1.json").arg(name)) ||
+           folder.exists(QStringLiteral("cells/%1-moving.json").arg(name)) ||
+           folder.exists(QStringLiteral("cells/%1-fixed.json").arg(name));
+  };
+  int number = 2;
+  const QString name = name_->text();
+  while (isTaken(QStringLiteral("%1-%2").arg(name).arg(number)))
+    ++number;
+  name_->setText(QStringLiteral("%1-%2").arg(name).arg(number));
+  name_->setFocus();
+  name_->selectAll();
+}
+
+void ArmImportDialog::write(const Import& import) {
+  runner_->run(
+      [import, folder = std::filesystem::path(folder_.toStdString())](const base::RunContext&) {
+        cells::writeImport(*import, folder, cells::Existing::Replace);
+        return import->layout.cell.id;
       },
       [this](const base::Outcome<std::string>& outcome) {
         setBusy(false);

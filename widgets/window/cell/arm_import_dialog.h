@@ -8,6 +8,8 @@
 
 #include <QDialog>
 #include <QString>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +40,11 @@ private:
   void look();
   void show(const Look& look);
   void import();
+  using Import = std::shared_ptr<const cells::ArmImport>;
+  using Files = std::vector<std::filesystem::path>;
+  bool mayReplace(const Files& files);
+  void proposeName();
+  void write(const Import& import);
   void setBusy(bool busy);
   robot::UrdfOptions options() const;
 

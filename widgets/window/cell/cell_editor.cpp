@@ -498,6 +498,22 @@ void CellEditor::rest() {
       });
 }
 
+void CellEditor::reject() {
+  if (undo_->isClean() || mayDiscard())
+    QDialog::reject();
+}
+
+bool CellEditor::mayDiscard() {
+  QMessageBox box(QMessageBox::Warning, windowTitle(), tr("Discard the changes to this cell?"),
+                  QMessageBox::NoButton, this);
+  box.setObjectName(QStringLiteral("discardCellBox"));
+  box.setInformativeText(tr("The last one is: %1.").arg(undo_->undoText()));
+  const QPushButton* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+  box.exec();
+  return box.clickedButton() == discard;
+}
+
 QString CellEditor::idOfName() const {
   return name_->text().trimmed();
 }

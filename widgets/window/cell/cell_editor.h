@@ -56,6 +56,9 @@ public:
   // Returns whether view and messages match the draft.
   bool settled() const;
 
+  // Asks before edits are lost.
+  void reject() override;
+
 private:
   struct Looked;
   class Edit;
@@ -81,6 +84,7 @@ private:
   void tell(const QString& text, std::optional<forms::Icon> icon = {});
   void rest();
   void save();
+  bool mayDiscard();
   QString idOfName() const;
 
   robot::CellDraft draft_;
