@@ -235,6 +235,27 @@ protected:
   Planning planning_{document_};
 };
 
+// Parts that were added, copied and moved need no new plan once they are gone.
+TEST_F(SeveralPartsPlan, UndoOfSeveralEditsShowsThePlanAgain) {
+  plan(Stage::Toolpath);
+  const auto planned = document_.result(Stage::Toolpath);
+  document_.addPart(test::boxPart(5.0, "third.stl"), {}, true);
+  plan(Stage::Load);
+  document_.duplicatePart();
+  plan(Stage::Load);
+  document_.arrangeParts();
+  EXPECT_FALSE(document_.upToDate(Stage::Toolpath));
+  for (int i = 0; i < 3; ++i)
+    document_.undoStack()->undo();
+  EXPECT_EQ(document_.result(Stage::Toolpath), planned);
+  EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
+  for (int i = 0; i < 3; ++i)
+    document_.undoStack()->redo();
+  for (int i = 0; i < 3; ++i)
+    document_.undoStack()->undo();
+  EXPECT_EQ(document_.result(Stage::Toolpath), planned);
+}
+
 TEST_F(SeveralPartsPlan, AllPartsArePlannedAndEachHasItsResult) {
   plan(Stage::Toolpath);
   EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);

@@ -251,7 +251,7 @@ private:
   void refreshKeys();
   void dropResults() { showResults({}); }
   void showResults(ShownStages results);
-  // Keeps the shown results of the parts that are left, and drops those of any others.
+  // Keeps the shown results of the parts that are left; of all parts left before, two plans.
   void keepResultsOf(const std::shared_ptr<Parts>& left);
   project::Choices choicesOfNextPart(const QString& path) const;
   // For automatic choices: adopts the way of building that a plan has chosen. Cannot be undone.

@@ -15,6 +15,7 @@ struct Document::Source {
 struct Document::Parts {
   std::vector<std::shared_ptr<Source>> items; // one or more, as the choices' items
   ShownStages results = {};                   // while other parts are shown
+  std::weak_ptr<Parts> leftBefore = {};       // parts that were left before these, with results
 };
 
 } // namespace voluta::document

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace voluta::document {
 
@@ -38,10 +39,22 @@ void Document::showResults(ShownStages results) {
 }
 
 void Document::keepResultsOf(const std::shared_ptr<Parts>& left) {
-  if (const auto before = left_.lock())
-    before->results = {};
+  constexpr int kPlans = 2;
+  std::vector<std::shared_ptr<Parts>> earlier;
+  for (auto at = left_.lock(); at; at = at->leftBefore.lock())
+    if (at != left)
+      earlier.push_back(at);
   left->results = shown_;
   left_ = left;
+  std::shared_ptr<Parts> last = left;
+  int plans = left->results[indexOf(Stage::Toolpath)].result ? 1 : 0;
+  for (const std::shared_ptr<Parts>& at : earlier) {
+    if (at->results[indexOf(Stage::Toolpath)].result && ++plans > kPlans)
+      at->results = {};
+    last->leftBefore = at;
+    last = at;
+  }
+  last->leftBefore.reset();
 }
 
 std::shared_ptr<const pipeline::PlanResult> Document::result(Stage stage) const {
