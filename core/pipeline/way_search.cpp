@@ -6,6 +6,7 @@
 #include "modes/mode_table.h"
 #include "modes/stages.h"
 #include "pipeline/automatic.h"
+#include "pipeline/road.h"
 #include "pipeline/stage_runner.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
@@ -199,11 +200,47 @@ private:
   std::optional<base::Error> error_; // of the first way that could not be planned
 };
 
+// Kept with the motion of the way that a search has chosen.
+struct FoundWay {
+  static constexpr project::Stage kStage = project::Stage::Motion;
+  std::vector<project::TriedReport> tried;
+};
+constexpr const char* kWaySlot = "way";
+
+// Returns the search that chose the way that the choices name, if since then nothing has changed
+// but the formats and their options. Null: there is none, or the formats do not allow the way.
+std::shared_ptr<const FoundWay> foundBefore(const PlanRequest& request, StageCache* cache) {
+  if (!cache || !request.item().loaded || !namesWay(request.choices))
+    return nullptr;
+  const std::vector<project::Choices> ways = automaticChoices(request.choices);
+  const bool isAllowed = std::ranges::any_of(ways, [&](const project::Choices& way) {
+    return way.item().automaticWay == request.choices.item().automaticWay;
+  });
+  return isAllowed ? cache->find<FoundWay>(
+                         stageKeys(request)[project::indexOf(project::Stage::Motion)], kWaySlot)
+                   : nullptr;
+}
+
+// A way is only kept if nothing blocks it: of another format it may not be the best one.
+void keepFound(const PlanResult& result, StageCache* cache) {
+  const std::string& key = result.job.stages[project::indexOf(project::Stage::Motion)].key;
+  if (cache && !key.empty() && nothingBlocks(result.job.report))
+    cache->keep(key, std::make_shared<const FoundWay>(FoundWay{result.job.report.item().tried}),
+                kWaySlot);
+}
+
 } // namespace
 
 PlanResult planAutomatically(const PlanRequest& request, const base::RunContext& ctx,
                              StageCache* cache, const PlanObservers& observers) {
-  return WaySearch(request, ctx, cache, observers).run();
+  if (const auto found = foundBefore(request, cache)) {
+    PlanResult result = planChosenWay(request, ctx, cache, observers);
+    result.job.report.item().tried = found->tried;
+    return result;
+  }
+  PlanResult result = WaySearch(request, ctx, cache, observers).run();
+  keepFound(result, cache);
+  return result;
 }
 
 } // namespace voluta::pipeline

@@ -227,6 +227,28 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   EXPECT_EQ(pipeline::stageKeys(again), job.keys());
 }
 
+// A further format needs a program, not another search.
+TEST(Automatic, TheWayStaysWhenFormatsChange) {
+  pipeline::StageCache cache;
+  pipeline::PlanRequest request = plateInTheAir();
+  const pipeline::PlanResult first = pipeline::planPart(request, {}, &cache);
+  ASSERT_TRUE(pipeline::nothingBlocks(first.job.report));
+  ASSERT_GT(first.job.report.item().tried.size(), 1u);
+  request.choices = first.job.choices;
+  request.choices.formats.emplace_back("gcode-extended");
+  int ways = 0;
+  const auto onWay = [&](const pipeline::WayInTurn&) { ++ways; };
+  const pipeline::PlanResult second = pipeline::planPart(request, {}, &cache, {.onWay = onWay});
+  EXPECT_EQ(ways, 0);
+  EXPECT_EQ(second.checked.size(), 2u);
+  EXPECT_EQ(second.job.trajectory, first.job.trajectory) << "not planned again";
+  EXPECT_EQ(second.job.choices.item().automaticWay, first.job.choices.item().automaticWay);
+  expectConsistent(second);
+  request.choices.item().parameters["walls"] = "3"; // concerns the tool-paths
+  pipeline::planPart(request, {}, &cache, {.onWay = onWay});
+  EXPECT_GT(ways, 0);
+}
+
 TEST(Automatic, WhatBlocksAWayIsTold) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   ASSERT_FALSE(result.job.report.item().tried.empty());
