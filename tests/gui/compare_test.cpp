@@ -8,8 +8,10 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
 #include <QTest>
+#include <optional>
 
 namespace voluta::test {
 namespace {
@@ -108,6 +110,22 @@ TEST_F(CompareTest, WeightsRankAtOnce) {
   EXPECT_EQ(state(), PageState::OutOfDate);
   document().undoStack()->undo();
   EXPECT_NE(state(), PageState::OutOfDate);
+}
+
+TEST_F(CompareTest, AHalfTypedWeightIsTakenWhileTheWindowIsWhole) {
+  openBox();
+  auto* pieces = find<QDoubleSpinBox>("weight_pieces");
+  const QPointer<document::Comparing> taker(&comparing());
+  std::optional<bool> wasThere;
+  QObject::connect(pieces, &QDoubleSpinBox::valueChanged, pieces,
+                   [&] { wasThere = !taker.isNull(); });
+  pieces->setFocus();
+  pieces->selectAll();
+  QTest::keyClicks(pieces, "7");
+  EXPECT_FALSE(wasThere) << "not committed yet";
+  openWindow(); // in place of the first one
+  ASSERT_TRUE(wasThere);
+  EXPECT_TRUE(*wasThere);
 }
 
 TEST_F(CompareTest, WhatBlocksTheSelectedRowIsSaid) {

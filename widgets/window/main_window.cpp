@@ -123,6 +123,8 @@ MainWindow::~MainWindow() {
                        static_cast<QObject*>(&files_.opening()), static_cast<QObject*>(&files_),
                        static_cast<QObject*>(&runs_), static_cast<QObject*>(document_.undoStack())})
     one->disconnect();
+  // A field that is hidden commits what has been typed: while all that takes it is still there.
+  hide();
 }
 
 void MainWindow::buildDocks() {
