@@ -3035,6 +3035,10 @@ mm³</translation>
         <translation>la funzione &apos;{defined}&apos; non ha fine</translation>
     </message>
     <message>
+        <source>the function &apos;{defined}&apos; is never called</source>
+        <translation>la funzione &apos;{defined}&apos; non viene mai chiamata</translation>
+    </message>
+    <message>
         <source>the function is never called</source>
         <translation>la funzione non viene mai chiamata</translation>
     </message>

@@ -367,8 +367,7 @@ CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed, int threads) {
                       "program format of its controller (see: list formats); default csv");
   command->add_option("-o", options->folder,
                       "folder for robots/ and cells/; default the user's data folder");
-  command->add_flag("--replace", options->replace,
-                    "replaces the robot and the cell of an earlier import");
+  command->add_flag("--replace", options->replace, "replace the files of an earlier import");
   command
       ->add_option("--cell", options->cell,
                    "moving (nozzle on the arm, plate on a table) or fixed (stationary "

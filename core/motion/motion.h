@@ -65,7 +65,9 @@ struct MotionResult {
 // Example:
 //   const double pitch = collision::growingPitch(toolPlan, tooling);
 //   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-//   motion::MotionPlanner planner(toolPlan, cell, tooling, growing, {});
+//   motion::MotionOptions options;
+//   options.purge.primesBeside = true;
+//   motion::MotionPlanner planner(toolPlan, cell, tooling, growing, options);
 //   const motion::MotionResult moved = planner.plan(ctx);
 class MotionPlanner {
 public:

@@ -20,7 +20,7 @@ double lengthOf(const std::vector<Vector2d>& loop) {
 }
 
 HeightMap discs(const std::vector<std::pair<Vector2d, double>>& all) {
-  HeightMap map{gridOver({-20, -20}, {20, 20}, 0.1), {}};
+  HeightMap map{gridOver({-20, -20}, {20, 20}, 0.1), {}, {}, {}};
   map.top.assign(map.grid.size(), HeightMap::kNone);
   for (const auto& [middle, radius] : all)
     visitAround(map.grid, middle, radius, [&](std::size_t cell, double) { map.top[cell] = 1.0; });

@@ -58,7 +58,9 @@ plan::Trajectory moveExample(const plan::ToolPlan& toolPlan, const robot::Cell& 
                              const process::Tooling& tooling) {
   const double pitch = collision::growingPitch(toolPlan, tooling);
   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-  motion::MotionPlanner planner(toolPlan, cell, tooling, growing, {});
+  motion::MotionOptions options;
+  options.purge.primesBeside = true;
+  motion::MotionPlanner planner(toolPlan, cell, tooling, growing, options);
   const motion::MotionResult moved = planner.plan(ctx);
   EXPECT_TRUE(moved.skipped.empty());
   return moved.trajectory;
@@ -94,9 +96,7 @@ TEST(Examples, FromAFileToAVerdict) {
 
   const replay::Verification verdict =
       replay::replayProgram({read, toolPlan, trajectory, cell, tooling, part, plate}, {}, ctx);
-  EXPECT_TRUE(verdict.passed) << (verdict.findings.empty()
-                                      ? ""
-                                      : plan::englishReason(verdict.findings.front()));
+  EXPECT_TRUE(verdict.passed);
 }
 
 TEST(Examples, PiecesAndRods) {

@@ -17,10 +17,13 @@ namespace {
 // Tool-paths of a ball of 20 mm, which is unsupported below.
 plan::ToolPlan ballIn(const std::string& mode, const std::string& format) {
   pipeline::PlanRequest request;
+  // On its side, between two meridians, its first layers have rims that lean.
+  geometry::TriangleMesh ball = test::sphere(Eigen::Vector3d::Zero(), 10.0, 15);
+  for (Eigen::Vector3d& v : ball.vertices)
+    v = Eigen::Vector3d(v.z(), v.y(), 10.0 - v.x());
   request.item().loaded = project::loadedFrom(
-      "ball.stl",
-      std::make_shared<const geometry::TriangleMesh>(test::sphere({0.0, 0.0, 10.0}, 10.0)), {},
-      true, {});
+      "ball.stl", std::make_shared<const geometry::TriangleMesh>(std::move(ball)), {}, true, {});
+  request.choices.tool().process = "fdm-0.4";
   request.choices.item().mode = mode;
   request.choices.formats = {format};
   request.until = project::Stage::Toolpath;

@@ -107,10 +107,18 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
   return q;
 }
 
-// A shift of the nozzle on the part, level, so that what drops falls beside a small print.
-inline Eigen::Vector3d aside(const Eigen::Vector3d& direction) {
-  constexpr double kAsideMm = 30.0;
-  return kAsideMm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
+// A level shift of the nozzle on the part.
+inline Eigen::Vector3d aside(const Eigen::Vector3d& direction, double mm) {
+  return mm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
+}
+// The same from the first waypoint, so far that what drops falls beside the print.
+inline Eigen::Vector3d besidePrint(const plan::ToolPlan& plan) {
+  constexpr double kSpareMm = 15.0;
+  const Eigen::Vector3d way = aside(plan.direction.front(), 1.0);
+  double mm = 0.0;
+  for (const Eigen::Vector3d& p : plan.position)
+    mm = std::max(mm, (p - plan.position.front()).dot(way));
+  return (mm + kSpareMm) * way;
 }
 
 // Shifts the nozzle aside at a point; the motions there and from there take a second longer.
@@ -118,7 +126,8 @@ inline void moveAside(plan::Trajectory& t, const robot::Cell& cell, std::size_t 
   Eigen::Map<robot::JointVector> q(t.joints.data() + point * static_cast<std::size_t>(t.dof),
                                    t.dof);
   Eigen::Isometry3d pose = cell.work_T_tool(q);
-  pose.translation() += aside(-pose.linear().col(2));
+  constexpr double kAsideMm = 30.0; // beside a small print
+  pose.translation() += aside(-pose.linear().col(2), kAsideMm);
   std::vector<robot::JointVector> solutions;
   cell.inverse(pose, q, solutions);
   base::require(!solutions.empty(), "scene: in reach");
@@ -187,7 +196,7 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
     const bool start = t.timeS.empty();
     put(start ? plan::MoveKind::Joint : plan::MoveKind::Linear,
         plan.position[a] + liftMm * plan.direction[a] +
-            (start ? aside(plan.direction[a]) : Eigen::Vector3d(0, 0, 0)),
+            (start ? besidePrint(plan) : Eigen::Vector3d(0, 0, 0)),
         plan.direction[a], plan::kNoWaypoint, process.travelSpeedMmPerS);
     put(plan::MoveKind::Linear, plan.position[a], plan.direction[a], a, process.travelSpeedMmPerS);
     for (std::size_t w = a + 1; w <= b; ++w) {
