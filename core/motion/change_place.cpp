@@ -8,6 +8,7 @@
 #include "motion/motion_options.h"
 #include "motion/sequence.h"
 #include "plan/tool_plan.h"
+#include "robot/nozzle_drop.h"
 #include "robot/plate.h"
 #include "robot/pointing_down.h"
 
@@ -176,16 +177,11 @@ private:
           q[joint] += side * step * (slides ? kStepMm : kStepRad);
           const bool isTried = joint == 0 || slides; // A second turning joint lowers the arm
           if (!isTried || q[joint] < limits.min || q[joint] > limits.max ||
-              meets(q, geometry::widened(box, kSpareMm)) || !isFree(q))
+              robot::dropMeets(cell_, q, geometry::widened(box, kSpareMm)) || !isFree(q))
             continue;
           places_.push_back({q, q});
         }
   }
-  bool meets(const JointVector& q, const AlignedBox3d& box) const {
-    return geometry::dropMeets(cell_.work_T_tool(q).translation(),
-                               cell_.base_T_work(q).linear().transpose() * -Vector3d::UnitZ(), box);
-  }
-
   const MotionScene& scene_;
   const robot::Cell& cell_;
   const JointVector& home_;
@@ -210,9 +206,7 @@ std::vector<PurgePlace> purgePlaces(const MotionScene& scene, const JointVector&
 
 bool dropsOnPart(const MotionScene& scene, const JointVector& q) {
   constexpr double kNearMm = 10.0;
-  return geometry::dropMeets(scene.cell.work_T_tool(q).translation(),
-                             scene.cell.base_T_work(q).linear().transpose() * -Vector3d::UnitZ(),
-                             geometry::widened(partBox(scene), kNearMm));
+  return robot::dropMeets(scene.cell, q, geometry::widened(partBox(scene), kNearMm));
 }
 
 double primeMm3(const process::Process& process) {

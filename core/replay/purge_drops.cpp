@@ -3,6 +3,7 @@
 #include "geometry/drop.h"
 #include "plan/finding_kinds.h"
 #include "replay/beside_motion.h"
+#include "robot/nozzle_drop.h"
 
 #include <algorithm>
 
@@ -54,18 +55,16 @@ std::vector<TextFinding> purgeDrops(const plan::ReadProgram& program,
     const std::size_t point = next > firstPoint ? next - 1 : firstPoint;
     const robot::JointVector q =
         Eigen::Map<const robot::JointVector>(trajectory.at(point), trajectory.dof);
-    const Vector3d from = cell.work_T_tool(q).translation(),
-                   down = cell.base_T_work(q).linear().transpose() * -Vector3d::UnitZ();
     const base::Quantity volume = base::mm3(pause.volumeMm3);
     const auto add = [&](plan::FindingKind kind, std::vector<plan::NamedValue> values) {
       found.push_back(textFinding(program, kind, {pause.file + 1, pause.line}, std::move(values)));
-      found.back().finding.where = from;
+      found.back().finding.where = cell.work_T_tool(q).translation();
     };
-    if (geometry::dropMeets(from, down, print))
+    if (robot::dropMeets(cell, q, print))
       add(PurgeOnPart, {{"volume", volume}, {"body", base::Message("print"_text)}});
-    else if (geometry::dropMeets(from, down, workpiece))
+    else if (robot::dropMeets(cell, q, workpiece))
       add(PurgeOnPart, {{"volume", volume}, {"body", base::Message("workpiece"_text)}});
-    else if (geometry::dropMeets(from, down, targets.plate))
+    else if (robot::dropMeets(cell, q, targets.plate))
       add(PurgeOnPlate, {{"volume", volume}});
   }
   return found;
