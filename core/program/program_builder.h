@@ -122,8 +122,8 @@ private:
 
   const process::Tooling tooling_;
   int selected_ = 0;
-  // Per tool, the first of which has no output: whether it is on; nullopt: never set, as an earlier
-  // run left it.
+  // Whether the output of each tool is on; nullopt: the program has not set it yet, an earlier run
+  // may have. The first tool has no output.
   std::vector<std::optional<bool>> toolOutputs_ =
       std::vector<std::optional<bool>>(tooling_.tools().size());
   std::optional<std::size_t> outputLine_; // of the last tool output that is not settled

@@ -32,8 +32,9 @@ struct RepairResult {
 // without area, duplicate triangles and loose sheets, splits T-junctions, orients triangles
 // consistently, separates non-manifold edges, closes holes (Liepa 2003 as in CGAL), flips
 // inside-out components (cavities stay cavities), and unites components that overlap or intersect
-// themselves (winding_union.h) unless that would drop more than one percent of the enclosed volume
-// or would take minutes (more than 250,000 pairs of intersecting triangles); either is told.
+// themselves (winding_union.h). It does not unite them where that would drop more than one percent
+// of the enclosed volume, or with more than 250,000 pairs of intersecting triangles, which would
+// take minutes; `remains` says so.
 // A clean mesh is returned unchanged. A mesh that cannot be made watertight is returned as far as
 // it was repaired, with diagnosis.watertight false; the winding number still defines its inside.
 // With OpenSurfaces::Keep, rims at which the surface ends and sheets are not changed if they make
