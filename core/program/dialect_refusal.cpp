@@ -64,15 +64,20 @@ base::Text nameOf(plan::EventKind kind) {
 }
 
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
-  if (dialect.supportsExternalAxes || cell.externalAxes().empty() ||
-      (dialect.supportsAxesOf != nullptr && dialect.supportsAxesOf(cell)))
+  const auto movesAxes = [&](const Dialect& d) {
+    return d.supportsExternalAxes || cell.externalAxes().empty() ||
+           (d.supportsAxesOf != nullptr && d.supportsAxesOf(cell));
+  };
+  if (movesAxes(dialect))
     return;
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} does not support external axes: it cannot move the {axis} of "
                     "cell {cell}"_text,
                     dialect.id, cell.externalAxes().front().name, cell.id()),
-      {}, useFormats(formatsThat([](const Dialect& d) { return d.supportsExternalAxes; })));
+      {}, useFormats(formatsThat([&](const Dialect& d) {
+        return movesAxes(d) && !(d.needsJoints && isForeign(d, cell));
+      })));
 }
 
 void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {

@@ -428,6 +428,34 @@ TEST_F(Dialects, refuseATrajectoryOfAnotherArm) {
     EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
 }
 
+// A format that is refused for a cell's axes names the others: each of them takes that cell.
+TEST_F(Dialects, aRefusalForAxesNamesFormatsThatMoveThem) {
+  platform::PlatformSolid plate;
+  plate.polygon = {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  int refused = 0;
+  for (const std::string& id : robot::cellIds()) {
+    const robot::Cell cell = robot::loadCell(id, process_, plate);
+    for (const Dialect& d : dialects()) {
+      const std::optional<base::Error> error = refusal(d, cell, {}, nullptr);
+      if (!error || std::string(error->what()).find("external axes") == std::string::npos)
+        continue;
+      ++refused;
+      SCOPED_TRACE(error->what());
+      const std::string advice = base::english(error->remedy());
+      int named = 0;
+      for (const Dialect& other : dialects())
+        if (const bool takes = !refusal(other, cell, {}, nullptr); takes) {
+          ++named;
+          EXPECT_NE((advice + ",").find(std::string(" ") + std::string(other.id) + ","),
+                    std::string::npos)
+              << other.id;
+        }
+      EXPECT_EQ(std::ranges::count(advice, ','), named - 1);
+    }
+  }
+  EXPECT_GT(refused, 10);
+}
+
 TEST_F(Dialects, aForeignProgramDecidesOnlyAmongForeignOnes) {
   useRod(); // an ABB
   const std::vector<std::string> all = {"rapid", "gcode-extended", "csv"};
