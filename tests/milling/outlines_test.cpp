@@ -48,5 +48,30 @@ TEST(Outlines, EachPartHasItsOwn) {
   EXPECT_TRUE(outlinesAround(discs({}), 1.0).empty());
 }
 
+// The contour frees a disc but for a strip at its lower end along y, by which it stays in its
+// block.
+TEST(Contour, LeavesTheStripThatHoldsThePart) {
+  const double radius = 8.0;
+  MillRule rule;
+  rule.data = *cuttingDataFor("soft-plastic");
+  const auto moves = contourMoves(discs({{{2.0, 3.0}, radius}}), rule, {1.0, 0.0, 12.0});
+  const double strip = 3.0 - radius + rule.stripMm;
+  const double around = radius + rule.cutter.radiusMm();
+  double lowest = 20.0, highest = -20.0, height = 1.0;
+  for (const MillMove& move : moves) {
+    if (move.step == MillStep::Rapid) {
+      EXPECT_GE(move.to.z(), 12.0);
+      continue;
+    }
+    EXPECT_NEAR((move.to.head<2>() - Vector2d(2.0, 3.0)).norm(), around, 0.12);
+    lowest = std::min(lowest, move.to.y());
+    highest = std::max(highest, move.to.y());
+    height = std::min(height, move.to.z());
+  }
+  EXPECT_NEAR(lowest, strip, 0.25);
+  EXPECT_NEAR(highest, 3.0 + around, 0.12);
+  EXPECT_NEAR(height, -rule.cutter.radiusMm(), 1e-9);
+}
+
 } // namespace
 } // namespace voluta::milling
