@@ -74,13 +74,15 @@ bool takeCell(std::string_view text, JobHead& head) {
 
 } // namespace
 
-namespace {
-// The plate's temperature, for which the first of the used materials decides [C]; 0: not heated.
 int plateC(const ProgramInput& input) {
-  const int tool = input.tooling.usedAfter(input.trajectory, 0).front();
+  // A rest may not use the tool that decided when the part was begun.
+  int tool = input.tooling.usedAfter(input.trajectory, 0).front();
+  for (const plan::ToolPath& path : input.toolPlan.paths)
+    tool = std::min(tool, path.tool);
   return input.tooling.at(tool).process.material.bedC.value_or(0);
 }
 
+namespace {
 // Returns e.g. "Nozzle 210 C, plate 60 C"; empty if no temperature is known.
 std::string heatText(const ProgramInput& input, std::string_view unit) {
   std::string nozzles, text;

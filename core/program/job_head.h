@@ -23,6 +23,10 @@ std::string plainText(std::string_view text, std::size_t most = 60);
 // in every dialect (ProgramInput::job).
 std::string jobHash(const ProgramInput& input);
 
+// Returns the plate's temperature [C], for which the first of the materials decides that the whole
+// job uses: the rest of a stopped print keeps the plate as it is. 0: not heated.
+int plateC(const ProgramInput& input);
+
 // Returns lines without a dialect's comment mark: part, job, cell, robot, process; amount and
 // duration; temperatures and fan, if known; the ranges and the start values of the joints (unless
 // foreign: those of the cell's own arm); how programs with marks are started.

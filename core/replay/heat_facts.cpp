@@ -29,7 +29,9 @@ struct Heater {
   bool isNozzle() const { return heat == FactKind::NozzleHeat; }
 };
 
-std::vector<Heater> heatersOf(const process::Tooling& tooling, const std::vector<int>& used) {
+// `plateTool` decides the plate's temperature: the first tool of the whole job, of a rest too.
+std::vector<Heater> heatersOf(const process::Tooling& tooling, const std::vector<int>& used,
+                              int plateTool) {
   std::vector<Heater> heaters;
   for (const int t : used)
     if (const process::Material& m = tooling.at(t).process.material; m.nozzleC)
@@ -37,7 +39,7 @@ std::vector<Heater> heatersOf(const process::Tooling& tooling, const std::vector
                          static_cast<double>(*m.nozzleC), kNozzleToleranceC,
                          "the nozzle temperature, °C"_text, "a wait until the nozzle is hot"_text,
                          "turning off the nozzle's heating"_text});
-  if (const double bed = tooling.at(used.front()).process.material.bedC.value_or(0); bed > 0.0)
+  if (const double bed = tooling.at(plateTool).process.material.bedC.value_or(0); bed > 0.0)
     heaters.push_back({FactKind::BedHeat, FactKind::BedHeatWait, 0, bed, kBedToleranceC,
                        "the bed temperature, °C"_text, "a wait until the bed is hot"_text,
                        "turning off the bed's heating"_text});
@@ -133,7 +135,8 @@ std::vector<TextFinding> compareHeat(const plan::ReadProgram& program,
   std::vector<TextFinding> found;
   if (program.firstMotion >= program.motions.size())
     return found;
-  for (Heater& heater : heatersOf(tooling, tooling.usedAfter(trajectory, firstPoint)))
+  for (Heater& heater : heatersOf(tooling, tooling.usedAfter(trajectory, firstPoint),
+                                  tooling.usedAfter(trajectory, 0).front()))
     if (needs(program, heater.heat))
       HeaterComparer(program, std::move(heater), found).compare();
   return found;

@@ -51,6 +51,8 @@ public:
     for (const StatedFact& fact : program_.facts) {
       const auto kind = eventOf(fact);
       const bool selects = kind == EventKind::ToolChange;
+      if (fact.kind == FactKind::OperatorStop && fact.number <= 0.0 && isBetweenMotions(fact))
+        endsByItself(fact);
       if (kind && isBetweenMotions(fact) && !(selects && fact.tool == selected))
         stated(fact, *kind);
       if (kind == EventKind::Release && !isBetweenMotions(fact))
@@ -73,6 +75,15 @@ public:
   }
 
 private:
+  // The arm would go on while the operator's hands are at the nozzle.
+  void endsByItself(const StatedFact& stop) {
+    findings_.push_back(
+        textFinding(program_, StatementChanged, {stop.file + 1U, stop.line},
+                    {{"statement", program::nameOf(EventKind::Pause)},
+                     {"found", base::Message("a stop that ends by itself or is skipped"_text)},
+                     {"planned", base::Message("a stop that the operator ends"_text)}}));
+  }
+
   // The tool of the first motion.
   void compareBegin(const StatedFact* begin) {
     const int planned = trajectory_.toolAt(firstPoint_);

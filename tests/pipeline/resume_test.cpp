@@ -190,7 +190,7 @@ PlanRequest twoTools() {
   }
   request.choices.item(1).parameters["tool"] = "2";
   request.choices.cell = "ur5-moving";
-  request.choices.tools = {{"fdm-1.0"}, {"fdm-1.0"}};
+  request.choices.tools = {{"fdm-1.0"}, {"fdm-1.0", "petg"}};
   request.choices.formats = {"urscript"};
   return request;
 }
@@ -225,6 +225,22 @@ void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult&
   EXPECT_LE(purge->before, static_cast<std::size_t>(bead - read.motions.begin()));
 }
 
+// What stands on the plate keeps the temperature at which it was printed.
+void expectPlateOf(const PlanResult& whole, const plan::Program& rest) {
+  const auto bed = [](const plan::Program& program) {
+    std::vector<std::string> lines;
+    for (const plan::ProgramFile& file : program.files)
+      for (std::size_t at = file.text.find("M140 S"); at != std::string::npos;
+           at = file.text.find("M140 S", at + 1))
+        lines.push_back(file.text.substr(at, file.text.find('\n', at) - at));
+    return lines;
+  };
+  for (const auto& checked : whole.checked)
+    if (checked->program.format == rest.format) {
+      EXPECT_EQ(bed(rest), bed(checked->program));
+    }
+}
+
 TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
   const std::vector<std::string> formats = {"urscript", "rapid",    "krl",   "melfa",
                                             "spel",     "tmscript", "gcode", "gcode-extended"};
@@ -246,6 +262,7 @@ TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
       SCOPED_TRACE(checked->program.format);
       EXPECT_TRUE(checked->passed);
       expectBeginsWith(tool, *checked, rest.plan);
+      expectPlateOf(whole, checked->program);
     }
   }
 }

@@ -112,6 +112,30 @@ TEST_F(ToolChanges, AreReadBackAndReplayedInEveryDialect) {
   }
 }
 
+// The arm would select, heat and purge while the operator's hands are at the nozzle.
+TEST_F(ToolChanges, AStopThatEndsByItselfIsRefused) {
+  for (const std::string_view format : formats()) {
+    SCOPED_TRACE(format);
+    plan::ReadProgram read = this->read(test::textOf(programFor(format)));
+    plan::StatedFact& stop = read.facts[changeOf(read, 1).stop];
+    ASSERT_GT(stop.number, 0.0);
+    stop.number = 0.0;
+    expectAt(verify(read), stop.line);
+  }
+  test::ProgramText text = test::textOf(programFor("urscript"));
+  std::size_t changed = 0;
+  for (std::string& line : text.lines)
+    if (line.find("Fit tool 1") != std::string::npos)
+      if (const std::size_t at = line.find("blocking=True"); at != std::string::npos) {
+        line.replace(at, 13, "blocking=False");
+        ++changed;
+      }
+  ASSERT_EQ(changed, 1u);
+  const Verification v = verify(this->read(text));
+  EXPECT_FALSE(v.passed);
+  EXPECT_NE(told(v).find("ends by itself"), std::string::npos) << told(v);
+}
+
 TEST_F(ToolChanges, TheOperatorReadsWhichToolToFit) {
   const test::ProgramText text = test::textOf(programFor("urscript"));
   EXPECT_TRUE(std::ranges::any_of(text.lines, [](const std::string& line) {
