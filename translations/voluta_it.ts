@@ -8929,6 +8929,10 @@ previsto</translation>
         <translation>dopo: {event}</translation>
     </message>
     <message>
+        <source>the time for {event}</source>
+        <translation>il tempo per: {event}</translation>
+    </message>
+    <message>
         <source>the text of the stop</source>
         <translation>il testo dell&apos;arresto</translation>
     </message>

@@ -4,6 +4,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/job_head.h"
+#include "replay/planned_events.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,6 +24,7 @@ struct Stated {
   Step step = Step::Stop;
   TextPlace place;
   const StatedFact* fact = nullptr; // nullptr: a purge
+  std::size_t pause = 0;            // of a purge: its index
 };
 
 std::optional<Step> stepOf(const StatedFact& fact) {
@@ -99,7 +101,10 @@ private:
     for (auto pause = pauses.begin(); pause != pauses.end(); ++pause) {
       takeFacts(static_cast<std::size_t>(pause - program_.pauses.begin()));
       if (pause->volumeMm3 > 0.0)
-        stated.push_back({Step::Purge, {pause->file + 1U, pause->line}});
+        stated.push_back({Step::Purge,
+                          {pause->file + 1U, pause->line},
+                          nullptr,
+                          static_cast<std::size_t>(pause - program_.pauses.begin())});
     }
     takeFacts(program_.pauses.size());
     return stated;
@@ -111,6 +116,7 @@ private:
       return;
     const std::vector<Stated> stated = statedBefore(motion);
     compareOrder(stated, change->tool);
+    compareTimes(motion, stated, planned);
     const auto stop = std::ranges::find(stated, Step::Stop, &Stated::step);
     if (stop != stated.end())
       compareText(*stop->fact, change->tool);
@@ -136,6 +142,34 @@ private:
                     {{"statement", nameOf(early.step)},
                      {"found", base::message("before {event}"_text, nameOf(late))},
                      {"planned", base::message("behind {event}"_text, nameOf(late))}}));
+  }
+
+  // The changer's time passes before the next step, not anywhere in the change.
+  void compareTimes(std::size_t motion, std::span<const Stated> stated,
+                    std::span<const TrajectoryEvent> planned) {
+    for (const TrajectoryEvent& event : planned) {
+      if (event.kind != EventKind::Release && event.kind != EventKind::Lock)
+        continue;
+      const Step step = event.kind == EventKind::Release ? Step::Release : Step::Lock;
+      const auto at = std::ranges::find(stated, step, &Stated::step);
+      if (at == stated.end())
+        continue; // told as missing
+      const auto next = at + 1;
+      std::size_t end = program_.pauses.size();
+      if (next != stated.end())
+        end = next->fact ? next->fact->beforePause : next->pause;
+      double seconds = 0.0;
+      for (std::size_t p = at->fact->beforePause; p < end; ++p)
+        if (const plan::ProgramPause& pause = program_.pauses[p];
+            pause.before == motion && pause.volumeMm3 <= 0.0)
+          seconds += pause.durationS;
+      if (seconds < event.seconds - waitTolerance(event.seconds))
+        found_.push_back(textFinding(
+            program_, StatementChanged, at->place,
+            {{"statement", base::message("the time for {event}"_text, nameOf(step))},
+             {"found", base::message("{time:.1f}"_text, base::seconds(seconds))},
+             {"planned", base::message("{time:.1f}"_text, base::seconds(event.seconds))}}));
+    }
   }
 
   void compareText(const StatedFact& stop, int tool) {

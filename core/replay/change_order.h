@@ -16,9 +16,11 @@ namespace voluta::replay {
 // Returns a finding, at its line, for each statement of a tool change that comes before another one
 // which is planned before it; for a stop whose text does not name the tool that the operator has to
 // fit (program::toolName), in dialects that show one; and for a lacking wait for the nozzle's heat
-// between selection and purge, in programs that heat. In a job of several tools the same holds of
-// the stop and the selection before the first motion. Statements that are missing altogether are
-// the business of compareEvents. `firstPoint`: point of the trajectory at which the program begins.
+// between selection and purge, in programs that heat; and for a release or a lock of a tool changer
+// whose time does not pass before the next statement of the change. In a job of several tools the
+// same holds of the stop and the selection before the first motion. Statements that are missing
+// altogether are the business of compareEvents. `firstPoint`: point of the trajectory at which the
+// program begins.
 std::vector<TextFinding> compareChangeOrder(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment,

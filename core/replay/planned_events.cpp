@@ -34,8 +34,6 @@ std::optional<EventKind> eventOf(const StatedFact& fact) {
   }
 }
 
-// Tolerance of the duration of waits: relative, and absolute [s].
-constexpr double kWaitShare = 0.02, kWaitS = 0.05;
 constexpr double kPurgeShare = 0.02; // Tolerance of the volume of purges
 
 class EventComparer {
@@ -112,7 +110,7 @@ private:
     for (std::size_t m = program_.firstMotion; m < planned.size(); ++m) {
       if (planned[m] <= 0.0)
         continue;
-      const double tolerance = std::max(kWaitS, kWaitShare * planned[m]);
+      const double tolerance = waitTolerance(planned[m]);
       if (stated[m] <= tolerance && planned[m] > tolerance)
         continue; // missing
       for (const EventKind kind : {EventKind::Wait, EventKind::StartLag})
@@ -254,6 +252,11 @@ private:
 };
 
 } // namespace
+
+double waitTolerance(double plannedS) {
+  constexpr double kShare = 0.02, kLeastS = 0.05;
+  return std::max(kLeastS, kShare * plannedS);
+}
 
 PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
                           const Alignment& alignment) {

@@ -413,6 +413,31 @@ TEST_F(ToolChanges, AChangerReleasesAndLocksWhereItIsPlanned) {
   EXPECT_GE(lines, 12u);
 }
 
+// The time of a release or a lock passes before the next step.
+TEST_F(ToolChanges, TheTimeOfAChangerPassesBeforeTheNextStep) {
+  std::vector<plan::TrajectoryEvent> events;
+  for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
+    if (event.kind == plan::EventKind::ToolChange) {
+      events.push_back({.point = event.point, .kind = plan::EventKind::Release, .seconds = 1.0});
+      events.push_back(event);
+      events.push_back({.point = event.point, .kind = plan::EventKind::Lock, .seconds = 1.0});
+    }
+  scene_.trajectory.events = events;
+  for (const char* const format : {"urscript", "rapid", "krl", "spel", "melfa", "tmscript"}) {
+    SCOPED_TRACE(format);
+    const plan::ReadProgram whole = read(test::textOf(programFor(format)));
+    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    for (std::size_t f = 0; f < whole.facts.size(); ++f) {
+      const plan::StatedFact& fact = whole.facts[f];
+      if (fact.kind != plan::FactKind::ToolLocked || fact.before <= whole.firstMotion)
+        continue;
+      plan::ReadProgram early = whole; // its wait comes before it
+      early.facts[f].beforePause += 1;
+      expectAt(verify(std::move(early)), fact.line);
+    }
+  }
+}
+
 TEST_F(ToolChanges, AnExtruderThatTakesTextsPrintsWithOneTool) {
   program::ProgramInput input{scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"};
   input.options.own["extruder"] = "castelli-serial";
