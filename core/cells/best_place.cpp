@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
+#include <functional>
+#include <vector>
 
 namespace voluta::cells {
 
@@ -40,7 +40,24 @@ std::vector<std::size_t> pointsWithin(const ReachMap& map, const Vector2d& at, d
   return within;
 }
 
+// Removes the places whose value is less than the greatest by more than `same`.
+template <typename Value>
+void keepGreatest(std::vector<Place>& places, const Value& value, double same) {
+  const auto of = [&](const Place& place) { return std::invoke(value, place); };
+  const double greatest = of(*std::ranges::max_element(places, {}, of));
+  std::erase_if(places, [&](const Place& place) { return of(place) < greatest - same; });
+}
+
 } // namespace
+
+bool isBetter(const Place& a, const Place& b) {
+  if (a.onPlate != b.onPlate)
+    return a.onPlate;
+  const bool whole = (a.uprightShare == 1.0) != (b.uprightShare == 1.0);
+  if (whole || std::abs(a.uprightShare - b.uprightShare) > kSameShare)
+    return a.uprightShare > b.uprightShare;
+  return a.share > b.share + kSameShare;
+}
 
 Place placeAt(const ReachMap& map, const Standing& part, const Vector2d& at) {
   base::require(part.radiusMm > 0.0 && part.heightMm > 0.0, "a part with a size");
@@ -62,15 +79,17 @@ Place placeAt(const ReachMap& map, const Standing& part, const Vector2d& at) {
 
 Place bestPlace(const ReachMap& map, const Standing& part) {
   base::require(!map.points().empty(), "a map with points");
-  const auto steps = [](double value) { return std::llround(value / kSame); };
-  const auto rank = [&](const Place& p) {
-    return std::tuple(p.onPlate, steps(p.uprightShare), steps(p.share), -steps(p.at.norm()));
-  };
-  Place best = placeAt(map, part, map.points().front());
+  std::vector<Place> places;
   for (const Vector2d& at : map.points())
-    if (const Place place = placeAt(map, part, at); rank(place) > rank(best))
-      best = place;
-  return best;
+    places.push_back(placeAt(map, part, at));
+  keepGreatest(
+      places, [](const Place& p) { return p.onPlate ? 1.0 : 0.0; }, 0.0);
+  const bool all =
+      std::ranges::any_of(places, [](const Place& p) { return p.uprightShare == 1.0; });
+  keepGreatest(places, &Place::uprightShare, all ? 0.0 : kSameShare);
+  keepGreatest(places, &Place::share, kSameShare);
+  return *std::ranges::min_element(
+      places, {}, [](const Place& p) { return std::llround(p.at.norm() / kSame); });
 }
 
 } // namespace voluta::cells

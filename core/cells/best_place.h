@@ -27,9 +27,16 @@ struct Place {
 // the axis, at least at the nearest point; heights and tilts as in ReachMap::share().
 Place placeAt(const ReachMap& map, const Standing& part, const Eigen::Vector2d& at);
 
-// Returns the best of all positions at points of the map: on the plate before off it, then the
-// largest upright share, then the largest share of all poses, then the nearest to the plate's
-// middle (to 1e-9; then the first). Precondition: the map has points.
+// Shares that differ by less are equal: they are shown in percent.
+inline constexpr double kSameShare = 0.005;
+// Returns whether `a` is better than `b` by more than kSameShare: on the plate before off it, then
+// the upright share, then the share of all poses.
+bool isBetter(const Place& a, const Place& b);
+
+// Returns the best of all positions at points of the map: on the plate before off it; of these,
+// those whose upright share is within kSameShare of the largest (1 if that is 1); of these, those
+// whose share of all poses is so; of these, the nearest to the plate's middle (to 1e-9; then the
+// first). Precondition: the map has points.
 Place bestPlace(const ReachMap& map, const Standing& part);
 
 } // namespace voluta::cells

@@ -50,6 +50,23 @@ TEST(BestPlace, WhatIsTooWideStandsBesideThePlateWherever) {
   EXPECT_TRUE(placeAt(map, {20, 10, 0}, {60, 0}).onPlate);
 }
 
+// A pose more far out is no reason to move there: both places are shown with the same percentage.
+TEST(BestPlace, IsNearTheMiddleAmongPlacesThatAreAsGood) {
+  ReachGrid fine = grid();
+  fine.azimuths = 8;
+  ReachMap map(fine, square(80));
+  for (std::size_t n = 0; n < map.points().size(); ++n)
+    for (std::size_t h = 0; h < 3; ++h)
+      for (std::size_t d = 0; d < map.directions().size(); ++d)
+        map.setReached(n, h, d, d == 0 || map.points()[n] != Vector2d(0, 0) || h != 1 || d != 3);
+  const Standing part{30, 60, 1.0};
+  const Place middle = placeAt(map, part, {0, 0});
+  EXPECT_LT(middle.share, 1.0);
+  EXPECT_GT(middle.share, 1.0 - kSameShare);
+  EXPECT_EQ(bestPlace(map, part).at, Vector2d(0, 0));
+  EXPECT_FALSE(isBetter(placeAt(map, part, {50, 50}), middle));
+}
+
 // Counted pose by pose for every place, on random maps.
 TEST(BestPlace, EqualsCountingEveryPose) {
   std::mt19937_64 random(5);
@@ -61,7 +78,8 @@ TEST(BestPlace, EqualsCountingEveryPose) {
         for (std::size_t d = 0; d < map.directions().size(); ++d)
           map.setReached(n, h, d, is(random));
     const Standing part{15, 40, 0.6};
-    double best = -1.0;
+    double best = -1.0, bestUpright = -1.0;
+    std::vector<Place> all;
     for (const Vector2d& at : map.points()) {
       if (at.cwiseAbs().maxCoeff() + part.radiusMm > 45)
         continue;
@@ -80,10 +98,22 @@ TEST(BestPlace, EqualsCountingEveryPose) {
       const Place place = placeAt(map, part, at);
       EXPECT_NEAR(place.share, static_cast<double>(met) / asked, 1e-12);
       EXPECT_NEAR(place.uprightShare, static_cast<double>(upright) / askedUpright, 1e-12);
-      best = std::max(best, place.uprightShare + 1e-6 * place.share);
+      bestUpright = std::max(bestUpright, place.uprightShare);
+      all.push_back(place);
     }
+    const double least = bestUpright == 1.0 ? 1.0 : bestUpright - kSameShare;
+    std::erase_if(all, [&](const Place& place) { return place.uprightShare < least; });
+    for (const Place& place : all)
+      best = std::max(best, place.share);
     const Place found = bestPlace(map, part);
-    EXPECT_NEAR(found.uprightShare + 1e-6 * found.share, best, 1e-9);
+    EXPECT_GE(found.uprightShare, least);
+    EXPECT_GE(found.share, best - kSameShare);
+    for (const Place& place : all) {
+      EXPECT_FALSE(isBetter(place, found));
+      if (place.share >= best - kSameShare) {
+        EXPECT_LE(found.at.norm(), place.at.norm() + 1e-9) << "as good, and nearer to the middle";
+      }
+    }
   }
 }
 

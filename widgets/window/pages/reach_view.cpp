@@ -133,16 +133,12 @@ void ReachView::showReach() {
     panel_->setReach(std::nullopt);
     return;
   }
-  constexpr double kMore = 1e-6;
   panels::ShownReach shown;
   shown.upright = now->uprightShare;
   shown.tilted = now->share;
   shown.tiltDeg = base::radiansToDegrees(map_->grid().tiltsRad.back());
   shown.onPlate = now->onPlate;
-  shown.better =
-      best_->onPlate &&
-      (!now->onPlate || best_->uprightShare > now->uprightShare + kMore ||
-       (best_->uprightShare > now->uprightShare - kMore && best_->share > now->share + kMore));
+  shown.better = best_->onPlate && cells::isBetter(*best_, *now);
   shown.betterUpright = best_->uprightShare;
   shown.betterTilted = best_->share;
   panel_->setReach(shown);
