@@ -2,33 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
 <context>
-    <name>voluta::forms::ToolRows</name>
-    <message>
-        <source>Add tool</source>
-        <translation>Aggiungi utensile</translation>
-    </message>
-    <message>
-        <source>Adds a second nozzle or material, for some parts, supports, pieces or the interior. The program stops for each change.</source>
-        <translation>Aggiunge un secondo ugello o materiale, per alcuni pezzi, i supporti, le parti o l&apos;interno. Il programma si ferma a ogni cambio.</translation>
-    </message>
-    <message>
-        <source>Tool %1</source>
-        <translation>Utensile %1</translation>
-    </message>
-    <message>
-        <source>Process of tool %1</source>
-        <translation>Processo dell&apos;utensile %1</translation>
-    </message>
-    <message>
-        <source>Material of tool %1</source>
-        <translation>Materiale dell&apos;utensile %1</translation>
-    </message>
-    <message>
-        <source>Remove tool %1</source>
-        <translation>Togli l&apos;utensile %1</translation>
-    </message>
-</context>
-<context>
     <name>Commands</name>
     <message>
         <source>&amp;Quit</source>
@@ -7803,10 +7776,6 @@ previsto</translation>
         <translation>deve essere #RRGGBB</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>nessuno</translation>
-    </message>
-    <message>
         <source>nothing in this file is executed</source>
         <translation>nulla di questo file viene eseguito</translation>
     </message>
@@ -8154,15 +8123,15 @@ previsto</translation>
     </message>
     <message>
         <source>move one of the parts on the Prepare page, or print one after another</source>
-        <translation>sposta uno dei pezzi nella pagina Prepara, o stampali uno dopo l'altro</translation>
+        <translation>sposta uno dei pezzi nella pagina Prepara, o stampali uno dopo l&apos;altro</translation>
     </message>
     <message>
         <source>print one after another, or move {second} by {move:.0f}</source>
-        <translation>stampa i pezzi uno dopo l'altro, o sposta {second} di {move:.0f}</translation>
+        <translation>stampa i pezzi uno dopo l&apos;altro, o sposta {second} di {move:.0f}</translation>
     </message>
     <message>
         <source>print one after another</source>
-        <translation>stampa i pezzi uno dopo l'altro</translation>
+        <translation>stampa i pezzi uno dopo l&apos;altro</translation>
     </message>
     <message>
         <source>move {second} by {move:.0f}</source>
@@ -10158,6 +10127,26 @@ facce %</translation>
         <source>give another name, --id, or replace it: --replace</source>
         <translation>dai un altro nome, --id, oppure sostituiscilo: --replace</translation>
     </message>
+    <message>
+        <source>a share that is not positive</source>
+        <translation>una quota non positiva</translation>
+    </message>
+    <message>
+        <source>amounts are taken as volumes, as UltiGCode states them</source>
+        <translation>le quantità sono lette come volumi, come le indica UltiGCode</translation>
+    </message>
+    <message>
+        <source>give S in percent</source>
+        <translation>indicare S in percento</translation>
+    </message>
+    <message>
+        <source>two commands in one line: &apos;{code}&apos; and &apos;{next}&apos;</source>
+        <translation>due comandi in una riga: &apos;{code}&apos; e &apos;{next}&apos;</translation>
+    </message>
+    <message>
+        <source>write each command in a line of its own</source>
+        <translation>scrivere ogni comando in una riga propria</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10350,6 +10339,44 @@ facce %</translation>
     <message>
         <source>Bead %1 of %2</source>
         <translation>Cordone %1 di %2</translation>
+    </message>
+</context>
+<context>
+    <name>SizesDialog</name>
+    <message>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Slot length</source>
+        <translation>Lunghezza della fessura</translation>
+    </message>
+    <message>
+        <source>Slot width</source>
+        <translation>Larghezza della fessura</translation>
+    </message>
+    <message>
+        <source>Hole diameter</source>
+        <translation>Diametro del foro</translation>
+    </message>
+</context>
+<context>
+    <name>ValueBoxes</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>This character is not possible here. Enter a number: %1.</source>
+        <translation>Questo carattere non è possibile qui. Inserisci un numero: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not possible here: %2 is used. Range: %3.</source>
+        <translation>%1 non è possibile qui: si usa %2. Intervallo: %3.</translation>
     </message>
 </context>
 <context>
@@ -10580,6 +10607,33 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Pairs of x and radius in mm; a step has two pairs at one x</source>
         <translation>Coppie di x e raggio in mm; un gradino ha due coppie alla stessa x</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::forms::ToolRows</name>
+    <message>
+        <source>Add tool</source>
+        <translation>Aggiungi utensile</translation>
+    </message>
+    <message>
+        <source>Adds a second nozzle or material, for some parts, supports, pieces or the interior. The program stops for each change.</source>
+        <translation>Aggiunge un secondo ugello o materiale, per alcuni pezzi, i supporti, le parti o l&apos;interno. Il programma si ferma a ogni cambio.</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Utensile %1</translation>
+    </message>
+    <message>
+        <source>Process of tool %1</source>
+        <translation>Processo dell&apos;utensile %1</translation>
+    </message>
+    <message>
+        <source>Material of tool %1</source>
+        <translation>Materiale dell&apos;utensile %1</translation>
+    </message>
+    <message>
+        <source>Remove tool %1</source>
+        <translation>Togli l&apos;utensile %1</translation>
     </message>
 </context>
 <context>
@@ -12446,6 +12500,17 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::JoinedMachines</name>
+    <message>
+        <source>Machine %1</source>
+        <translation>Macchina %1</translation>
+    </message>
+    <message>
+        <source>Waits %1 for machine %2</source>
+        <translation>Attende %1 la macchina %2</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -12648,6 +12713,21 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>No program on this computer opens the folder %1.</source>
         <translation>Nessun programma su questo computer apre la cartella %1.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MachineTable</name>
+    <message>
+        <source>Job</source>
+        <translation>Lavoro</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotazione</translation>
     </message>
 </context>
 <context>
@@ -13098,6 +13178,57 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::RunDialog</name>
+    <message>
+        <source>Path %1 mm over %2 mm</source>
+        <translation>Percorso %1 mm su %2 mm</translation>
+    </message>
+    <message>
+        <source>Speed %1 % over %2 mm</source>
+        <translation>Velocità %1 % su %2 mm</translation>
+    </message>
+    <message>
+        <source>Flow %1 % over %2 mm</source>
+        <translation>Flusso %1 % su %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm of beads are missing</source>
+        <translation>Mancano %1 mm di cordoni</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>Punti peggiori</translation>
+    </message>
+    <message>
+        <source>Recorded run %1</source>
+        <translation>Esecuzione registrata %1</translation>
+    </message>
+    <message>
+        <source>Comparing the record with the current plan…</source>
+        <translation>Confronto della registrazione con il piano attuale…</translation>
+    </message>
+    <message>
+        <source>Flow, recorded: mean %1 %, from %2 to %3 %</source>
+        <translation>Flusso, registrato: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Flow at this speed: mean %1 %, from %2 to %3 %</source>
+        <translation>Flusso a questa velocità: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Path: mean %1 mm, greatest %2 mm</source>
+        <translation>Percorso: media %1 mm, massimo %2 mm</translation>
+    </message>
+    <message>
+        <source>Speed: mean %1 %, from %2 to %3 %</source>
+        <translation>Velocità: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Beads recorded: %1 of %2 mm</source>
+        <translation>Cordoni registrati: %1 di %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::Runs</name>
     <message>
         <source>1 voxel, %1 missed</source>
@@ -13287,6 +13418,37 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::SizesDialog</name>
+    <message>
+        <source>Sizes from a measured plate</source>
+        <translation>Misure da una piastra rilevata</translation>
+    </message>
+    <message>
+        <source>Plate of %1</source>
+        <translation>Piastra da %1</translation>
+    </message>
+    <message>
+        <source>Print the sample plate (File &gt; Samples) with this process, and measure it.</source>
+        <translation>Stampa la piastra di esempio (File &gt; Esempi) con questo processo e misurala.</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Nominale</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Rilevata</translation>
+    </message>
+    <message>
+        <source>Use these sizes</source>
+        <translation>Usa queste misure</translation>
+    </message>
+    <message>
+        <source>Size factors %1 (x) and %2 (y), outlines %3, holes %4; the measured sizes fit within %5.</source>
+        <translation>Fattori di misura %1 (x) e %2 (y), contorni %3, fori %4; le misure rilevate si adattano entro %5.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::SpacingView</name>
     <message>
         <source>%1–%2 mm: %3 % of the area</source>
@@ -13329,6 +13491,101 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>%1 MB</source>
         <translation>%1 MB</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::TogetherDialog</name>
+    <message>
+        <source>Print together with other machines</source>
+        <translation>Stampa insieme ad altre macchine</translation>
+    </message>
+    <message>
+        <source>Add project…</source>
+        <translation>Aggiungi progetto…</translation>
+    </message>
+    <message>
+        <source>Add this job again</source>
+        <translation>Aggiungi ancora questo lavoro</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Find order of work</source>
+        <translation>Trova l&apos;ordine di lavoro</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Save programs…</source>
+        <translation>Salva i programmi…</translation>
+    </message>
+    <message>
+        <source>Least distance of moving arms</source>
+        <translation>Distanza minima dei bracci in moto</translation>
+    </message>
+    <message>
+        <source>Waits, and what they keep apart</source>
+        <translation>Attese, e che cosa tengono separato</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Avvia o ferma</translation>
+    </message>
+    <message>
+        <source>The programs were saved in %1.</source>
+        <translation>I programmi sono stati salvati in %1.</translation>
+    </message>
+    <message>
+        <source>Project of another machine</source>
+        <translation>Progetto di un&apos;altra macchina</translation>
+    </message>
+    <message>
+        <source>Voluta projects (*.voluta)</source>
+        <translation>Progetti di Voluta (*.voluta)</translation>
+    </message>
+    <message>
+        <source>Add the project of a machine that works beside this one.</source>
+        <translation>Aggiungere il progetto di una macchina che lavora accanto a questa.</translation>
+    </message>
+    <message>
+        <source>Place the machines, then find an order of work.</source>
+        <translation>Posizionare le macchine, poi trovare un ordine di lavoro.</translation>
+    </message>
+    <message>
+        <source>Together %1; one after the other %2; the longest alone %3</source>
+        <translation>Insieme %1; una dopo l&apos;altra %2; la più lunga da sola %3</translation>
+    </message>
+    <message>
+        <source>Start the programs in any order: each waits at its first point for the others, whatever their signals are, and ends with its signals off. If one is stopped, stop all, and start all again.</source>
+        <translation>Avviare i programmi in qualsiasi ordine: ognuno attende gli altri al suo primo punto, qualunque sia lo stato dei segnali, e termina con i propri segnali disattivati. Se uno viene fermato, fermarli tutti e riavviarli tutti.</translation>
+    </message>
+    <message>
+        <source>Machine %1: marks %2, waits %3, ends after %4</source>
+        <translation>Macchina %1: segnali %2, attende %3, finisce dopo %4</translation>
+    </message>
+    <message>
+        <source>Least distance %1 mm; collisions: %2</source>
+        <translation>Distanza minima %1 mm; urti: %2</translation>
+    </message>
+    <message>
+        <source>Collision: %1 of machine %2 with %3 of machine %4</source>
+        <translation>Urto: %1 della macchina %2 con %3 della macchina %4</translation>
+    </message>
+    <message>
+        <source>Machine %1 waits %2 for machine %3</source>
+        <translation>La macchina %1 attende %2 la macchina %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Folder for all programs</source>
+        <translation>Cartella per tutti i programmi</translation>
     </message>
 </context>
 <context>
@@ -13598,247 +13855,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Sample vase</source>
         <translation>Vaso di esempio</translation>
-    </message>
-</context>
-<context>
-    <name>SizesDialog</name>
-    <message>
-        <source>Length</source>
-        <translation>Lunghezza</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Larghezza</translation>
-    </message>
-    <message>
-        <source>Slot length</source>
-        <translation>Lunghezza della fessura</translation>
-    </message>
-    <message>
-        <source>Slot width</source>
-        <translation>Larghezza della fessura</translation>
-    </message>
-    <message>
-        <source>Hole diameter</source>
-        <translation>Diametro del foro</translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window::SizesDialog</name>
-    <message>
-        <source>Sizes from a measured plate</source>
-        <translation>Misure da una piastra rilevata</translation>
-    </message>
-    <message>
-        <source>Plate of %1</source>
-        <translation>Piastra da %1</translation>
-    </message>
-    <message>
-        <source>Print the sample plate (File &gt; Samples) with this process, and measure it.</source>
-        <translation>Stampa la piastra di esempio (File &gt; Esempi) con questo processo e misurala.</translation>
-    </message>
-    <message>
-        <source>Nominal</source>
-        <translation>Nominale</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Rilevata</translation>
-    </message>
-    <message>
-        <source>Use these sizes</source>
-        <translation>Usa queste misure</translation>
-    </message>
-    <message>
-        <source>Size factors %1 (x) and %2 (y), outlines %3, holes %4; the measured sizes fit within %5.</source>
-        <translation>Fattori di misura %1 (x) e %2 (y), contorni %3, fori %4; le misure rilevate si adattano entro %5.</translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window::JoinedMachines</name>
-    <message>
-        <source>Machine %1</source>
-        <translation>Macchina %1</translation>
-    </message>
-    <message>
-        <source>Waits %1 for machine %2</source>
-        <translation>Attende %1 la macchina %2</translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window::MachineTable</name>
-    <message>
-        <source>Job</source>
-        <translation>Lavoro</translation>
-    </message>
-    <message>
-        <source>Cell</source>
-        <translation>Cella</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Rotazione</translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window::TogetherDialog</name>
-    <message>
-        <source>Print together with other machines</source>
-        <translation>Stampa insieme ad altre macchine</translation>
-    </message>
-    <message>
-        <source>Add project…</source>
-        <translation>Aggiungi progetto…</translation>
-    </message>
-    <message>
-        <source>Add this job again</source>
-        <translation>Aggiungi ancora questo lavoro</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Rimuovi</translation>
-    </message>
-    <message>
-        <source>Find order of work</source>
-        <translation>Trova l&apos;ordine di lavoro</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annulla</translation>
-    </message>
-    <message>
-        <source>Save programs…</source>
-        <translation>Salva i programmi…</translation>
-    </message>
-    <message>
-        <source>Least distance of moving arms</source>
-        <translation>Distanza minima dei bracci in moto</translation>
-    </message>
-    <message>
-        <source>Waits, and what they keep apart</source>
-        <translation>Attese, e che cosa tengono separato</translation>
-    </message>
-    <message>
-        <source>Play or pause</source>
-        <translation>Avvia o ferma</translation>
-    </message>
-    <message>
-        <source>The programs were saved in %1.</source>
-        <translation>I programmi sono stati salvati in %1.</translation>
-    </message>
-    <message>
-        <source>Project of another machine</source>
-        <translation>Progetto di un&apos;altra macchina</translation>
-    </message>
-    <message>
-        <source>Voluta projects (*.voluta)</source>
-        <translation>Progetti di Voluta (*.voluta)</translation>
-    </message>
-    <message>
-        <source>Add the project of a machine that works beside this one.</source>
-        <translation>Aggiungere il progetto di una macchina che lavora accanto a questa.</translation>
-    </message>
-    <message>
-        <source>Place the machines, then find an order of work.</source>
-        <translation>Posizionare le macchine, poi trovare un ordine di lavoro.</translation>
-    </message>
-    <message>
-        <source>Together %1; one after the other %2; the longest alone %3</source>
-        <translation>Insieme %1; una dopo l&apos;altra %2; la più lunga da sola %3</translation>
-    </message>
-    <message>
-        <source>Start the programs in any order: each waits at its first point for the others, whatever their signals are, and ends with its signals off. If one is stopped, stop all, and start all again.</source>
-        <translation>Avviare i programmi in qualsiasi ordine: ognuno attende gli altri al suo primo punto, qualunque sia lo stato dei segnali, e termina con i propri segnali disattivati. Se uno viene fermato, fermarli tutti e riavviarli tutti.</translation>
-    </message>
-    <message>
-        <source>Machine %1: marks %2, waits %3, ends after %4</source>
-        <translation>Macchina %1: segnali %2, attende %3, finisce dopo %4</translation>
-    </message>
-    <message>
-        <source>Least distance %1 mm; collisions: %2</source>
-        <translation>Distanza minima %1 mm; urti: %2</translation>
-    </message>
-    <message>
-        <source>Collision: %1 of machine %2 with %3 of machine %4</source>
-        <translation>Urto: %1 della macchina %2 con %3 della macchina %4</translation>
-    </message>
-    <message>
-        <source>Machine %1 waits %2 for machine %3</source>
-        <translation>La macchina %1 attende %2 la macchina %3</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 in %2</translation>
-    </message>
-    <message>
-        <source>Folder for all programs</source>
-        <translation>Cartella per tutti i programmi</translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window::RunDialog</name>
-    <message>
-        <source>Path %1 mm over %2 mm</source>
-        <translation>Percorso %1 mm su %2 mm</translation>
-    </message>
-    <message>
-        <source>Speed %1 % over %2 mm</source>
-        <translation>Velocità %1 % su %2 mm</translation>
-    </message>
-    <message>
-        <source>Flow %1 % over %2 mm</source>
-        <translation>Flusso %1 % su %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm of beads are missing</source>
-        <translation>Mancano %1 mm di cordoni</translation>
-    </message>
-    <message>
-        <source>Worst places</source>
-        <translation>Punti peggiori</translation>
-    </message>
-    <message>
-        <source>Recorded run %1</source>
-        <translation>Esecuzione registrata %1</translation>
-    </message>
-    <message>
-        <source>Comparing the record with the current plan…</source>
-        <translation>Confronto della registrazione con il piano attuale…</translation>
-    </message>
-    <message>
-        <source>Flow, recorded: mean %1 %, from %2 to %3 %</source>
-        <translation>Flusso, registrato: media %1 %, da %2 a %3 %</translation>
-    </message>
-    <message>
-        <source>Flow at this speed: mean %1 %, from %2 to %3 %</source>
-        <translation>Flusso a questa velocità: media %1 %, da %2 a %3 %</translation>
-    </message>
-    <message>
-        <source>Path: mean %1 mm, greatest %2 mm</source>
-        <translation>Percorso: media %1 mm, massimo %2 mm</translation>
-    </message>
-    <message>
-        <source>Speed: mean %1 %, from %2 to %3 %</source>
-        <translation>Velocità: media %1 %, da %2 a %3 %</translation>
-    </message>
-    <message>
-        <source>Beads recorded: %1 of %2 mm</source>
-        <translation>Cordoni registrati: %1 di %2 mm</translation>
-    </message>
-</context>
-<context>
-    <name>ValueBoxes</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>da %1 a %2</translation>
-    </message>
-    <message>
-        <source>This character is not possible here. Enter a number: %1.</source>
-        <translation>Questo carattere non è possibile qui. Inserisci un numero: %1.</translation>
-    </message>
-    <message>
-        <source>%1 is not possible here: %2 is used. Range: %3.</source>
-        <translation>%1 non è possibile qui: si usa %2. Intervallo: %3.</translation>
     </message>
 </context>
 </TS>

@@ -3,9 +3,43 @@
 #include "program/common/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace voluta::sliced {
+
+namespace {
+char upper(char c) {
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
+// Whether a G or M behind this command is a command of its own, not its word or text.
+bool endsAtTheNext(char letter, double number) {
+  constexpr std::array kG{0.0,  1.0,  2.0,  3.0,  4.0,  17.0, 20.0, 21.0,
+                          40.0, 49.0, 90.0, 91.0, 92.0, 93.0, 94.0};
+  constexpr std::array kM{3.0,  4.0,   5.0,   6.0,   7.0,   8.0,   9.0,   82.0,  83.0,
+                          84.0, 104.0, 106.0, 107.0, 109.0, 140.0, 190.0, 220.0, 221.0};
+  return letter == 'T' || (letter == 'G' && std::ranges::find(kG, number) != kG.end()) ||
+         (letter == 'M' && std::ranges::find(kM, number) != kM.end());
+}
+
+// Returns where the next command begins; npos if there is none. T is a word of M commands.
+std::size_t nextCommand(std::string_view text, std::size_t from, char letter) {
+  bool isRemark = false;
+  for (std::size_t i = text.find_first_of("GgMmTt", from); i < text.size(); ++i) {
+    const char c = upper(text[i]);
+    if (c == '(' || c == ')')
+      isRemark = c == '(';
+    if (isRemark || (c != 'G' && c != 'M' && (c != 'T' || letter == 'M')))
+      continue;
+    std::string_view behind = program::trimmed(text.substr(i + 1));
+    double number = 0.0;
+    if (program::takeDecimal(behind, number))
+      return i;
+  }
+  return std::string_view::npos;
+}
+} // namespace
 
 GcodeCommand commandOf(std::string_view line) {
   GcodeCommand command;
@@ -24,11 +58,18 @@ GcodeCommand commandOf(std::string_view line) {
   command.text = text;
   if (text.empty())
     return command;
-  const auto letter = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  const char letter = upper(text.front());
   std::string_view rest = text.substr(1);
   if ((letter == 'G' || letter == 'M' || letter == 'T') &&
       program::takeDecimal(rest, command.number))
     command.letter = letter;
+  if (!endsAtTheNext(command.letter, command.number))
+    return command;
+  const std::size_t next = nextCommand(text, text.size() - rest.size(), command.letter);
+  if (next < text.size()) {
+    command.text = program::trimmed(text.substr(0, next));
+    command.next = text.substr(next);
+  }
   return command;
 }
 

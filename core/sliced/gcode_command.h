@@ -10,9 +10,12 @@ struct GcodeCommand {
   double number = 0.0;     // behind the letter
   std::string_view text;   // with its words; without line number, checksum and comment
   std::string_view remark; // behind the semicolon
+  std::string_view next;   // the line from its next command on; empty: there is none
 };
 
-// Returns the command; an empty text if the line has none.
+// Returns the first command of a line; an empty text if the line has none. Several in one line are
+// told apart where none of them can be another's word or text: the modes (G17 to G21, G40, G49,
+// G90 to G94, M82, M83), motions, tools, heat, fans and shares (M220, M221).
 GcodeCommand commandOf(std::string_view line);
 
 } // namespace voluta::sliced

@@ -58,11 +58,14 @@ public:
       line_ = lines.number();
       if (line_ % 4096 == 0)
         ctx_.checkpoint();
-      const GcodeCommand command = commandOf(line);
+      GcodeCommand command = commandOf(line);
       if (!command.remark.empty())
         remark(command.remark);
-      if (!command.text.empty())
+      for (; !command.text.empty(); command = commandOf(command.next)) {
+        if (!command.next.empty())
+          requireSeparate(command);
         execute(command);
+      }
     }
     endPath();
     for (const auto& [tool, amounts] : amountAt_)
@@ -91,6 +94,23 @@ private:
           *facts.heightMm >= kThinnestMm && *facts.heightMm <= kThickestMm ? *facts.heightMm : 0.0;
     if (facts.feature)
       feature_ = facts.feature;
+  }
+
+  // Controllers differ in the order in which they take a line's commands, and in which of them
+  // takes its words, except where modes and tools come first and have none.
+  void requireSeparate(const GcodeCommand& command) const {
+    const bool isMotion = command.letter == 'G' && command.number <= 4.0;
+    std::string_view rest = command.text.substr(1);
+    double number = 0.0;
+    program::takeDecimal(rest, number);
+    while ((rest = program::trimmed(rest)).starts_with('(')) {
+      const std::size_t end = rest.find(')');
+      rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    }
+    if (isMotion || (command.letter != 'M' && !rest.empty()))
+      fail(base::message("two commands in one line: '{code}' and '{next}'"_text,
+                         command.text.substr(0, 40), command.next.substr(0, 40)),
+           "write each command in a line of its own"_text);
   }
 
   void execute(const GcodeCommand& command) {
@@ -130,19 +150,35 @@ private:
   }
 
   bool executeM(double m, std::string_view text) {
-    constexpr std::array kUsed{82.0, 83.0, 104.0, 109.0, 140.0, 190.0, 200.0, 220.0, 221.0};
+    constexpr std::array kUsed{6.0, 82.0, 83.0, 104.0, 109.0, 140.0, 190.0, 200.0, 220.0, 221.0};
     if (std::ranges::find(kUsed, m) == kUsed.end())
       return false;
     GcodeWords w = words(text);
+    if (m == 6.0) // The change to the tool that T names
+      return w['T'] ? changeTool(*w['T']) : true;
     if (m == 82.0 || m == 83.0)
       relativeE_ = m == 83.0;
     else if (m < 200.0)
       heat(m, w);
     else if (m == 200.0 && w['D'])
       setVolumetric(*w['D'] > 0.0);
-    else if (m > 200.0 && w['S'] && *w['S'] > 0.0)
-      (m == 220.0 ? speedShare_ : flowShare_) = *w['S'] / 100.0;
+    else if (m > 200.0 && w['S'])
+      (m == 220.0 ? speedShare_ : flowShares_[toolOf(w)]) = shareOf(*w['S']);
     return true;
+  }
+
+  // The tool that a command names; the one in use if it names none.
+  int toolOf(GcodeWords& w) const { return w['T'] ? toolNumber(*w['T']).value_or(tool_) : tool_; }
+
+  double shareOf(double percent) const {
+    if (!(percent > 0.0))
+      fail("a share that is not positive"_text, "give S in percent"_text);
+    return percent / 100.0;
+  }
+
+  double flowShare() const {
+    const auto stated = flowShares_.find(tool_);
+    return stated == flowShares_.end() ? 1.0 : stated->second;
   }
 
   void setVolumetric(bool isVolume) {
@@ -242,7 +278,7 @@ private:
       fail("a length of filament of more than a kilometre"_text,
            "the file may be damaged; export it again"_text);
     // What one tool draws back is no debt of another, unless their filaments share the nozzle.
-    return flowShare_ * file_.header.amountShare(tool_, file_.volumetric) *
+    return flowShare() * file_.header.amountShare(tool_, file_.volumetric) *
            filaments_[file_.header.oneNozzle ? 0 : tool_].push(length);
   }
 
@@ -409,7 +445,8 @@ private:
   TableAxes table_;
   std::map<int, Filament> filaments_; // By nozzle
   UnusedCommands unused_;
-  double e_ = 0.0, unitMm_ = 1.0, speedMmPerS_ = 0.0, speedShare_ = 1.0, flowShare_ = 1.0;
+  double e_ = 0.0, unitMm_ = 1.0, speedMmPerS_ = 0.0, speedShare_ = 1.0;
+  std::map<int, double> flowShares_; // of tools
   int tool_ = 0;
   std::map<int, int> nozzleC_;                    // By tool, as set last [°C]
   std::map<int, std::map<int, double>> amountAt_; // Extruded, by tool and temperature

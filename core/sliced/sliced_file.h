@@ -39,6 +39,7 @@ struct SlicedHeader {
   double filamentMm = 0.0;         // Diameter, of the first tool
   std::vector<double> filamentsMm; // Diameters by tool; empty: all as the first
   bool volumetric = false;         // Amounts are volumes, by a setting
+  bool ultiGcode = false;          // They are, by the language
   bool oneNozzle = false;          // All tools' filaments go to one nozzle
   double layerHeightMm = 0.0, firstLayerHeightMm = 0.0;
   bool hasLayers = false, hasKinds = false;

@@ -53,7 +53,9 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
     notes.push_back(base::message(
         "purge lines beside the part are left out: {volume:.0f} from line {line} on"_text,
         base::mm3(file.purged * filamentMm2), file.purgeLine));
-  if (file.header.volumetric && file.volumetric)
+  if (file.header.ultiGcode && file.volumetric)
+    notes.push_back("amounts are taken as volumes, as UltiGCode states them"_text);
+  else if (file.header.volumetric && file.volumetric)
     notes.push_back(
         "amounts are taken as volumes, as the setting use_volumetric_e of the file says"_text);
   std::set<int> tools;
@@ -96,6 +98,8 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
   if (text.starts_with("GCDE"))
     throw Error(ErrorCode::UnreadableFile, "is binary G-code"_text, name,
                 "export G-code as text from the slicer"_text);
+  if (constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; text.starts_with(kByteOrderMark))
+    text.remove_prefix(kByteOrderMark.size());
   const SlicedFile file = followGcode(text, name, ctx.sub(0.0, 0.4));
   if (file.paths.empty())
     throw Error(ErrorCode::UnusableInput, "contains no beads: no motion extrudes"_text, name,

@@ -48,6 +48,9 @@ private:
   }
 
   void takeM(const GcodeCommand& command) {
+    program::GcodeWords change;
+    if (command.number == 6.0 && program::wordsOf(command.text, change) && change['T'])
+      tool_ = toolNumber(*change['T']).value_or(tool_);
     if (command.number == 82.0 || command.number == 83.0) {
       relativeE_ = command.number == 83.0;
     } else if (command.number == 200.0 || command.number == 221.0) {
@@ -57,21 +60,24 @@ private:
       if (command.number == 200.0 && words['D'])
         volumetric_ = *words['D'] > 0.0;
       else if (command.number == 221.0 && words['S'] && *words['S'] > 0.0)
-        flow_ = *words['S'] / 100.0;
+        flows_[words['T'] ? toolNumber(*words['T']).value_or(tool_) : tool_] = *words['S'] / 100.0;
     }
   }
 
   void feed(double length) {
     auto& [fed, most] = nozzles_[header_.oneNozzle ? 0 : tool_];
     fed += length;
-    sum_ += flow_ * header_.amountShare(tool_, volumetric_) * std::max(0.0, fed - most);
+    const auto flow = flows_.find(tool_);
+    sum_ += (flow == flows_.end() ? 1.0 : flow->second) * header_.amountShare(tool_, volumetric_) *
+            std::max(0.0, fed - most);
     most = std::max(most, fed);
   }
 
   const SlicedHeader& header_;
   bool volumetric_, relative_ = false, relativeE_ = false;
-  double unit_ = 1.0, at_ = 0.0, flow_ = 1.0, sum_ = 0.0;
+  double unit_ = 1.0, at_ = 0.0, sum_ = 0.0;
   int tool_ = 0;
+  std::map<int, double> flows_;                      // of tools
   std::map<int, std::pair<double, double>> nozzles_; // fed in all, and the most of it so far
 };
 } // namespace
@@ -81,7 +87,9 @@ double statedAmount(std::string_view text, const SlicedHeader& header) {
   program::LineReader lines(text);
   std::string_view line;
   while (lines.next(line))
-    count.take(commandOf(line));
+    for (GcodeCommand command = commandOf(line); !command.text.empty();
+         command = commandOf(command.next))
+      count.take(command);
   return count.sum();
 }
 

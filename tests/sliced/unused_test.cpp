@@ -1,5 +1,6 @@
 // Words of a file that mean more than its motions: tools, volumes, stops, purge lines. What is not
 // acted on is named.
+#include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
 #include "geometry/measures.h"
@@ -98,6 +99,49 @@ TEST(SlicedWords, ASettingMakesAmountsVolumes) {
   // What the firmware is told has the last word.
   EXPECT_NEAR(readIn("M200 D0\n" + body + "; use_volumetric_e = 1\n").volumeMm3,
               96.0 * kFilamentMm2, 0.1);
+}
+
+// A line of several commands keeps all of them, or is refused: no bead is lost.
+TEST(SlicedWords, CommandsOfOneLineAreAllTaken) {
+  const auto bodyWith = [](const std::string& before) {
+    std::string text = kHead + layer(0) + square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6);
+    for (std::size_t at = text.find("G1 X"); at != std::string::npos;
+         at = text.find("G1 X", at + before.size() + 1))
+      text.insert(at, before);
+    return text;
+  };
+  const double mm3 = 32.0 * kFilamentMm2;
+  for (const char* before : {"", "G21 ", "T0 ", "G90 ", "M106 S255 ", "G21G90 ", "M109 T0 S200 ",
+                             "G21 (mm) ", "g94 M83 "})
+    EXPECT_NEAR(readIn(bodyWith(before)).volumeMm3, mm3, 1e-3 * mm3) << before;
+  for (const char* line : {"G1 X5 E1 G91", "G0 X1 G1 X5 E1", "G92 E0 G1 X5 E1", "G21 X3 G1 Y2"})
+    EXPECT_THROW(readIn(bodyWith("") + line + "\n"), base::Error) << line;
+  // Texts and other commands' words are no commands.
+  for (const char* line : {"M117 G1 X5 E100", "G383 O1 M1 T140", "M486 AG1 X1"})
+    EXPECT_NEAR(readIn(bodyWith("") + line + "\n").volumeMm3, mm3, 1e-3 * mm3) << line;
+}
+
+TEST(SlicedWords, AShareOfFlowIsThatOfItsTool) {
+  const std::string beads = layer(0) + square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6);
+  EXPECT_NEAR(readIn(kHead + "T0\nM221 T1 S50\n" + beads).volumeMm3, 32.0 * kFilamentMm2, 0.1);
+  EXPECT_NEAR(readIn(kHead + "T0\nM221 T0 S50\n" + beads).volumeMm3, 16.0 * kFilamentMm2, 0.1);
+  EXPECT_NEAR(readIn(kHead + "T0\nM221 S50\n" + beads).volumeMm3, 16.0 * kFilamentMm2, 0.1);
+  for (const char* line : {"M221 S-50\n", "M220 S0\n"})
+    EXPECT_THROW(readIn(kHead + line + beads), base::Error) << line;
+}
+
+TEST(SlicedWords, UltiGcodeStatesVolumes) {
+  const std::string body = layer(0) + square(0, 0, 0.8, 12.0) + layer(1) + square(0, 0, 1.6, 12.0);
+  const sliced::ReadSliced read = readIn(";FLAVOR:UltiGCode\n" + kHead + body);
+  EXPECT_NEAR(read.volumeMm3, 96.0, 0.01);
+  EXPECT_THAT(base::english(read.notes), Contains(HasSubstr("UltiGCode")));
+  EXPECT_NEAR(readIn(";FLAVOR:Marlin\n" + kHead + body).volumeMm3, 96.0 * kFilamentMm2, 0.1);
+}
+
+TEST(SlicedWords, AByteOrderMarkHidesNoSetting) {
+  const std::string body = "; filament_diameter = 2.85\nG21\nG90\nM83\nG28\n" + layer(0) +
+                           square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6);
+  EXPECT_DOUBLE_EQ(readIn("\xEF\xBB\xBF" + body).volumeMm3, readIn(body).volumeMm3);
 }
 
 TEST(SlicedWords, StopsAreNamedWithTheirLines) {
