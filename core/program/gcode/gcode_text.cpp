@@ -199,16 +199,6 @@ void GcodeText::stop(std::string_view message) {
   line(joined({"M0 ", gcodeStopText(message)}));
 }
 
-namespace {
-// A tool that the operator fits later has no heater to wait for until then.
-std::vector<int> fittedFromTheStart(const ProgramInput& input, const std::vector<int>& used) {
-  for (const plan::TrajectoryEvent& event : input.trajectory.events)
-    if (event.kind == plan::EventKind::Pause)
-      return {input.trajectory.firstTool};
-  return used;
-}
-} // namespace
-
 void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
                      const std::vector<std::string>& notes) {
   const process::Process& p = input.process();
@@ -235,8 +225,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   bedC_ = plateC(input);
   if (bedC_ > 0)
     out += joined({"M140 S", std::to_string(bedC_), "\n"});
-  const std::vector<int> fitted = fittedFromTheStart(input, tools_);
-  for (const int tool : fitted)
+  for (const int tool : tools_)
     if (const process::Material& material = input.tooling.at(tool).process.material;
         material.nozzleC)
       out += joined({heating("M104", tool), std::to_string(*material.nozzleC), " ; assumed for ",
@@ -244,7 +233,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   out += "G28\n";
   if (bedC_ > 0)
     out += joined({"M190 S", std::to_string(bedC_), "\n"});
-  for (const int tool : fitted)
+  for (const int tool : tools_)
     awaitHeat(input, tool);
   out += "M107\nG92 E0\n";
   if (primesStanding(input)) {
