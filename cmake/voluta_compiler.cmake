@@ -30,7 +30,7 @@ elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # There a local name of one source may be a name at file scope of another, and GCC takes every source
   # for a header. By default it frees memory late on a machine that has much.
   target_compile_options(voluta_flags INTERFACE -Wno-subobject-linkage
-    --param=ggc-min-expand=30 --param=ggc-min-heapsize=131072)
+    --param=ggc-min-expand=50 --param=ggc-min-heapsize=524288)
 endif()
 # Behind a precompiled header GCC 12 warns of the insides of the standard library's strings, where
 # nothing is wrong (its bugs 105329, 105651).
