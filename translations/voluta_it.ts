@@ -10147,6 +10147,26 @@ facce %</translation>
         <source>write each command in a line of its own</source>
         <translation>scrivere ogni comando in una riga propria</translation>
     </message>
+    <message>
+        <source>a second object of the id &apos;{id}&apos;</source>
+        <translation>un secondo oggetto con l&apos;id &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>cells of {pitch} are too fine for a block of {along} by {across}</source>
+        <translation>celle di {pitch} sono troppo fini per un blocco di {along} per {across}</translation>
+    </message>
+    <message>
+        <source>give --pitch of {least} or more</source>
+        <translation>indicare --pitch di {least} o più</translation>
+    </message>
+    <message>
+        <source>must be within a kilometre</source>
+        <translation>deve essere entro un chilometro</translation>
+    </message>
+    <message>
+        <source>not used: {bytes} bytes behind the {facets} facets that the header states</source>
+        <translation>non usati: {bytes} byte dopo le {facets} facce che l&apos;intestazione indica</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -23,12 +23,27 @@ void check(const MillRule& rule) {
   };
   if (!(rule.cutter.diameterMm > 0.0) || rule.cutter.teeth < 1)
     refuse("the cutter has no diameter or no teeth"_text, "give --cutter and --teeth above 0"_text);
-  if (!(rule.roughingMm > 0.0) || !(rule.pitchMm > 0.0) || !(rule.distanceMm() > 0.0))
+  if (!(rule.roughingMm > 0.0) || !(rule.pitchMm > 0.0) || rule.lineMm < 0.0 ||
+      !(rule.distanceMm() > 0.0))
     refuse("a distance of passes is not positive"_text, "give distances above 0"_text);
   if (rule.acrossMm <= rule.cutter.diameterMm || rule.alongMm <= rule.cutter.diameterMm)
     refuse(base::message("the block is less than the cutter's {diameter} wider than the part"_text,
                          base::mm(rule.cutter.diameterMm)),
            "increase --gap"_text);
+}
+
+// A map of more cells takes gigabytes of memory.
+void checkCells(const Eigen::AlignedBox3d& block, double pitchMm) {
+  constexpr double kMostCells = 4e7;
+  const Vector3d size = block.sizes();
+  if (size.x() / pitchMm * size.y() / pitchMm > kMostCells)
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("cells of {pitch} are too fine for a block of {along} by {across}"_text,
+                      base::mm(pitchMm), base::mm(size.x()), base::mm(size.y())),
+        {},
+        base::message("give --pitch of {least} or more"_text,
+                      base::mm(std::sqrt(size.x() * size.y() / kMostCells))));
 }
 
 geometry::TriangleMesh turned(const geometry::TriangleMesh& part) {
@@ -245,6 +260,7 @@ MillPlan planMilling(const geometry::TriangleMesh& part, const MillRule& rule,
   const Vector3d gap(rule.alongMm, rule.acrossMm, rule.skinMm);
   MillPlan plan;
   plan.block = {box.min() - gap, box.max() + gap};
+  checkCells(plan.block, rule.pitchMm);
   CellGrid grid = gridOver(plan.block.min().head<2>(), plan.block.max().head<2>(), rule.pitchMm);
   plan.above = heightMap(part, grid, ctx.sub(0.0, 0.2));
   grid.low.y() = -(grid.low.y() + grid.pitchMm * grid.countY);

@@ -156,6 +156,16 @@ TEST(Readers, BinaryHeaderMayBeginWithSolid) {
   EXPECT_EQ(readMesh(bytes, "s.stl").format, "STL (binary)");
 }
 
+// As two files that were joined: what is behind the stated facets is named, not lost in silence.
+TEST(Readers, WhatIsBehindTheStatedFacetsIsNamed) {
+  const std::string bytes = geometry::writeStl(boxMesh());
+  const auto read = readMesh(bytes + bytes, "two.stl");
+  EXPECT_EQ(read.mesh.triangles.size(), 12u);
+  EXPECT_THAT(voluta::base::english(read.repairs),
+              ::testing::Contains(HasSubstr("behind the 12 facets that the header states")));
+  EXPECT_TRUE(readMesh(bytes, "one.stl").repairs.empty());
+}
+
 TEST(Readers, ShortOfAFewFacetsIsTold) {
   const TriangleMesh m = project::samplePart();
   const std::string bytes = geometry::writeStl(m);

@@ -119,6 +119,10 @@ TEST(ThreeMf, DamageIsToldWithItsPlace) {
               HasSubstr("object '5' is missing"));
   EXPECT_THAT(messageOf(package3mf(modelOf("<object id=\"1\">" + kMesh + "</object>", ""))),
               HasSubstr("no triangle"));
+  // Ids are unique: it would take the place of the first.
+  const std::string object = "<object id=\"1\">" + kMesh + "</object>";
+  EXPECT_THAT(messageOf(package3mf(modelOf(object + object, "<item objectid=\"1\"/>"))),
+              HasSubstr("a second object of the id '1'"));
 }
 
 TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {

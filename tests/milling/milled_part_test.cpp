@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
+#include <tuple>
 
 namespace voluta::milling {
 namespace {
@@ -238,6 +239,20 @@ TEST(MilledPart, BadValuesAreRefusedInOneLine) {
   } catch (const base::Error& error) {
     EXPECT_EQ(error.code(), base::ErrorCode::Usage);
     EXPECT_NE(std::string(error.what()).find("3.175"), std::string::npos) << error.what();
+  }
+  for (const auto& [pitchMm, lineMm, says] :
+       {std::tuple(1e-9, 0.0, "--pitch of"), std::tuple(1e-4, 0.0, "--pitch of"),
+        std::tuple(0.1, -1.0, "distances above 0")}) {
+    rule = ruleFor("soft-plastic");
+    rule.pitchMm = pitchMm;
+    rule.lineMm = lineMm;
+    try {
+      planMilling(test::box({0, 0, 0}, {5, 5, 5}), rule, kOne);
+      FAIL() << pitchMm;
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ErrorCode::Usage);
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
   }
 }
 

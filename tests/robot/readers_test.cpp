@@ -117,6 +117,8 @@ TEST_F(Files, cellMistakesNameFileAndKey) {
               HasSubstr("'platform.mount'"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["thicknessMm"] = -5; }),
               HasSubstr("'platform.thicknessMm'"));
+  EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["pose"]["xyzMm"][0] = 1e200; }),
+              HasSubstr("must be within a kilometre"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["homeDeg"][2] = 181; }), HasSubstr("'homeDeg[2]'"));
   const auto travels = [&](double value) {
     return complaint(cell, [&](json& j) { j["travelAccelerationDegPerS2"] = value; });

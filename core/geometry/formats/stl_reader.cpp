@@ -141,6 +141,10 @@ FacetSoup readBinary(std::string_view bytes, const std::string& name) {
   } else if (announced == 0 && there > 0 && bytes.size() == kHeader + kFacet * there) {
     count = there; // streaming writers leave the count at zero
     soup.repairs.push_back(base::message("the header states no facets; {facets} read"_text, there));
+  } else if (there > announced) {
+    soup.repairs.push_back(base::message(
+        "not used: {bytes} bytes behind the {facets} facets that the header states"_text,
+        bytes.size() - kHeader - kFacet * announced, announced));
   }
   soup.facets.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

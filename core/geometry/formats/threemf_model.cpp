@@ -255,7 +255,10 @@ private:
   }
 
   void beginObject(const XmlAttributes& attributes) {
-    object_ = &model_.objects[std::string(attributes.text("id"))];
+    const auto [object, isNew] = model_.objects.try_emplace(std::string(attributes.text("id")));
+    if (!isNew)
+      fail(base::message("a second object of the id '{id}'"_text, object->first));
+    object_ = &object->second;
     object_->name = attributes.text("name");
     if (const std::string_view word = attributes.text("type"); !word.empty()) {
       const auto* known =

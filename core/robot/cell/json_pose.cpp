@@ -14,7 +14,11 @@ Eigen::Vector3d readVector3(const base::JsonNode& node) {
 Eigen::Isometry3d readPose(const base::JsonNode& node) {
   node.allowOnly({"xyzMm", "rpyDeg"});
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  // Beyond it distances of bodies overflow.
+  constexpr double kFarthestMm = 1e6;
   pose.translation() = readVector3(node.at("xyzMm"));
+  if (!(pose.translation().cwiseAbs().maxCoeff() <= kFarthestMm))
+    node.at("xyzMm").fail("must be within a kilometre"_text);
   if (node.has("rpyDeg")) {
     const Eigen::Vector3d rpy = readVector3(node.at("rpyDeg")) * (base::kPi / 180.0);
     const Eigen::Quaterniond turn = Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
