@@ -44,6 +44,17 @@ protected:
     }
     ASSERT_EQ(t.events.size(), 6u);
   }
+  // A changer switches the tools: no stop, no purge.
+  void useChanger() {
+    std::vector<plan::TrajectoryEvent> events;
+    for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
+      if (event.kind == plan::EventKind::ToolChange) {
+        events.push_back({.point = event.point, .kind = plan::EventKind::Release, .seconds = 1.0});
+        events.push_back(event);
+        events.push_back({.point = event.point, .kind = plan::EventKind::Lock, .seconds = 1.0});
+      }
+    scene_.trajectory.events = events;
+  }
   static std::vector<std::string_view> formats() {
     return formatsWith(plan::EventKind::ToolChange);
   }
@@ -379,14 +390,7 @@ TEST_F(ToolChanges, OutputsOfSeveralToolsAreRefused) {
 // The output of a tool changer: each line left out is refused, and so is a tool that is released at
 // the start of the program.
 TEST_F(ToolChanges, AChangerReleasesAndLocksWhereItIsPlanned) {
-  std::vector<plan::TrajectoryEvent> events;
-  for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
-    if (event.kind == plan::EventKind::ToolChange) {
-      events.push_back({.point = event.point, .kind = plan::EventKind::Release, .seconds = 1.0});
-      events.push_back(event);
-      events.push_back({.point = event.point, .kind = plan::EventKind::Lock, .seconds = 1.0});
-    }
-  scene_.trajectory.events = events;
+  useChanger();
   std::size_t lines = 0;
   for (const std::string_view format : formats()) {
     if (std::ranges::find(program::findDialect(format).events, plan::EventKind::Lock) ==
@@ -415,14 +419,7 @@ TEST_F(ToolChanges, AChangerReleasesAndLocksWhereItIsPlanned) {
 
 // The time of a release or a lock passes before the next step.
 TEST_F(ToolChanges, TheTimeOfAChangerPassesBeforeTheNextStep) {
-  std::vector<plan::TrajectoryEvent> events;
-  for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
-    if (event.kind == plan::EventKind::ToolChange) {
-      events.push_back({.point = event.point, .kind = plan::EventKind::Release, .seconds = 1.0});
-      events.push_back(event);
-      events.push_back({.point = event.point, .kind = plan::EventKind::Lock, .seconds = 1.0});
-    }
-  scene_.trajectory.events = events;
+  useChanger();
   for (const char* const format : {"urscript", "rapid", "krl", "spel", "melfa", "tmscript"}) {
     SCOPED_TRACE(format);
     const plan::ReadProgram whole = read(test::textOf(programFor(format)));
