@@ -67,10 +67,8 @@ void setOwn(pipeline::PlanRequest& request, std::size_t number, const std::strin
   } else if (key == "scale") {
     item.scale = value;
   } else {
-    project::Choices own = project::onlyItem(request.choices, number);
-    for (const base::Message& note : pipeline::setParameters(own, {rest}))
+    for (const base::Message& note : pipeline::setItemParameters(item, {rest}))
       fmt::print(stderr, "note: {}\n", base::english(note));
-    item = own.item();
   }
 }
 

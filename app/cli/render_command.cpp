@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
+#include "pipeline/choices.h"
 #include "project/job.h"
 
 #include <CLI/CLI.hpp>
@@ -48,7 +49,7 @@ ExitCode renderCommand(const RenderOptions& options) {
   pictures::checkNames(look);
   const auto png = endedWith(runInterruptibly(
       [look, job = options.job](const base::RunContext& ctx) {
-        const project::Job read = project::readJob(job);
+        const project::Job read = project::readJob(job, pipeline::allParameters());
         ctx.checkpoint();
         return scene::pngBytes(pictures::jobPicture(read, look));
       },

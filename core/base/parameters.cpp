@@ -94,6 +94,17 @@ ParameterSpec choiceParameter(std::string key, std::string defaultValue,
   return spec;
 }
 
+ParameterSpec ofItem(ParameterSpec spec) {
+  spec.scope = ParameterScope::Item;
+  return spec;
+}
+
+ParameterSpec withFile(ParameterSpec spec, ParameterFile file) {
+  require(spec.type == ParameterType::Text, "withFile: a text parameter");
+  spec.file = std::move(file);
+  return spec;
+}
+
 std::span<const RenamedKey> renamedKeys() {
   return kRenamedKeys;
 }
@@ -130,6 +141,13 @@ void ParameterTable::append(const ParameterTable& other) {
     require(find(spec.key) == nullptr, "parameter key declared twice: " + spec.key);
     specs_.push_back(spec);
   }
+}
+
+void ParameterTable::appendOfItems(const ParameterTable& other) {
+  const std::size_t first = specs_.size();
+  append(other);
+  for (std::size_t i = first; i < specs_.size(); ++i)
+    specs_[i].scope = ParameterScope::Item;
 }
 
 ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text) {

@@ -23,6 +23,18 @@ struct Choice {
   Text label;
 };
 
+// Whether all items of a job share one value, or each item has its own.
+enum class ParameterScope { Job, Item };
+
+// The files that the value of a text parameter may name.
+struct ParameterFile {
+  std::string patterns; // of names, separated by blanks: "*.json"
+  std::string prefix;   // precedes the name in the value
+  // Returns the content of the file that a value names; any other value unchanged. Throws
+  // Error{UnreadableFile}. nullptr: the job stores the file's name.
+  std::string (*read)(const std::string& value) = nullptr;
+};
+
 struct ParameterSpec {
   std::string key; // Unique over all tables, camelCase
   ParameterType type = ParameterType::Number;
@@ -35,6 +47,8 @@ struct ParameterSpec {
   Text label;                          // A few words
   Text help;                           // One or two sentences
   bool simple = false;                 // Shown in the simple form too
+  ParameterScope scope = ParameterScope::Job;
+  ParameterFile file; // Text
 };
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
@@ -51,6 +65,11 @@ ParameterSpec textParameter(std::string key, Text group, Text label, Text help,
 ParameterSpec choiceParameter(std::string key, std::string defaultValue,
                               std::vector<Choice> choices, Text group, Text label, Text help,
                               bool simple = false);
+
+// Returns the spec with a value for each item.
+ParameterSpec ofItem(ParameterSpec spec);
+// Returns the spec of a text whose value may be the name of a file.
+ParameterSpec withFile(ParameterSpec spec, ParameterFile file);
 
 // A parameter's key of an older version, which project files and scripts may still contain.
 struct RenamedKey {
@@ -73,6 +92,8 @@ public:
   const ParameterSpec* find(std::string_view key) const;
   // Appends another module's table. Throws Error{Internal} on a shared key.
   void append(const ParameterTable& other);
+  // As append(), with a value for each item.
+  void appendOfItems(const ParameterTable& other);
 
 private:
   std::vector<ParameterSpec> specs_;

@@ -240,11 +240,13 @@ base::ParameterTable latheParameters() {
                              "0: round rod. 3 or more: prism; its diameter is measured "
                              "across the corners."_text,
                              true),
-      base::textParameter(
-          "rodProfile", "Rod"_text, "rod profile"_text,
-          "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file "
-          "with such pairs. A step needs two pairs at the same x. Beyond the pairs the "
-          "rod keeps its own diameter. Empty: straight."_text),
+      base::withFile(
+          base::textParameter(
+              "rodProfile", "Rod"_text, "rod profile"_text,
+              "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file "
+              "with such pairs. A step needs two pairs at the same x. Beyond the pairs the "
+              "rod keeps its own diameter. Empty: straight."_text),
+          {"*.txt *.csv *.dat", "", rodProfileText}),
       base::choiceParameter("rodLayers", "radius",
                             {{"radius", "radius"_text}, {"offset", "offset"_text}}, "Rod"_text,
                             "layers around the rod"_text,

@@ -56,8 +56,7 @@ SlicePlan slicePlan(const ModeChoices& in) {
 }
 
 std::string givenPlanes(const ModeChoices& in, const char* key) {
-  const std::string text = in.values.text(key);
-  return text.empty() ? text : planesText(text);
+  return planesText(in.values.text(key));
 }
 
 // Two walls around a pocket hold the pressure of its shot.
@@ -309,20 +308,23 @@ base::ParameterTable planarModeParameters() {
           "pieceMaterials", "Pieces"_text, "piece materials"_text,
           "Mode planar: materials or filaments of the pieces, separated by commas. The "
           "list starts over if there are more pieces. Empty: the process's material."_text),
-      base::textParameter(
-          "cutPlanes", "Pieces"_text, "cutting planes"_text,
-          "Mode planar: a JSON file or JSON text with a point and a normal for each "
-          "cutting plane, in cutting order. Empty: automatic."_text),
+      base::withFile(base::textParameter(
+                         "cutPlanes", "Pieces"_text, "cutting planes"_text,
+                         "Mode planar: a JSON file or JSON text with a point and a normal for each "
+                         "cutting plane, in cutting order. Empty: automatic."_text),
+                     {"*.json", "", planesText}),
       base::booleanParameter("adaptiveLayers", false, "Layers"_text, "adaptive layers"_text,
                              "Modes planar and flat: thinner layers where the surface is "
                              "inclined, within the process's limits."_text),
       base::numberParameter("cuspMm", "mm", 0.3, 0.05, 20.0, "Layers"_text, "step height"_text,
                             "Adaptive layers: largest distance between the edges of "
                             "layers and the surface."_text),
-      base::textParameter(
-          "layerPlanes", "Layers"_text, "layer planes"_text,
-          "Mode flat: a JSON file or JSON text with the plane or quadrilateral of each "
-          "layer. Empty: horizontal layers."_text),
+      base::withFile(
+          base::textParameter(
+              "layerPlanes", "Layers"_text, "layer planes"_text,
+              "Mode flat: a JSON file or JSON text with the plane or quadrilateral of each "
+              "layer. Empty: horizontal layers."_text),
+          {"*.json", "", planesText}),
       base::numberParameter("stitchSpacing", "mm", planar::StitchRule{}.spacingMm, 0.0, 1000.0,
                             "Stitches"_text, "spacing of stitches"_text,
                             "Mode flat: distance of pockets that are filled from above in one shot "
@@ -352,6 +354,8 @@ planar::RiskRule riskRule(const ModeChoices& in) {
 }
 
 std::string planesText(const std::string& value) {
+  if (value.empty())
+    return value;
   const std::size_t first = value.find_first_not_of(" \t\r\n");
   return first != std::string::npos && value[first] == '[' ? value : base::readFile(value);
 }

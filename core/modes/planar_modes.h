@@ -19,8 +19,8 @@ base::ParameterTable planarModeParameters();
 // Returns the rule that decides which faces of pieces are risky, i.e. need support.
 planar::RiskRule riskRule(const ModeChoices& in);
 
-// Returns the JSON text of `layerPlanes` or `cutPlanes`: the value itself if it is JSON, otherwise
-// the content of the file it names. Throws Error{UnreadableFile}.
+// Returns the JSON text of `layerPlanes` or `cutPlanes`: the value itself if it is empty or JSON,
+// otherwise the content of the file it names. Throws Error{UnreadableFile}.
 std::string planesText(const std::string& value);
 
 } // namespace voluta::modes

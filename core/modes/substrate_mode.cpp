@@ -261,11 +261,13 @@ base::ParameterTable substrateParameters() {
           "layerCentre", "Surface"_text, "layer centre"_text,
           "Centre of spheres and cylinders: x,y,z in mm. Empty: that of the sphere or "
           "cylinder below the part, or a point below the part."_text),
-      base::textParameter(
-          "endSurface", "Surface"_text, "end surface"_text,
-          "Surface on which flattening layers end: flat (at the part's top), flat:Z, "
-          "radius:R (a larger cylinder) or mesh:FILE, placed together with the "
-          "platform's mesh."_text),
+      base::withFile(
+          base::textParameter(
+              "endSurface", "Surface"_text, "end surface"_text,
+              "Surface on which flattening layers end: flat (at the part's top), flat:Z, "
+              "radius:R (a larger cylinder) or mesh:FILE, placed together with the "
+              "platform's mesh."_text),
+          {"*.stl *.obj *.ply *.off *.3mf", "mesh:", nullptr}),
   });
 }
 

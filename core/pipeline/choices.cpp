@@ -9,7 +9,6 @@
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "modes/planar_modes.h"
-#include "modes/rod_profile.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
@@ -24,7 +23,6 @@
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
-#include "toolpath/fibre/tape_curves.h"
 #include "toolpath/options.h"
 
 #include <algorithm>
@@ -82,23 +80,26 @@ void followProcess(std::vector<base::ParameterSpec>& specs, const process::Proce
 
 base::ParameterTable allParameters() {
   base::ParameterTable table({
-      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 100.0, "Layers"_text,
-                            "layer height"_text,
-                            "Nominal layer height; limited by the process."_text, true),
-      base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 200.0, "Beads"_text, "bead width"_text,
-                            "Nominal bead width; limited by the process."_text, true),
-      base::numberParameter("firstLayerWidthMm", "mm", 0.0, 0.0, 200.0, "Beads"_text,
-                            "first-layer bead width"_text,
-                            "Nominal bead width of the first layer and the brim; limited by the "
-                            "process. 0: that of the process."_text),
-      base::numberParameter("stepMm", "mm", 1.0, 0.1, 100.0, "Beads"_text, "step"_text,
-                            "Maximum distance between waypoints along a tool-path."_text),
+      base::ofItem(base::numberParameter(
+          "layerHeightMm", "mm", 0.8, 0.05, 100.0, "Layers"_text, "layer height"_text,
+          "Nominal layer height; limited by the process."_text, true)),
+      base::ofItem(base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 200.0, "Beads"_text,
+                                         "bead width"_text,
+                                         "Nominal bead width; limited by the process."_text, true)),
+      base::ofItem(base::numberParameter(
+          "firstLayerWidthMm", "mm", 0.0, 0.0, 200.0, "Beads"_text, "first-layer bead width"_text,
+          "Nominal bead width of the first layer and the brim; limited by the "
+          "process. 0: that of the process."_text)),
+      base::ofItem(
+          base::numberParameter("stepMm", "mm", 1.0, 0.1, 100.0, "Beads"_text, "step"_text,
+                                "Maximum distance between waypoints along a tool-path."_text)),
       base::numberParameter(
           "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
           "Filament retracted for each travel, if the extruder can; 0: none."_text),
-      base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
-                             "Prints a file along its own tool-paths (.build.3mf, .gcode). Off: "
-                             "plans new ones for its object."_text),
+      base::ofItem(base::booleanParameter(
+          "givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
+          "Prints a file along its own tool-paths (.build.3mf, .gcode). Off: "
+          "plans new ones for its object."_text)),
       base::booleanParameter("output.build3mf", false, "Output"_text, "write a build file"_text,
                              "Adds NAME.build.3mf: the plan's 6-axis tool-paths for other programs"
                              " (3MF Toolpath Extension)."_text),
@@ -115,44 +116,80 @@ base::ParameterTable allParameters() {
                              "Also writes programs that the replay refused, as refused-NAME. For "
                              "inspection only: never run them."_text),
   });
-  table.append(modes::modeParameters());
-  table.append(openSurfaceParameters());
-  table.append(pathShapeParameters());
-  table.append(placement::orientParameters());
+  table.appendOfItems(modes::modeParameters());
+  table.appendOfItems(openSurfaceParameters());
+  table.appendOfItems(pathShapeParameters());
+  table.appendOfItems(placement::orientParameters());
   table.append(process::featureParameters());
   table.append(toolpath::toolpathParameters());
-  table.append(layers::toolParameters());
+  table.appendOfItems(layers::toolParameters());
   table.append(motion::motionParameters());
   table.append(program::programParameters());
   return table;
 }
 
-std::vector<base::Message> setParameters(project::Choices& choices,
-                                         const std::vector<std::string>& assignments) {
+namespace {
+// Stores the value of a parameter, with the content of a file that the value names.
+void store(const base::ParameterSpec& spec, const base::ParameterValue& value,
+           std::map<std::string, std::string>& parameters) {
+  const std::string text = base::formatParameter(value);
+  parameters[spec.key] = spec.file.read ? spec.file.read(text) : text;
+}
+
+// Returns the values of "key=value" texts, and adds a note for each renamed key.
+base::ParameterValues valuesOf(const std::vector<std::string>& assignments,
+                               std::vector<base::Message>& notes) {
   base::ParameterValues values(allParameters());
-  std::vector<base::Message> notes;
   for (const std::string& assignment : assignments) {
     values.setAssignment(assignment);
     if (const std::string key = assignment.substr(0, assignment.find('='));
         base::currentKey(key) != key)
       notes.push_back(base::renamedNote(key));
   }
-  for (const auto& [key, value] : values.changes())
-    choices.item().parameters[key] = base::formatParameter(value);
-  // Store the content of planes and profile files in the choices, so that the project can be
-  // reopened anywhere.
-  for (const char* key : {"layerPlanes", "cutPlanes"})
-    if (const auto planes = choices.item().parameters.find(key);
-        planes != choices.item().parameters.end() && !planes->second.empty())
-      planes->second = modes::planesText(planes->second);
-  for (const char* key : {"fibreCurves", "fibreField"})
-    if (const auto given = choices.item().parameters.find(key);
-        given != choices.item().parameters.end())
-      given->second = toolpath::tapeText(given->second);
-  if (const auto profile = choices.item().parameters.find("rodProfile");
-      profile != choices.item().parameters.end())
-    profile->second = modes::rodProfileText(profile->second);
+  return values;
+}
+
+// Throws Error{Usage} for a parameter that all items share.
+void requireOfItem(const base::ParameterSpec& spec) {
+  if (spec.scope == base::ParameterScope::Job)
+    throw Error(ErrorCode::Usage,
+                base::message("{key} is a setting of the job, not of a part"_text, spec.key), {},
+                base::message("give it for the job: --set {key}=..."_text, spec.key));
+}
+} // namespace
+
+std::vector<base::Message> setParameters(project::Choices& choices,
+                                         const std::vector<std::string>& assignments) {
+  std::vector<base::Message> notes;
+  const base::ParameterValues values = valuesOf(assignments, notes);
+  for (const auto& [key, value] : values.changes()) {
+    const base::ParameterSpec& spec = *values.table().find(key);
+    store(spec, value, parametersOf(choices, spec.scope));
+  }
   return notes;
+}
+
+std::vector<base::Message> setItemParameters(project::ItemChoices& item,
+                                             const std::vector<std::string>& assignments) {
+  std::vector<base::Message> notes;
+  const base::ParameterValues values = valuesOf(assignments, notes);
+  for (const auto& [key, value] : values.changes()) {
+    const base::ParameterSpec& spec = *values.table().find(key);
+    requireOfItem(spec);
+    store(spec, value, item.parameters);
+  }
+  return notes;
+}
+
+std::map<std::string, std::string>& parametersOf(project::Choices& choices,
+                                                 base::ParameterScope scope) {
+  return scope == base::ParameterScope::Job ? choices.parameters : choices.item().parameters;
+}
+
+std::map<std::string, std::string> givenParameters(const project::Choices& choices) {
+  std::map<std::string, std::string> all = choices.item().parameters;
+  all.insert(choices.parameters.begin(), choices.parameters.end());
+  return all;
 }
 
 base::ParameterTable parametersOf(std::string_view id) {
@@ -189,7 +226,7 @@ base::ParameterTable parametersOf(const project::Choices& choices) {
 
 base::ParameterValues parameterValues(const project::Choices& choices) {
   base::ParameterValues values(parametersOf(choices));
-  for (const auto& [key, text] : choices.item().parameters)
+  for (const auto& [key, text] : givenParameters(choices))
     values.set(key, text);
   return values;
 }
@@ -479,6 +516,10 @@ void checkChoices(const project::Choices& given) {
                               choices.item().mode, choices.item().platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
+  const base::ParameterTable parameters = allParameters();
+  for (const auto& [key, text] : choices.item().parameters)
+    if (const base::ParameterSpec* spec = parameters.find(base::currentKey(key)))
+      requireOfItem(*spec);
   const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
   if (const auto orient = choices.item().parameters.find("orient");
       laysItself && orient != choices.item().parameters.end() && orient->second != "none")

@@ -3,6 +3,7 @@
 
 #include "base/parameters.h"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,7 @@ class Tooling;
 } // namespace voluta::process
 namespace voluta::project {
 struct Choices;
+struct ItemChoices;
 struct LoadedPart;
 class Platform;
 } // namespace voluta::project
@@ -36,10 +38,21 @@ namespace voluta::pipeline {
 
 // Returns the parameters of all modules in one table.
 base::ParameterTable allParameters();
-// Checks "key=value" texts against the table and stores them in choices.parameters. Returns a note
-// for each renamed key, whose old name is accepted. Throws Error{Usage}.
+// Checks "key=value" texts against the table and stores them: those of the job in
+// choices.parameters, those of items in the first item. If a value names a file that holds its text
+// (base::ParameterFile::read), that text is stored. Returns a note for each renamed key, whose old
+// name is accepted. Throws Error{Usage}, Error{UnreadableFile}.
 std::vector<base::Message> setParameters(project::Choices& choices,
                                          const std::vector<std::string>& assignments);
+// As above, for one item. Also throws Error{Usage} for a parameter of the job.
+std::vector<base::Message> setItemParameters(project::ItemChoices& item,
+                                             const std::vector<std::string>& assignments);
+
+// Returns where the values of that scope are stored: in the choices, or in their first item.
+std::map<std::string, std::string>& parametersOf(project::Choices& choices,
+                                                 base::ParameterScope scope);
+// Returns the non-default values of the job and of its first item.
+std::map<std::string, std::string> givenParameters(const project::Choices& choices);
 
 // Returns allParameters() with the defaults of a mode; unchanged if no mode has that id.
 base::ParameterTable parametersOf(std::string_view mode);
@@ -47,7 +60,7 @@ base::ParameterTable parametersOf(std::string_view mode);
 // beads. If the process cannot be read, only the mode's defaults apply.
 base::ParameterTable parametersOf(const project::Choices& choices);
 
-// Returns the values of choices.parameters on top of allParameters(). Throws Error{Usage}.
+// Returns givenParameters() on top of parametersOf(). Throws Error{Usage}.
 base::ParameterValues parameterValues(const project::Choices& choices);
 
 // Returns the ids of choices.formats, or this cell's default formats if the list is empty.

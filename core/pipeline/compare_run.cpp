@@ -23,7 +23,7 @@ double fullFlowOf(const process::Tooling& tooling) {
 ComparedRun compareRun(const std::filesystem::path& job, const std::filesystem::path& record,
                        const record::RunTolerances& tolerances, const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(job).parent_path());
-  const project::Job planned = project::readJob(job);
+  const project::Job planned = project::readJob(job, allParameters());
   if (!planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput, "the job has no motion to compare with"_text,
                       job.string(), "plan it without --until"_text);

@@ -36,14 +36,14 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   if (!spec || !takes(choices, key))
     return std::nullopt;
   // In mode auto the chosen way sets some parameters itself.
-  const std::map<std::string, std::string> taken = resolved(choices).item().parameters;
+  const std::map<std::string, std::string> taken = givenParameters(resolved(choices));
   const auto chosen = taken.find(key);
   const std::string now =
       chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
   if (now == value)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.item().parameters[key] = value;
+  parametersOf(changed, spec->scope)[key] = value;
   return changed;
 }
 

@@ -300,7 +300,7 @@ PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
 
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(request.job).parent_path());
-  project::Job job = project::readJob(request.job);
+  project::Job job = project::readJob(request.job, allParameters());
   if (!job.item().part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job has no motion to resume"_text,
                 request.job.string(), "plan it without --until"_text);

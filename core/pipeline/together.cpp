@@ -134,7 +134,7 @@ void requireJoinable(const project::Job& job, const std::string& name) {
 
 project::Job jobToJoin(const std::filesystem::path& file) {
   base::finishStaged(std::filesystem::absolute(file).parent_path());
-  project::Job job = project::readJob(file);
+  project::Job job = project::readJob(file, allParameters());
   requireJoinable(job, file.string());
   return job;
 }

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/units.h"
+#include "pipeline/choices.h"
 #include "pipeline/program_files.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
@@ -58,7 +59,7 @@ TogetherCheck verifyTogether(const std::filesystem::path& folder, const base::Ru
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const double from = share * static_cast<double>(k);
     const base::RunContext part = ctx.sub(from, from + share);
-    project::Job job = project::readJob(entries[k].job);
+    project::Job job = project::readJob(entries[k].job, allParameters());
     if (!job.item().part || !job.toolPlan || !job.trajectory)
       throw Error(ErrorCode::UnusableInput, "the job has no motion to verify against"_text,
                   entries[k].job.string(), {});

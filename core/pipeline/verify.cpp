@@ -48,7 +48,7 @@ void requireMotions(const ReadBack& back, const std::string& format,
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(job).parent_path());
-  const project::Job planned = project::readJob(job);
+  const project::Job planned = project::readJob(job, allParameters());
   if (!planned.item().part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the job has no motion to verify against"_text, job.string(),

@@ -25,8 +25,9 @@ struct ItemChoices {
   std::string scale = "1";  // a number or "fit"
   std::string units = "mm"; // of the mesh's file, see length_unit.h
   geometry::Placement placement;
-  bool repair = true;                            // false: use the mesh as read
-  std::map<std::string, std::string> parameters; // non-default values as text
+  bool repair = true; // false: use the mesh as read
+  // Non-default values as text, of parameters with a value for each item
+  std::map<std::string, std::string> parameters;
 };
 
 struct ToolChoice {
@@ -42,6 +43,8 @@ struct Choices {
   std::vector<std::string> formats;               // empty: the cell's controller, gcode-extended
   int seed = 1;
   layers::PrintOrder printOrder = layers::PrintOrder::OneAfterAnother; // of several items
+  // Non-default values as text, of parameters that all items share
+  std::map<std::string, std::string> parameters;
   std::vector<ItemChoices> items = {ItemChoices{}}; // one or more, in the order of the job's items
 
   ItemChoices& item(std::size_t i = 0) { return items.at(i); }

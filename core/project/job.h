@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+namespace voluta::base {
+class ParameterTable;
+}
 namespace voluta::geometry {
 struct TriangleMesh;
 }
@@ -97,16 +100,16 @@ platform::PlatformSolid platformOf(const Job& job);
 // Returns the job without the results after `last`; none: without any results.
 Job upTo(Job job, std::optional<Stage> last);
 
-// Returns the content of a .voluta file: a line "VOLUTA 2", a line with length and CRC-32 of a JSON
+// Returns the content of a .voluta file: a line "VOLUTA 3", a line with length and CRC-32 of a JSON
 // header, the header (choices, counts and a table of blocks), then the blocks: little-endian
 // arrays, each with a CRC-32. Thread-safe. Precondition: every item is loaded.
 std::string jobBytes(const Job& job);
 // Writes jobBytes() to a file, completely or not at all. Throws Error{CannotWrite}.
 void writeJob(const std::filesystem::path& file, const Job& job);
 
-// Reads a project file. "VOLUTA 1" is also read; it has neither the part before placement (`loaded`
-// is then made from the placed one) nor decomposition, layers and report. Throws
-// Error{UnreadableFile} with the cause: not a job, a newer version, truncated, a damaged block.
-Job readJob(const std::filesystem::path& file);
+// Reads a project file. `table`: all parameters; projects of "VOLUTA 2" store those of the job with
+// each item. Throws Error{UnreadableFile} with the cause: not a job, another version, truncated, a
+// damaged block.
+Job readJob(const std::filesystem::path& file, const base::ParameterTable& table);
 
 } // namespace voluta::project

@@ -23,7 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "VOLUTA ";
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
+constexpr int kScopeless = 2; // settings of the job are stored with each item
 
 base::Error unreadable(const base::Message& what, const std::string& where,
                        const base::Message& remedy = {}) {
@@ -69,6 +70,7 @@ Json choicesJson(const Choices& c) {
   j["process"] = c.tool().process;
   j["formats"] = c.formats;
   j["seed"] = c.seed;
+  j["jobParameters"] = c.parameters;
   if (c.printOrder == layers::PrintOrder::ByLayer)
     j["printOrder"] = "byLayer";
   for (std::size_t i = 1; i < c.items.size(); ++i)
@@ -78,7 +80,7 @@ Json choicesJson(const Choices& c) {
   return j;
 }
 
-ItemChoices readItem(const Json& j, int format) {
+ItemChoices readItem(const Json& j) {
   ItemChoices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
@@ -91,44 +93,63 @@ ItemChoices readItem(const Json& j, int format) {
   j.at("scale").get_to(c.scale);
   c.units = j.value("units", c.units);
   j.at("parameters").get_to(c.parameters);
-  if (format >= 2) {
-    c.placement = readPlacement(j.at("placement"));
-    j.at("repair").get_to(c.repair);
-  }
+  c.placement = readPlacement(j.at("placement"));
+  j.at("repair").get_to(c.repair);
   return c;
 }
 
-Choices readChoices(const Json& j, int format) {
+Choices readChoices(const Json& j) {
   Choices c;
-  c.item() = readItem(j, format);
+  c.item() = readItem(j);
   j.at("cell").get_to(c.cell);
   j.at("process").get_to(c.tool().process);
   j.at("formats").get_to(c.formats);
   j.at("seed").get_to(c.seed);
+  if (const auto given = j.find("jobParameters"); given != j.end())
+    given->get_to(c.parameters);
   if (j.value("printOrder", "") == "byLayer")
     c.printOrder = layers::PrintOrder::ByLayer;
   for (const Json& item : j.value("moreItems", Json::array()))
-    c.items.push_back(readItem(item, format));
+    c.items.push_back(readItem(item));
   for (const Json& tool : j.value("moreTools", Json::array()))
     c.tools.push_back({tool.at("process").get<std::string>()});
   return c;
 }
 
-// Renames the parameters whose keys were renamed, and adds a note about each to the item's part. A
-// value of the current key stays.
-void renameKeys(ItemChoices& choices, JobItem& item) {
-  LoadedPart part = *item.loaded;
+// Renames the parameters whose keys were renamed. A value of the current key stays. Returns a note
+// about each.
+std::vector<base::Message> renameKeys(std::map<std::string, std::string>& parameters) {
+  std::vector<base::Message> notes;
   for (const base::RenamedKey& renamed : base::renamedKeys()) {
-    auto found = choices.parameters.extract(std::string(renamed.oldKey));
+    auto found = parameters.extract(std::string(renamed.oldKey));
     if (found.empty())
       continue;
     found.key() = renamed.key;
-    choices.parameters.insert(std::move(found));
-    for (std::vector<base::Message>* notes : {&part.readNotes, &part.notes})
-      notes->push_back(base::renamedNote(renamed.oldKey));
+    parameters.insert(std::move(found));
+    notes.push_back(base::renamedNote(renamed.oldKey));
   }
-  if (part.readNotes != item.loaded->readNotes)
-    item.loaded = std::make_shared<const LoadedPart>(std::move(part));
+  return notes;
+}
+
+void addNotes(const std::vector<base::Message>& added, JobItem& item) {
+  if (added.empty())
+    return;
+  LoadedPart part = *item.loaded;
+  for (std::vector<base::Message>* notes : {&part.readNotes, &part.notes})
+    notes->insert(notes->end(), added.begin(), added.end());
+  item.loaded = std::make_shared<const LoadedPart>(std::move(part));
+}
+
+// Moves the settings of the job from the items to the job; those of the first item count.
+void moveToJob(const base::ParameterTable& table, Choices& choices) {
+  for (ItemChoices& item : choices.items)
+    std::erase_if(item.parameters, [&](const auto& given) {
+      const base::ParameterSpec* spec = table.find(given.first);
+      const bool isOfJob = spec && spec->scope == base::ParameterScope::Job;
+      if (isOfJob && &item == &choices.items.front())
+        choices.parameters.insert(given);
+      return isOfJob;
+    });
 }
 
 // ---- the part as loaded
@@ -292,23 +313,6 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   return part;
 }
 
-// Format 1 has only the placed part; its scale is undone, its placement is not known.
-std::shared_ptr<const LoadedPart> loadedFromPlaced(const JobItem& item) {
-  auto source = std::make_shared<geometry::TriangleMesh>(*item.part);
-  for (Eigen::Vector3d& v : source->vertices)
-    v /= item.scale;
-  auto part = std::make_shared<LoadedPart>();
-  part->name = item.partName;
-  part->readNotes = {"read from a project of format 1, as repaired and placed there"_text};
-  part->notes = part->readNotes;
-  part->found = geometry::diagnose(*source);
-  part->remains = part->found.sentences();
-  part->units = geometry::guessUnits(*source);
-  part->hash = contentHash(*source);
-  part->source = part->mesh = std::move(source);
-  return part;
-}
-
 // ---- results of the stages
 
 Json recordsJson(const Job& job) {
@@ -379,7 +383,7 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
     throw unreadable("not a Voluta job"_text, where);
   std::string_view rest = bytes.substr(kMagic.size());
   std::size_t format = 0, length = 0, crc = 0;
-  if (!takeNumber(rest, '\n', format) || format == 0)
+  if (!takeNumber(rest, '\n', format) || format < kScopeless)
     throw unreadable("the first line of the job file is damaged or truncated"_text, where);
   if (format > static_cast<std::size_t>(kFormat))
     throw unreadable(
@@ -387,12 +391,10 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
                       "up to {newest})"_text,
                       format, kFormat),
         where, "open it with the version that saved it"_text);
-  const bool summed = format >= 2; // format 1 has no checksum of its header
-  if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
-      length > rest.size())
+  if (!takeNumber(rest, ' ', length) || !takeNumber(rest, '\n', crc) || length > rest.size())
     throw unreadable("the job file is truncated"_text, where);
   Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
-  if (summed && crcOf(frame.header) != crc)
+  if (crcOf(frame.header) != crc)
     throw unreadable("the job file's header is damaged"_text, where);
   return frame;
 }
@@ -403,10 +405,10 @@ std::string blockPrefix(std::size_t item) {
 }
 
 // `header`: the job's, or that of an item behind the first.
-void readPlaced(const Json& header, int format, const BlockReader& blocks, JobItem& item) {
+void readPlaced(const Json& header, const BlockReader& blocks, JobItem& item) {
   header.at("part").get_to(item.partName);
   header.at("scale").get_to(item.scale);
-  if (format == 1 || header.at("placed").get<bool>())
+  if (header.at("placed").get<bool>())
     item.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
   item.platform = getPlatform(blocks);
   if (hasMesh(blocks, "lessPlatform"))
@@ -414,7 +416,6 @@ void readPlaced(const Json& header, int format, const BlockReader& blocks, JobIt
         ReducedPlatform{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
 }
 
-// What format 1 did not have, but for the loaded part.
 void readResults(const Json& header, const BlockReader& blocks, JobItem& item) {
   if (header.at("decomposed").get<bool>())
     item.result = Voxels(std::make_shared<curved::Decomposition>(getDecomposition(blocks)));
@@ -426,11 +427,11 @@ void readResults(const Json& header, const BlockReader& blocks, JobItem& item) {
     item.placement = readPlacement(header.at("placement"));
 }
 
-void readMoreItems(const Json& header, int format, BlockReader& blocks, Job& job) {
+void readMoreItems(const Json& header, BlockReader& blocks, Job& job) {
   for (const Json& row : header.value("moreItems", Json::array())) {
     blocks.setPrefix(blockPrefix(job.items.size()));
     JobItem& item = job.items.emplace_back();
-    readPlaced(row, format, blocks, item);
+    readPlaced(row, blocks, item);
     item.loaded = getLoaded(blocks);
     readResults(row, blocks, item);
   }
@@ -442,34 +443,33 @@ bool hasSoundScales(const Job& job) {
       job.items, [](const JobItem& item) { return std::isfinite(item.scale) && item.scale > 0.0; });
 }
 
-Job readFrame(const Frame& frame, const std::string& where) {
+Job readFrame(const Frame& frame, const std::string& where, const base::ParameterTable& table) {
   Job job;
   const Json header = Json::parse(frame.header);
-  job.choices = readChoices(header.at("choices"), frame.format);
+  job.choices = readChoices(header.at("choices"));
   BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
-  readPlaced(header, frame.format, blocks, job.item());
+  readPlaced(header, blocks, job.item());
   if (header.at("planned").get<bool>())
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
     job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
-  if (frame.format >= 2) {
-    const std::shared_ptr<LoadedPart> loaded = getLoaded(blocks);
-    job.item().loaded = loaded;
-    readResults(header, blocks, job.item());
-    job.report = readReportJson(blocks.text("report"));
-    getFacts(blocks, job, *loaded);
-    readRecords(header.at("stages"), job);
-    job.resumedAt = header.value("resumedAt", std::size_t{0});
-    if (!header.at("reached").is_null())
-      job.reached = stageOf(header.at("reached").get<std::string>());
-    readMoreItems(header, frame.format, blocks, job);
-  }
+  const std::shared_ptr<LoadedPart> loaded = getLoaded(blocks);
+  job.item().loaded = loaded;
+  readResults(header, blocks, job.item());
+  job.report = readReportJson(blocks.text("report"));
+  getFacts(blocks, job, *loaded);
+  readRecords(header.at("stages"), job);
+  job.resumedAt = header.value("resumedAt", std::size_t{0});
+  if (!header.at("reached").is_null())
+    job.reached = stageOf(header.at("reached").get<std::string>());
+  readMoreItems(header, blocks, job);
   if (!hasSoundScales(job) || !isConsistent(job))
     throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
-  if (!job.item().loaded)
-    job.item().loaded = loadedFromPlaced(job.item());
+  addNotes(renameKeys(job.choices.parameters), job.item());
   for (std::size_t i = 0; i < job.items.size(); ++i)
-    renameKeys(job.choices.item(i), job.item(i));
+    addNotes(renameKeys(job.choices.item(i).parameters), job.item(i));
+  if (frame.format == kScopeless)
+    moveToJob(table, job.choices);
   return job;
 }
 
@@ -559,12 +559,12 @@ void writeJob(const std::filesystem::path& path, const Job& job) {
   base::writeFile(path, file.parts());
 }
 
-Job readJob(const std::filesystem::path& file) {
+Job readJob(const std::filesystem::path& file, const base::ParameterTable& table) {
   const std::string where = file.string();
   const std::string bytes = base::readFile(file);
   const Frame frame = frameOf(bytes, where);
   try {
-    return readFrame(frame, where);
+    return readFrame(frame, where, table);
   } catch (const nlohmann::json::exception& e) {
     throw unreadable(
         base::message("the job file's header is damaged: {why}"_text, std::string(e.what())),

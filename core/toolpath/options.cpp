@@ -1,5 +1,6 @@
 #include "toolpath/options.h"
 
+#include "toolpath/fibre/tape_curves.h"
 #include "toolpath/fibre/tape_paths.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/order/seam.h"
@@ -21,42 +22,45 @@ base::ParameterTable toolpathParameters() {
   for (const TapeKind& kind : tapeKinds())
     tapes.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
-      base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text,
-                             "walls"_text, "Number of beads along the outline of each layer."_text,
-                             true),
-      base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text,
-                            "infill"_text, "Pattern that fills the interior of each layer."_text,
-                            true),
-      base::numberParameter("infillDensity", "share", 1.0, 0.0, 1.0, "Tool-paths"_text,
-                            "infill density"_text,
-                            "Share of the interior that is filled: the whole is solid, none is "
-                            "hollow. Walls and skins are always solid."_text,
-                            true),
-      base::choiceParameter("sparsePattern", ToolpathOptions{}.sparsePattern, patterns,
-                            "Tool-paths"_text, "sparse pattern"_text,
-                            "Pattern of the interior if it is not solid."_text, true),
-      base::integerParameter(
+      base::ofItem(base::integerParameter(
+          "walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text, "walls"_text,
+          "Number of beads along the outline of each layer."_text, true)),
+      base::ofItem(base::choiceParameter(
+          "infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text, "infill"_text,
+          "Pattern that fills the interior of each layer."_text, true)),
+      base::ofItem(base::numberParameter(
+          "infillDensity", "share", 1.0, 0.0, 1.0, "Tool-paths"_text, "infill density"_text,
+          "Share of the interior that is filled: the whole is solid, none is "
+          "hollow. Walls and skins are always solid."_text,
+          true)),
+      base::ofItem(base::choiceParameter("sparsePattern", ToolpathOptions{}.sparsePattern, patterns,
+                                         "Tool-paths"_text, "sparse pattern"_text,
+                                         "Pattern of the interior if it is not solid."_text, true)),
+      base::ofItem(base::integerParameter(
           "topLayers", ToolpathOptions{}.topLayers, 0, 100, "Tool-paths"_text, "top layers"_text,
-          "Solid layers between the sparse interior and the surface above it."_text, true),
-      base::integerParameter(
+          "Solid layers between the sparse interior and the surface above it."_text, true)),
+      base::ofItem(base::integerParameter(
           "bottomLayers", ToolpathOptions{}.bottomLayers, 0, 100, "Tool-paths"_text,
           "bottom layers"_text,
-          "Solid layers between the sparse interior and the surface below it."_text, true),
-      base::numberParameter("skinMm", "mm", ToolpathOptions{}.skinMm, 0.0, 100.0, "Tool-paths"_text,
-                            "skin thickness"_text,
-                            "Minimum thickness of the top and bottom layers together with their "
-                            "number."_text),
-      base::numberParameter(
+          "Solid layers between the sparse interior and the surface below it."_text, true)),
+      base::ofItem(base::numberParameter(
+          "skinMm", "mm", ToolpathOptions{}.skinMm, 0.0, 100.0, "Tool-paths"_text,
+          "skin thickness"_text,
+          "Minimum thickness of the top and bottom layers together with their "
+          "number."_text)),
+      base::ofItem(base::numberParameter(
           "infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0, "Tool-paths"_text,
           "infill direction"_text,
-          "Direction of straight lines on the first layer, measured from x to y."_text),
-      base::numberParameter("infillRotation", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
-                            "Tool-paths"_text, "infill rotation per layer"_text,
-                            "Rotation of straight lines from layer to layer; 0: the same direction "
-                            "throughout."_text),
-      base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
-                            "Tool-paths"_text, "winding angle"_text,
-                            "For helical infill: 0 winds around the axis, 90 runs along it."_text),
+          "Direction of straight lines on the first layer, measured from x to y."_text)),
+      base::ofItem(base::numberParameter(
+          "infillRotation", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0, "Tool-paths"_text,
+          "infill rotation per layer"_text,
+          "Rotation of straight lines from layer to layer; 0: the same direction "
+          "throughout."_text)),
+      base::ofItem(base::numberParameter(
+          "windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0, "Tool-paths"_text,
+          "winding angle"_text,
+          "For helical infill: 0 winds around the axis, 90 runs along it."_text)),
       base::choiceParameter(
           "rimSupports", "auto", {{"auto", "auto"_text}, {"none", "none"_text}}, "Tool-paths"_text,
           "support low overhangs"_text,
@@ -80,12 +84,12 @@ base::ParameterTable toolpathParameters() {
       base::choiceParameter("seam", ToolpathOptions{}.seam, seams, "Tool-paths"_text, "seam"_text,
                             "Where closed walls begin and end. A seam aligned or in a corner is "
                             "less visible; spread seams weaken the part least."_text),
-      base::choiceParameter(
+      base::ofItem(base::choiceParameter(
           "thinWalls", ToolpathOptions{}.thinWalls,
           {{"bead", "as the narrowest bead"_text}, {"omit", "leave out"_text}}, "Tool-paths"_text,
           "thin walls"_text,
           "Walls narrower than the narrowest bead: printed as that bead, and so too wide, or left "
-          "out. Below half its width they are always left out."_text),
+          "out. Below half its width they are always left out."_text)),
       base::choiceParameter("islandOrder", "travel",
                             {{"travel", "shortest travel"_text}, {"layers", "as sliced"_text}},
                             "Tool-paths"_text, "order of islands"_text,
@@ -128,14 +132,17 @@ base::ParameterTable toolpathParameters() {
                             "distance of tape ends"_text,
                             "Least distance of the ends of tapes from the outline, so that plastic "
                             "encloses them. The sides are inside the outline."_text),
-      base::textParameter(
-          "fibreCurves", "Fibre"_text, "curves for tapes"_text,
-          "For tapes along given curves: points x,y or x,y,z in mm on the plate, "
-          "separated by spaces, and semicolons between curves; or a file of them."_text),
-      base::textParameter(
-          "fibreField", "Fibre"_text, "field of tape directions"_text,
-          "For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by "
-          "spaces or lines, or a file of them."_text),
+      base::withFile(
+          base::textParameter(
+              "fibreCurves", "Fibre"_text, "curves for tapes"_text,
+              "For tapes along given curves: points x,y or x,y,z in mm on the plate, "
+              "separated by spaces, and semicolons between curves; or a file of them."_text),
+          {"*.txt *.csv *.dat", "", tapeText}),
+      base::withFile(base::textParameter(
+                         "fibreField", "Fibre"_text, "field of tape directions"_text,
+                         "For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by "
+                         "spaces or lines, or a file of them."_text),
+                     {"*.txt *.csv *.dat", "", tapeText}),
       base::numberParameter("stitchExcess", "share", StitchOptions{}.excess, -0.5, 1.0,
                             "Stitches"_text, "excess of a shot"_text,
                             "Material of a shot beyond the volume of its pocket, as a share of "

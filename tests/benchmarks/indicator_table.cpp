@@ -18,6 +18,7 @@
 #include "indicator/contact_samples.h"
 #include "indicator/contact_space.h"
 #include "motion/motion_options.h"
+#include "pipeline/choices.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
@@ -291,7 +292,7 @@ int main(int argc, char** argv) {
       file = word;
   }
   test::usesSourceTreeResources();
-  const project::Job job = project::readJob(file);
+  const project::Job job = project::readJob(file, pipeline::allParameters());
   const process::Process process = process::loadProcess(job.choices.tool().process);
   const robot::Cell cell =
       robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.item().platform);

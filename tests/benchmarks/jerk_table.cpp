@@ -27,6 +27,7 @@
 #include "motion/smoothing/even_turns.h"
 #include "motion/smoothing/smooth_turns.h"
 #include "motion/timed_points.h"
+#include "pipeline/choices.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
@@ -341,7 +342,7 @@ int main(int argc, char** argv) {
       file = word;
   }
   test::usesSourceTreeResources();
-  const project::Job job = project::readJob(file);
+  const project::Job job = project::readJob(file, pipeline::allParameters());
   const process::Process process = process::loadProcess(job.choices.tool().process);
   const robot::Cell cell =
       robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.item().platform);

@@ -17,6 +17,7 @@
 #include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "motion/motion_options.h"
+#include "pipeline/choices.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
@@ -117,7 +118,7 @@ int main(int argc, char** argv) {
   }
   test::usesSourceTreeResources();
   for (const std::string& file : files) {
-    const project::Job job = project::readJob(file);
+    const project::Job job = project::readJob(file, pipeline::allParameters());
     const process::Process process = process::loadProcess(job.choices.tool().process);
     const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
     const base::RunContext ctx(base::CancelToken(), threads);

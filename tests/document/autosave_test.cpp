@@ -4,6 +4,7 @@
 #include "document/parts.h"
 #include "document/planning.h"
 #include "document/saving.h"
+#include "pipeline/choices.h"
 #include "project/job.h"
 
 #include <QDir>
@@ -38,7 +39,9 @@ TEST_F(AutosaveTest, WritesAfterAPause) {
   document_.openPart(test::boxPart(), {}, true);
   test::setSeed(document_, 42);
   ASSERT_TRUE(written.wait(3000));
-  EXPECT_EQ(project::readJob(autosave_->file().toStdString()).choices.seed, 42);
+  EXPECT_EQ(
+      project::readJob(autosave_->file().toStdString(), pipeline::allParameters()).choices.seed,
+      42);
   QTest::qWait(200);
   EXPECT_EQ(written.size(), 1) << "two edits, one copy";
 }

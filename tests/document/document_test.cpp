@@ -5,6 +5,8 @@
 #include "base/files.h"
 #include "document/mode_switch.h"
 #include "document/parts.h"
+#include "helpers/other_text.h"
+#include "helpers/temporary_folder.h"
 #include "pipeline/choices.h"
 
 #include <QSignalSpy>
@@ -85,6 +87,27 @@ TEST(Document, AParameterAtItsDefaultIsUnchanged) {
   EXPECT_TRUE(document.choices().item().parameters.empty());
 }
 
+TEST(Document, ParametersAreSetAsOnTheCommandLine) {
+  const base::ParameterTable table = pipeline::allParameters();
+  for (const base::ParameterSpec& spec : table.specs()) {
+    const std::string text = test::otherText(spec);
+    Document document;
+    document.setParameter(QString::fromStdString(spec.key), QString::fromStdString(text));
+    project::Choices typed = Document().choices();
+    pipeline::setParameters(typed, {spec.key + "=" + text});
+    EXPECT_EQ(document.choices().parameters, typed.parameters) << spec.key;
+    EXPECT_EQ(document.choices().item().parameters, typed.item().parameters) << spec.key;
+  }
+}
+
+TEST(Document, AFileOfCurvesIsReadWhereItsNameIsTyped) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "curves.txt", "0,0 10,0");
+  Document document;
+  document.setParameter("fibreCurves", QString::fromStdString((folder / "curves.txt").string()));
+  EXPECT_EQ(document.choices().parameters.at("fibreCurves"), "0,0 10,0");
+}
+
 // A process of which the filament is retracted 2 mm before travels.
 project::Choices retracting(project::Choices choices) {
   std::string text = base::readFile(base::resourceFolder() / "processes" / "fdm-1.0.json");
@@ -114,7 +137,7 @@ TEST(Document, RetractionOfAProcessCanBeSetToZero) {
   document.setChoices(retracting(document.choices()), "Change process");
   EXPECT_EQ(retractionOf(document), 2.0);
   document.setParameter("retractMm", "0");
-  EXPECT_EQ(document.choices().item().parameters.at("retractMm"), "0");
+  EXPECT_EQ(document.choices().parameters.at("retractMm"), "0");
   EXPECT_EQ(retractionOf(document), 0.0);
   document.setParameter("retractMm", "2");
   EXPECT_TRUE(document.choices().item().parameters.empty()) << "the process's own value";

@@ -3,6 +3,7 @@
 #include "document/autosave.h"
 #include "document/parts.h"
 #include "helpers/all_seeds.h"
+#include "pipeline/choices.h"
 #include "project/job.h"
 
 #include <QDir>
@@ -61,7 +62,8 @@ qint64 ageOfCopyAfterKill(int runMs, int pauseMs, int latestMs) {
   EXPECT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].name, "ball");
   EXPECT_TRUE(left[0].originalPath.isEmpty());
-  const project::Job job = project::readJob(left[0].file.toStdString()); // throws if it is half
+  const project::Job job = project::readJob(left[0].file.toStdString(),
+                                            pipeline::allParameters()); // throws if it is half
   EXPECT_TRUE(job.item().loaded && !job.item().loaded->mesh->empty());
   const auto next = edits.times.find(job.choices.seed + 1); // the first edit that is lost
   const qint64 age = next == edits.times.end() ? 0 : edits.times.at(edits.last) - next->second;

@@ -163,7 +163,7 @@ TEST_F(SavingTest, AProjectFromANewerVersionSaysSo) {
   const QString file = saveAs(folder_.filePath("newer.voluta"));
   QFile edit(file);
   ASSERT_TRUE(edit.open(QIODevice::ReadWrite));
-  ASSERT_EQ(edit.read(8), "VOLUTA 2");
+  ASSERT_EQ(edit.read(8), "VOLUTA 3");
   edit.seek(7);
   edit.write("9");
   edit.close();

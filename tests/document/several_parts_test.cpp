@@ -10,6 +10,7 @@
 #include "document/shown_names.h"
 #include "helpers/boxes_3mf.h"
 #include "helpers/package_3mf.h"
+#include "pipeline/choices.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -49,7 +50,7 @@ TEST(SeveralParts, AnAddedPartIsActiveBesideTheOthersAndBuiltAlike) {
   EXPECT_EQ(document.name(), "box") << "the project keeps its name";
   EXPECT_EQ(document.choices().items.size(), 1u);
   EXPECT_EQ(document.choices().item().mode, "flat");
-  EXPECT_EQ(document.choices().item().parameters.at("brimWidthMm"), "3") << "of the job";
+  EXPECT_EQ(document.choices().parameters.at("brimWidthMm"), "3") << "of the job";
   EXPECT_FALSE(document.choices().item().parameters.contains("voxelMm")) << "of the part";
   EXPECT_DOUBLE_EQ(xOf(document, 0), 0.0);
   EXPECT_DOUBLE_EQ(xOf(document, 1), 4.0 + 10.0 + 3.0);
@@ -74,8 +75,7 @@ TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
   EXPECT_EQ(job.item(0).scale, "1");
   EXPECT_EQ(job.item(1).scale, "2");
   EXPECT_FALSE(job.item(0).parameters.contains("voxelMm"));
-  EXPECT_EQ(job.item(0).parameters.at("brimWidthMm"), "4");
-  EXPECT_EQ(job.item(1).parameters.at("brimWidthMm"), "4");
+  EXPECT_EQ(job.parameters.at("brimWidthMm"), "4");
   document.setParameter("infillDensity", "0.2");
   const std::size_t other = 1 - document.active();
   EXPECT_FALSE(document.jobChoices().item(other).parameters.contains("infillDensity"))
@@ -85,7 +85,7 @@ TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
   document.setActive(0);
   EXPECT_EQ(document.choices().item().scale, "1");
   document.resetParameters();
-  EXPECT_FALSE(job.item(1).parameters.contains("brimWidthMm"));
+  EXPECT_FALSE(job.parameters.contains("brimWidthMm"));
   EXPECT_EQ(job.item(1).parameters.at("voxelMm"), "1.5");
 }
 
@@ -404,7 +404,8 @@ TEST_F(SeveralPartsPlan, TheRecoveryCopyHasAllParts) {
   QSignalSpy written(&autosave, &Autosave::written);
   document_.duplicatePart();
   ASSERT_TRUE(written.wait(5000));
-  const project::Job copy = project::readJob(autosave.file().toStdString());
+  const project::Job copy =
+      project::readJob(autosave.file().toStdString(), pipeline::allParameters());
   ASSERT_EQ(copy.items.size(), 3u);
   EXPECT_EQ(copy.item(2).loaded->hash, copy.item(1).loaded->hash);
 }

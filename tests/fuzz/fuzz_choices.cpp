@@ -1,6 +1,7 @@
 // What is typed: parameters, the platform, the scale.
 #include "fuzz_target.h"
 
+#include "helpers/given_parameters.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
 
@@ -37,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::takenOrRefused([&] {
     project::Choices choices;
     choices.cell = choices.item().mode = text;
-    choices.item().parameters[text.substr(0, text.find('='))] = value;
+    test::giveParameter(choices, text.substr(0, text.find('=')), value);
     pipeline::checkChoices(choices);
     pipeline::parameterValues(choices);
   });

@@ -2,6 +2,7 @@
 // program that writes projects may be wrong too.
 #include "fuzz_target.h"
 
+#include "pipeline/choices.h"
 #include "pipeline/sample_job.h"
 #include "project/block_file.h"
 #include "project/report.h"
@@ -50,10 +51,8 @@ std::string projectOf(const std::string& input) {
     putSumsRight(json, rest);
     header = json.dump(1, ' ', false, Json::error_handler_t::replace);
   }
-  const bool summed = !input.starts_with("VOLUTA 1");
-  std::string project = input.substr(0, format + 1) + std::to_string(header.size());
-  if (summed)
-    project += " " + std::to_string(project::crcOf(header));
+  const std::string project = input.substr(0, format + 1) + std::to_string(header.size()) + " " +
+                              std::to_string(project::crcOf(header));
   return project + "\n" + header + std::string(rest);
 }
 
@@ -65,13 +64,13 @@ std::vector<std::string> fuzz::seeds() {
   part.item().loaded = job.item().loaded;
   part.item().partName = "box.stl";
   return {inputOf(project::jobBytes(job)), inputOf(project::jobBytes(test::sampleJobOfPieces())),
-          inputOf(project::jobBytes(part)), inputOf(test::formatOneBytes(job))};
+          inputOf(project::jobBytes(part))};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::write("input.voluta", projectOf(fuzz::textOf(data, size)));
   fuzz::takenOrRefused([] {
-    const project::Job job = project::readJob("input.voluta");
+    const project::Job job = project::readJob("input.voluta", pipeline::allParameters());
     fuzz::expect(job.item().loaded != nullptr, "a project has a part");
     // What is done with every project that is opened.
     for (const auto stage : {project::Stage::Load, project::Stage::Layers, project::Stage::Motion})

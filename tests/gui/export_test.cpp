@@ -95,7 +95,7 @@ TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
   ASSERT_NE(form, nullptr);
   form->setFocus();
   QTest::keyClick(form, Qt::Key_Down);
-  EXPECT_EQ(document().choices().item().parameters.at("urscriptForm"), "port");
+  EXPECT_EQ(document().choices().parameters.at("urscriptForm"), "port");
   EXPECT_FALSE(document().upToDate(Stage::Replay));
   EXPECT_TRUE(document().upToDate(Stage::Motion));
   EXPECT_FALSE(button(panel(), "export")->isEnabled());
@@ -206,7 +206,7 @@ TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   ASSERT_NE(unwind, nullptr);
   unwind->setFocus();
   QTest::keyClick(unwind, Qt::Key_Down);
-  EXPECT_EQ(document().choices().item().parameters.at("tableUnwind"), "count");
+  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "count");
   // An edit leaves the row on show that was chosen, though nothing of it is written yet.
   QTest::qWait(200);
   EXPECT_EQ(formats()->currentId(), "gcode-bc");

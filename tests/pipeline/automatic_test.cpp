@@ -1,5 +1,6 @@
 // Mode auto: which ways are tried, and what is taken.
 #include "curved/decomposition.h"
+#include "helpers/given_parameters.h"
 #include "pipeline/automatic.h"
 #include "pipeline/checked_program.h"
 
@@ -345,8 +346,8 @@ TEST(Automatic, APartThatNoWayTakesIsAnError) {
 TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   pipeline::PlanRequest request = automaticRequest();
   // A skin over nothing.
-  request.choices.item().parameters = {
-      {"infillDensity", "0"}, {"topLayers", "1"}, {"bottomLayers", "1"}};
+  test::giveParameters(request.choices,
+                       {{"infillDensity", "0"}, {"topLayers", "1"}, {"bottomLayers", "1"}});
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
   expectConsistent(result);

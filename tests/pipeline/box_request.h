@@ -1,6 +1,7 @@
 // A small box to be planned: a whole plan takes about a second.
 #pragma once
 
+#include "helpers/given_parameters.h"
 #include "helpers/loaded_box.h"
 #include "pipeline/road.h"
 
@@ -18,7 +19,7 @@ inline std::shared_ptr<const project::LoadedPart> boxPart() {
 inline pipeline::PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
   pipeline::PlanRequest request;
   request.item().loaded = boxPart();
-  request.choices.item().parameters = parameters;
+  test::giveParameters(request.choices, parameters);
   return request;
 }
 

@@ -1,4 +1,5 @@
 // The cover of a part does not hang on the size of its mesh's facets: the curved bar of Dai 5.4.2.
+#include "helpers/given_parameters.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 #include "project/loaded_part.h"
@@ -29,7 +30,7 @@ double coveredBar(double facetDeg, const std::filesystem::path& folder) {
   request.choices.formats = {"gcode-extended"};
   request.choices.item().mode = "substrate";
   request.choices.item().platform = project::Platform("mesh:" + (folder / "mould.stl").string());
-  request.choices.item().parameters = {{"layerHeightMm", "0.6"}, {"output.proof", "false"}};
+  test::giveParameters(request.choices, {{"layerHeightMm", "0.6"}, {"output.proof", "false"}});
   const PlanResult plan = planPart(request, {});
   EXPECT_TRUE(plan.checked.at(0)->passed) << facetDeg;
   return plan.checked[0]->verdict.coveredFraction;

@@ -1,4 +1,5 @@
 // Parts with tapes of continuous fibre from the mesh to the replayed program (Dai 5.4).
+#include "helpers/given_parameters.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 #include "plan/tool_plan.h"
@@ -33,9 +34,9 @@ PlanRequest fibreRequest(const char* sample, const char* mode, const Values& val
   request.choices.cell = "irb2400-moving";
   request.choices.formats = {"gcode-extended"};
   request.choices.item().mode = mode;
-  request.choices.item().parameters = values;
-  request.choices.item().parameters["fibreLayers"] = "1";
-  request.choices.item().parameters["output.proof"] = "false";
+  test::giveParameters(request.choices, values);
+  request.choices.parameters["fibreLayers"] = "1";
+  request.choices.parameters["output.proof"] = "false";
   return request;
 }
 

@@ -9,6 +9,7 @@
 #include "helpers/temporary_folder.h"
 #include "layers/layer_stack.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
@@ -116,7 +117,7 @@ TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
 TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
   PlanRequest request = test::boxRequest();
   request.choices.item().placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
-  request.choices.item().parameters["output.build3mf"] = "true";
+  request.choices.parameters["output.build3mf"] = "true";
   PlanResult planned = planPart(request, kCtx);
   ASSERT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
   const test::TemporaryFolder folder;
@@ -252,7 +253,7 @@ TEST(GivenPaths, AProjectKeepsThem) {
   request.until = project::Stage::Toolpath;
   const PlanResult planned = planPart(request, kCtx);
   project::writeJob(folder / "job.voluta", planned.job);
-  const project::Job again = project::readJob(folder / "job.voluta");
+  const project::Job again = project::readJob(folder / "job.voluta", allParameters());
   ASSERT_TRUE(again.item().loaded->toolPaths);
   EXPECT_EQ(again.item().loaded->hash, planned.job.item().loaded->hash);
   PlanRequest same;

@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
   const base::RunContext ctx(base::CancelToken(), threads);
   for (const std::string& file : parts) {
     if (file.ends_with(".voluta")) {
-      const project::Job job = project::readJob(file);
+      const project::Job job = project::readJob(file, pipeline::allParameters());
       report(job, laidOf(*job.toolPlan, *job.trajectory),
              pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices)), overMm,
              listed, ctx);
@@ -238,15 +238,14 @@ int main(int argc, char** argv) {
     request.choices.item().platform = project::Platform(platform);
     request.choices.item().scale = scale;
     for (const std::string& set : sets)
-      request.choices.item().parameters[set.substr(0, set.find('='))] =
-          set.substr(set.find('=') + 1);
+      pipeline::setParameters(request.choices, {set});
     request.until = project::Stage::Toolpath;
     pipeline::StageCache cache;
     const std::filesystem::path kept =
         std::filesystem::path(keep) /
         (std::filesystem::path(file).stem().string() + "-" + mode + ".voluta");
     if (!keep.empty() && std::filesystem::exists(kept)) {
-      const project::Job job = project::readJob(kept);
+      const project::Job job = project::readJob(kept, pipeline::allParameters());
       request.item().loaded = job.item().loaded;
       pipeline::seedCache(cache, project::upTo(job, project::Stage::Decompose));
     }

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "layers/layer_stack.h"
 #include "pipeline/box_request.h"
+#include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
@@ -184,7 +185,7 @@ TEST(Items, ComeBackFromAProject) {
   const test::TemporaryFolder folder;
   const pipeline::PlanResult result = pipeline::planPart(twoBoxes(layers::PrintOrder::ByLayer), {});
   project::writeJob(folder / "job.voluta", result.job);
-  const project::Job back = project::readJob(folder / "job.voluta");
+  const project::Job back = project::readJob(folder / "job.voluta", pipeline::allParameters());
   ASSERT_EQ(back.items.size(), 2u);
   EXPECT_EQ(back.choices.printOrder, layers::PrintOrder::ByLayer);
   for (std::size_t i = 0; i < 2; ++i) {

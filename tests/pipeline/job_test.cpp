@@ -1,5 +1,6 @@
 #include "curved/decomposition.h"
 #include "layers/layer_stack.h"
+#include "pipeline/choices.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "planar/decomposition.h"
@@ -23,7 +24,7 @@
 using namespace voluta;
 using project::Job;
 using project::Stage;
-using test::formatOneBytes, test::sampleJob;
+using test::sampleJob;
 
 namespace {
 
@@ -41,7 +42,7 @@ protected:
   Job readBack(const std::string& bytes) const {
     // Not base::writeFile: thousands of files need not survive a power cut.
     std::ofstream(folder_ / "job.voluta", std::ios::binary) << bytes;
-    return project::readJob(folder_ / "job.voluta");
+    return project::readJob(folder_ / "job.voluta", pipeline::allParameters());
   }
   const test::TemporaryFolder folder_;
 };
@@ -71,6 +72,7 @@ TEST_F(JobFile, ComesBackAsItWas) {
   EXPECT_EQ(back.item().partName, job.item().partName);
   EXPECT_EQ(back.item().scale, job.item().scale);
   EXPECT_EQ(back.choices.item().parameters, job.choices.item().parameters);
+  EXPECT_EQ(back.choices.parameters, job.choices.parameters);
   EXPECT_EQ(back.choices.formats, job.choices.formats);
   EXPECT_EQ(back.item().part->vertices, job.item().part->vertices);
   EXPECT_EQ(back.item().part->triangles, job.item().part->triangles);
@@ -192,30 +194,18 @@ TEST_F(JobFile, APartAloneIsAJob) {
   EXPECT_EQ(back.item().loaded->source->vertices, job.item().loaded->source->vertices);
 }
 
-TEST_F(JobFile, TheFirstFormatIsStillRead) {
-  const Job job = sampleJob();
-  const Job back = readBack(formatOneBytes(job));
-  EXPECT_EQ(back.item().part->vertices, job.item().part->vertices);
-  EXPECT_EQ(back.trajectory->joints, job.trajectory->joints);
-  EXPECT_EQ(back.toolPlan->position, job.toolPlan->position);
-  EXPECT_FALSE(back.reached);
-  ASSERT_NE(back.item().loaded, nullptr) << "a part to plan again from";
-  EXPECT_NEAR(back.item().loaded->mesh->vertices[7].z(), 10.0 / 0.93, 1e-12);
-  EXPECT_TRUE(back.item().loaded->found.watertight);
-}
-
 TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
   std::string bytes = project::jobBytes(sampleJob());
-  bytes.replace(0, 8, "VOLUTA 3");
+  bytes.replace(0, 8, "VOLUTA 4");
   const std::string said = errorOf(bytes);
-  EXPECT_NE(said.find("saved by a newer version of Voluta (format 3; this version reads up to 2)"),
+  EXPECT_NE(said.find("saved by a newer version of Voluta (format 4; this version reads up to 3)"),
             std::string::npos)
       << said;
   EXPECT_NE(said.find("job.voluta"), std::string::npos) << said;
   EXPECT_NE(said.find("open it with"), std::string::npos) << said;
   EXPECT_NE(errorOf("solid box\n").find("not a Voluta job"), std::string::npos);
   EXPECT_NE(errorOf("VOLUTA x\n").find("damaged"), std::string::npos);
-  EXPECT_NE(errorOf("VOLUTA 2").find("truncated"), std::string::npos);
+  EXPECT_NE(errorOf("VOLUTA 3").find("truncated"), std::string::npos);
 }
 
 TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
@@ -260,25 +250,6 @@ TEST_F(JobFile, DamageIsAnErrorNeverACrashOrAWrongPlan) {
     else
       bytes[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
     EXPECT_NE(errorOf(bytes), "no error") << "trial " << trial;
-  }
-}
-
-TEST_F(JobFile, DamageToTheFirstFormatIsAnErrorToo) {
-  const std::string whole = formatOneBytes(sampleJob());
-  std::mt19937 random(7);
-  for (int trial = 0; trial < 400; ++trial) {
-    std::string bytes = whole;
-    if (trial % 2 == 0)
-      bytes.resize(random() % whole.size());
-    else
-      bytes[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
-    try {
-      readBack(bytes);
-      // A changed digit in a choice is still a job; arrays are guarded by their sums.
-      EXPECT_EQ(bytes.size(), whole.size());
-    } catch (const base::Error& e) {
-      EXPECT_EQ(e.code(), base::ErrorCode::UnreadableFile) << e.what();
-    }
   }
 }
 

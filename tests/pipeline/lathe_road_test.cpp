@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
+#include "helpers/given_parameters.h"
 #include "helpers/lathe_parts.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"
@@ -42,7 +43,7 @@ PlanRequest latheRequest(TriangleMesh part,
   request.choices.tool().process = "fdm-0.35";
   request.choices.item().platform = project::Platform("rod:5x200");
   request.choices.formats = {"rapid"};
-  request.choices.item().parameters = parameters;
+  test::giveParameters(request.choices, parameters);
   return request;
 }
 
@@ -118,7 +119,7 @@ protected:
     made.choices.item().platform = project::Platform("mesh:" + file.string());
     made.choices.formats = {"urscript"};
     parameters.insert({"layerHeightMm", "0.2"});
-    made.choices.item().parameters = std::move(parameters);
+    test::giveParameters(made.choices, parameters);
     return made;
   }
   const test::TemporaryFolder folder_;

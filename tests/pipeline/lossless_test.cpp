@@ -1,5 +1,6 @@
 // supports and orient on the road: a part that growth alone cannot lay whole.
 #include "curved/decomposition.h"
+#include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
 #include "pipeline/choices.h"
 #include "pipeline/road.h"
@@ -52,7 +53,7 @@ PlanResult planned(const std::map<std::string, std::string>& parameters, Stage u
   PlanRequest request;
   request.item().loaded = toothPart(asCells);
   request.until = until;
-  request.choices.item().parameters = parameters;
+  test::giveParameters(request.choices, parameters);
   request.choices.item().parameters["voxelMm"] = "1";
   request.choices.item().parameters.insert({{"supports", "none"}, {"frontShape", "flat"}});
   return planPart(request, base::RunContext(base::CancelToken{}, 2));
@@ -114,7 +115,7 @@ TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
   const PlanResult plan = planned({{"supports", "auto"}}, Stage::Layers);
   const test::TemporaryFolder folder;
   writeJob(folder / "job.voluta", plan.job);
-  const Job job = readJob(folder / "job.voluta");
+  const Job job = readJob(folder / "job.voluta", allParameters());
   EXPECT_EQ(job.item().decomposition()->support, plan.job.item().decomposition()->support);
   EXPECT_EQ(job.item().decomposition()->supportVoxels, 8u);
   EXPECT_EQ(job.item().layers->patches.back().group, plan.job.item().layers->patches.back().group);
@@ -144,7 +145,7 @@ TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
   request.item().loaded = loadedFrom(
       "hook.stl", std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(object)), {}, true, {});
   request.until = Stage::Decompose;
-  request.choices.item().parameters = {{"voxelMm", "1"}, {"frontShape", "flat"}};
+  test::giveParameters(request.choices, {{"voxelMm", "1"}, {"frontShape", "flat"}});
   request.choices.item().platform = Platform("disc:150");
   const PlanResult wide = planPart(request, {});
   ASSERT_GT(wide.job.report.item().decomposition.missedVoxels, 0u);
@@ -212,7 +213,7 @@ TEST(Lossless, LeastAfterCutsStatesWhatThePlansCutsLeave) {
   request.until = Stage::Decompose;
   request.choices.item().mode = "planar";
   request.choices.item().automatic = false;
-  request.choices.item().parameters = {{"orient", "leastAfterCuts"}, {"planarScheme", "greedy"}};
+  test::giveParameters(request.choices, {{"orient", "leastAfterCuts"}, {"planarScheme", "greedy"}});
   const PlanResult plan = planPart(request, {});
   const auto turned = std::ranges::find(plan.job.report.findings,
                                         plan::FindingKind::TurnedAfterCuts, &plan::Finding::kind);

@@ -1,5 +1,6 @@
 // What a mode does not take has no say in what it makes: the form leaves it out.
-#include "modes/file_parameters.h"
+#include "helpers/given_parameters.h"
+#include "helpers/other_text.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
@@ -9,27 +10,6 @@
 
 namespace voluta::modes {
 namespace {
-
-// Another value than the default.
-std::string otherText(const base::ParameterSpec& spec) {
-  switch (spec.type) {
-  case base::ParameterType::Number:
-  case base::ParameterType::Integer:
-    return base::formatParameter(spec.type == base::ParameterType::Number
-                                     ? base::ParameterValue(spec.maximum)
-                                     : base::ParameterValue(static_cast<long long>(spec.maximum)));
-  case base::ParameterType::Boolean:
-    return std::get<bool>(spec.defaultValue) ? "false" : "true";
-  case base::ParameterType::Choice:
-    for (const auto& choice : spec.choices)
-      if (choice.id != std::get<std::string>(spec.defaultValue))
-        return choice.id;
-    break;
-  case base::ParameterType::Text:
-    return "1,2,3";
-  }
-  return {};
-}
 
 std::string keyOf(const Mode& mode, const project::Choices& choices) {
   const base::ParameterValues values = pipeline::parameterValues(choices);
@@ -51,7 +31,7 @@ TEST(ModeParameters, WhatAModeDoesNotTakeHasNoSayInIt) {
       if (takesParameter(mode, spec.key))
         continue;
       project::Choices other = choices;
-      other.item().parameters[spec.key] = otherText(spec);
+      test::giveParameter(other, spec.key, test::otherText(spec));
       EXPECT_EQ(keyOf(mode, other), usual) << mode.id << " " << spec.key;
     }
   }
@@ -62,15 +42,6 @@ TEST(ModeParameters, EveryModeNamesParametersThatThereAre) {
   for (const Mode& mode : modeTable())
     for (const std::string& key : mode.parameters)
       EXPECT_NE(all.find(key), nullptr) << mode.id << " " << key;
-}
-
-TEST(ModeParameters, FilesAreForTextsThatThereAre) {
-  const base::ParameterTable all = modeParameters();
-  for (const FileParameter& file : fileParameters()) {
-    const base::ParameterSpec* spec = all.find(file.key);
-    ASSERT_NE(spec, nullptr) << file.key;
-    EXPECT_EQ(spec->type, base::ParameterType::Text) << file.key;
-  }
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // What holds of every way of building.
+#include "helpers/given_parameters.h"
 #include "modes/mode_table.h"
 
 #include "base/error.h"
@@ -64,10 +65,10 @@ bool reaches(const Mode& mode, const base::ParameterSpec& spec) {
     for (auto parameters : settings) {
       pipeline::PlanRequest request = requestFor(mode);
       request.choices.item().growth = growth;
-      request.choices.item().parameters = parameters;
+      test::giveParameters(request.choices, parameters);
       const std::string before = pipeline::stageKeys(request)[indexOf(Stage::Layers)];
       parameters[spec.key] = otherValue(spec);
-      request.choices.item().parameters = parameters;
+      test::giveParameters(request.choices, parameters);
       if (pipeline::stageKeys(request)[indexOf(Stage::Layers)] != before)
         return true;
     }

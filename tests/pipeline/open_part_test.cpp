@@ -3,8 +3,10 @@
 #include "geometry/measures.h"
 #include "geometry/repair/diagnosis.h"
 #include "helpers/bow_tie.h"
+#include "helpers/given_parameters.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/choices.h"
 #include "pipeline/open_part.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
@@ -45,7 +47,7 @@ PlanResult planned(std::shared_ptr<const project::LoadedPart> part, const std::s
   PlanRequest request;
   request.item().loaded = std::move(part);
   request.choices.item().mode = "flat";
-  request.choices.item().parameters = {{"openSurfaces", choice}};
+  test::giveParameters(request.choices, {{"openSurfaces", choice}});
   request.until = until;
   return pipeline::planPart(request, {});
 }
@@ -128,8 +130,9 @@ PlanResult plannedWall(std::shared_ptr<const project::LoadedPart> part, const st
   PlanRequest request;
   request.item().loaded = std::move(part);
   request.choices.item().mode = mode;
-  request.choices.item().parameters = {
-      {"openSurfaces", "wall"}, {"spiral", spiral ? "true" : "false"}, {"prime", "none"}};
+  test::giveParameters(
+      request.choices,
+      {{"openSurfaces", "wall"}, {"spiral", spiral ? "true" : "false"}, {"prime", "none"}});
   return pipeline::planPart(request, {});
 }
 
@@ -160,7 +163,7 @@ TEST(OpenPart, AClosedSolidIsAVaseOnItsBottom) {
       "box.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {30, 30, 8})), {},
       true, {});
   request.choices.item().mode = "flat";
-  request.choices.item().parameters = {{"spiral", "true"}, {"prime", "none"}};
+  test::giveParameters(request.choices, {{"spiral", "true"}, {"prime", "none"}});
   const PlanResult result = pipeline::planPart(request, {});
   EXPECT_TRUE(std::ranges::none_of(result.job.report.findings, &plan::Finding::blocking));
   const std::vector<plan::ToolPath>& paths = result.job.toolPlan->paths;
@@ -197,7 +200,7 @@ TEST(OpenPart, ModeAutoCutsNoPiecesOutOfItsDefects) {
     PlanRequest request;
     request.item().loaded = std::move(part);
     request.choices.item().automatic = true;
-    request.choices.item().parameters = {{"openSurfaces", "close"}};
+    test::giveParameters(request.choices, {{"openSurfaces", "close"}});
     request.until = Stage::Decompose;
     for (const project::TriedReport& row : pipeline::planPart(request, {}).job.report.item().tried)
       if (row.mode == "planar")
@@ -216,7 +219,7 @@ TEST(OpenPart, ItsVoxelsAreOfTheMeshAsChosen) {
     PlanRequest request;
     request.item().loaded = cup();
     request.choices.item().mode = "curved";
-    request.choices.item().parameters = {{"openSurfaces", choice}};
+    test::giveParameters(request.choices, {{"openSurfaces", choice}});
     request.until = Stage::Decompose;
     return pipeline::planPart(request, {}, kept).job.report.item().decomposition.voxels;
   };
@@ -249,7 +252,7 @@ TEST(OpenPart, IsStillOpenInItsProject) {
   const PlanResult result = planned(cup(), "refuse");
   const test::TemporaryFolder folder;
   project::writeJob(folder / "cup.voluta", result.job);
-  const project::Job back = project::readJob(folder / "cup.voluta");
+  const project::Job back = project::readJob(folder / "cup.voluta", pipeline::allParameters());
   ASSERT_TRUE(back.item().loaded->open);
   EXPECT_EQ(back.item().loaded->open->rims, 1u);
   EXPECT_EQ(back.item().loaded->open->capShare, result.job.item().loaded->open->capShare);

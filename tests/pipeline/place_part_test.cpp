@@ -81,7 +81,7 @@ TEST(PlacePart, WhereTheModeLaidItIsKept) {
   EXPECT_LT(result.job.item().placement->liftMm, -1.0) << "around the rod, below z = 0";
   const test::TemporaryFolder folder;
   project::writeJob(folder / "tube.voluta", result.job);
-  project::Job back = project::readJob(folder / "tube.voluta");
+  project::Job back = project::readJob(folder / "tube.voluta", pipeline::allParameters());
   ASSERT_TRUE(back.item().placement);
   EXPECT_EQ(back.item().placement->rotation.coeffs(),
             result.job.item().placement->rotation.coeffs());

@@ -1,4 +1,5 @@
 // Modes planar and flat on the road.
+#include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
 #include "modes/planar_modes.h"
 #include "planar/decomposition.h"
@@ -121,8 +122,8 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
 TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   PlanRequest planar = request("planar");
   planar.item().loaded = tee();
-  planar.choices.item().parameters = {{"pieceMaterials", "white PLA, red PLA"},
-                                      {"output.debug", "true"}};
+  test::giveParameters(planar.choices,
+                       {{"pieceMaterials", "white PLA, red PLA"}, {"output.debug", "true"}});
   PlanResult result = planPart(planar, context());
   ASSERT_NE(result.job.item().pieces(), nullptr);
   const DecompositionReport& d = result.job.report.item().decomposition;
@@ -147,7 +148,7 @@ TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   writeOutputs(result, folder.path(), {});
   for (int i = 0; i < d.pieces; ++i)
     EXPECT_TRUE(std::filesystem::exists(folder / "pieces" / (std::to_string(i) + ".stl")));
-  const Job back = readJob(folder / "job.voluta");
+  const Job back = readJob(folder / "job.voluta", allParameters());
   ASSERT_NE(back.item().pieces(), nullptr);
   EXPECT_EQ(back.item().pieces()->pieces.size(), result.job.item().pieces()->pieces.size());
   EXPECT_EQ(back.report.item().decomposition.pieceList.size(), d.pieceList.size());

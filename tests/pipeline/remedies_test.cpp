@@ -109,6 +109,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       }
       Choices unchanged = *cured;
       unchanged.item().parameters = choices.item().parameters;
+      unchanged.parameters = choices.parameters;
       unchanged.item().platform = choices.item().platform;
       unchanged.item().placement = choices.item().placement;
       unchanged.item().scale = choices.item().scale;

@@ -32,7 +32,7 @@ TEST(RenamedKeys, AnAssignmentWithTheOldKeySetsTheParameterWithANote) {
   const std::vector<base::Message> notes = setParameters(choices, {"underlay=none", "walls=3"});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(holds(notes, kNote));
-  EXPECT_EQ(choices.item().parameters,
+  EXPECT_EQ(givenParameters(choices),
             (std::map<std::string, std::string>{{"rimSupports", "none"}, {"walls", "3"}}));
 }
 
@@ -45,26 +45,28 @@ TEST(RenamedKeys, ChoicesWithTheOldKeyGiveTheValue) {
 TEST(RenamedKeys, AProjectWithTheOldKeyIsReadWithANote) {
   const test::TemporaryFolder folder;
   project::Job job = test::sampleJob();
-  job.choices.item().parameters = {{"underlay", "none"}, {"walls", "3"}};
+  job.choices.parameters = {{"underlay", "none"}};
+  job.choices.item().parameters = {{"infillTurn", "60"}};
   project::writeJob(folder / "old.voluta", job);
-  const project::Job read = project::readJob(folder / "old.voluta");
+  const project::Job read = project::readJob(folder / "old.voluta", allParameters());
+  EXPECT_EQ(read.choices.parameters, (std::map<std::string, std::string>{{"rimSupports", "none"}}));
   EXPECT_EQ(read.choices.item().parameters,
-            (std::map<std::string, std::string>{{"rimSupports", "none"}, {"walls", "3"}}));
+            (std::map<std::string, std::string>{{"infillRotation", "60"}}));
   EXPECT_TRUE(holds(read.item().loaded->notes, kNote));
   EXPECT_TRUE(holds(read.item().loaded->readNotes, kNote));
 
   project::writeJob(folder / "new.voluta", read);
-  const project::Job again = project::readJob(folder / "new.voluta");
-  EXPECT_EQ(again.choices.item().parameters, read.choices.item().parameters);
+  const project::Job again = project::readJob(folder / "new.voluta", allParameters());
+  EXPECT_EQ(givenParameters(again.choices), givenParameters(read.choices));
   EXPECT_EQ(again.item().loaded->notes.size(), read.item().loaded->notes.size());
 }
 
 TEST(RenamedKeys, AProjectWithBothKeysKeepsTheValueOfTheCurrentOne) {
   const test::TemporaryFolder folder;
   project::Job job = test::sampleJob();
-  job.choices.item().parameters = {{"underlay", "none"}, {"rimSupports", "auto"}};
+  job.choices.parameters = {{"underlay", "none"}, {"rimSupports", "auto"}};
   project::writeJob(folder / "both.voluta", job);
-  EXPECT_EQ(project::readJob(folder / "both.voluta").choices.item().parameters,
+  EXPECT_EQ(project::readJob(folder / "both.voluta", allParameters()).choices.parameters,
             (std::map<std::string, std::string>{{"rimSupports", "auto"}}));
 }
 

@@ -295,7 +295,7 @@ TEST(Resume, ByLineOfTheSecondTool) {
 
 TEST(Resume, WithoutAWayThereThatIsTold) {
   project::Job job = test::boxPlan().job;
-  job.choices.item().parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
+  job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
   const auto point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, 4);
   ASSERT_TRUE(point);
   const ResumeResult rest = resumeJob(std::move(job), *point, {}, kCtx);

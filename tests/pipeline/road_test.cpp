@@ -2,6 +2,7 @@
 // projects that are reopened. A small box, so that a whole plan takes about a second.
 #include "curved/decomposition.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
 
 #include "base/error.h"
@@ -288,7 +289,7 @@ TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
 TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
   const test::TemporaryFolder folder;
   writeJob(folder / "job.voluta", first_->job);
-  const Job job = readJob(folder / "job.voluta");
+  const Job job = readJob(folder / "job.voluta", allParameters());
 
   EXPECT_EQ(said(job.report), said(first_->job.report));
   const PlanResult shown = resultOf(job);

@@ -3,11 +3,9 @@
 #include "project/loaded_part.h"
 
 #include "helpers/shapes.h"
-#include "project/block_file.h"
 #include "project/job_blocks.h"
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace voluta::test {
 
@@ -146,6 +144,7 @@ Job sampleJob() {
   job.item().layers = sampleLayers();
   job.choices.formats = {"urscript"};
   job.choices.item().parameters = {{"voxelMm", "1.08"}};
+  job.choices.parameters = {{"seam", "corner"}};
   job.item().platform = {{-5, -5}, {5, -5}, {5, 5}};
   plan::ToolPlan p;
   p.position = {{0, 0, 0.8}, {1, 0, 0.8}, {2, 0.5, 0.8}};
@@ -165,41 +164,6 @@ Job sampleJob() {
   job.trajectory = std::make_shared<plan::Trajectory>(t);
   addReport(job);
   return job;
-}
-
-std::string formatOneBytes(const Job& job) {
-  project::BlockWriter blocks;
-  addMesh(blocks, "part", *job.item().part);
-  blocks.add("platform", job.item().platform.polygon);
-  addToolPlan(blocks, *job.toolPlan);
-  addTrajectory(blocks, *job.trajectory);
-  nlohmann::ordered_json table = nlohmann::ordered_json::array();
-  for (const project::BlockRow& row : blocks.table())
-    table.push_back({{"name", row.name},
-                     {"offset", row.offset},
-                     {"bytes", row.bytes},
-                     {"item", row.item},
-                     {"crc32", row.crc32}});
-  const nlohmann::ordered_json header{{"part", job.item().partName},
-                                      {"scale", job.item().scale},
-                                      {"choices",
-                                       {{"mode", "curved"},
-                                        {"growth", "auto"},
-                                        {"platform", "fit:0"},
-                                        {"cell", "ur5-fixed"},
-                                        {"process", "fdm-1.0"},
-                                        {"scale", "0.93"},
-                                        {"formats", job.choices.formats},
-                                        {"parameters", job.choices.item().parameters},
-                                        {"seed", 1}}},
-                                      {"planned", true},
-                                      {"dof", 2},
-                                      {"blocks", table}};
-  const std::string text = header.dump(1);
-  std::string bytes = "VOLUTA 1\n" + std::to_string(text.size()) + "\n" + text;
-  for (const std::string_view part : blocks.parts())
-    bytes += part;
-  return bytes;
 }
 
 } // namespace voluta::test

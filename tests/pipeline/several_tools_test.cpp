@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "box_request.h"
+#include "helpers/given_parameters.h"
 #include "motion/motion_options.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/choices.h"
@@ -75,7 +76,7 @@ TEST(SeveralTools, TheInteriorIsFilledByItsTool) {
     SCOPED_TRACE(density);
     PlanRequest given = request();
     given.item().loaded = test::loadedBox({-17, -15, 0}, {17, 15, 9});
-    given.choices.item().parameters = {{"infillTool", "2"}, {"infillDensity", density}};
+    test::giveParameters(given.choices, {{"infillTool", "2"}, {"infillDensity", density}});
     given.choices.formats = {"gcode"};
     const PlanResult plan = planPart(given, {});
     expectPassed(plan, {"gcode"});
@@ -149,7 +150,7 @@ TEST(SeveralTools, BadInputIsRefusedInOneLine) {
 TEST(SeveralTools, AssignmentsReachTheLayers) {
   const auto keys = [](const std::string& key, const std::string& value) {
     PlanRequest given = request();
-    given.choices.item().parameters[key] = value;
+    test::giveParameter(given.choices, key, value);
     return stageKeys(given);
   };
   const project::StageKeys usual = stageKeys(request());
@@ -164,7 +165,7 @@ TEST(SeveralTools, AssignmentsReachTheLayers) {
 TEST(SeveralTools, ARemovedToolLeavesItsWorkToTheFirst) {
   PlanRequest given = request(2);
   given.choices.tools.resize(3);
-  given.choices.item(0).parameters = {{"tool", "2"}, {"pieceTools", "1, 2,3"}};
+  test::giveParameters(given.choices, {{"tool", "2"}, {"pieceTools", "1, 2,3"}});
   given.choices.item(1).parameters = {{"supportTool", "3"}, {"infillTool", "0"}};
   removeTool(given.choices, 1);
   EXPECT_EQ(given.choices.tools.size(), 2u);

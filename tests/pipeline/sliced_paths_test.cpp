@@ -7,9 +7,11 @@
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/all_seeds.h"
+#include "helpers/given_parameters.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
@@ -45,7 +47,7 @@ PlanRequest requestFor(const std::filesystem::path& file, const Ground& ground =
   PlanRequest request;
   request.item().part = file.string();
   request.choices.item().automatic = true;
-  request.choices.item().parameters = ground.parameters;
+  test::giveParameters(request.choices, ground.parameters);
   if (ground.turnDeg != 0.0)
     request.choices.item().placement.rotation =
         Eigen::AngleAxisd(base::degreesToRadians(ground.turnDeg), Eigen::Vector3d::UnitX());
@@ -68,7 +70,7 @@ plan::ToolPlan flatPaths(const std::string& part, const Parameters& parameters,
   request.item().part = part;
   request.choices.item().mode = "flat";
   request.choices.item().scale = scale;
-  request.choices.item().parameters = parameters;
+  test::giveParameters(request.choices, parameters);
   request.until = project::Stage::Toolpath;
   return *planPart(request, kCtx).job.toolPlan;
 }
@@ -236,9 +238,10 @@ TEST(SlicedPaths, ToolsOfTheFileAreThoseOfTheJob) {
     PlanRequest one = request;
     one.until = project::Stage::Toolpath;
     const PlanResult planned = planPart(one, kCtx);
-    EXPECT_TRUE(std::ranges::any_of(planned.job.item().loaded->notes, [](const base::Message& note) {
-      return base::english(note).find("tools up to T1") != std::string::npos;
-    }));
+    EXPECT_TRUE(
+        std::ranges::any_of(planned.job.item().loaded->notes, [](const base::Message& note) {
+          return base::english(note).find("tools up to T1") != std::string::npos;
+        }));
     EXPECT_TRUE(std::ranges::all_of(planned.job.toolPlan->paths,
                                     [](const plan::ToolPath& path) { return path.tool == 0; }));
   }
@@ -257,7 +260,7 @@ TEST(SlicedPaths, AProjectKeepsThemAsTheyWereRead) {
   request.until = project::Stage::Toolpath;
   const PlanResult planned = planPart(request, kCtx);
   project::writeJob(folder / "job.voluta", planned.job);
-  const project::Job again = project::readJob(folder / "job.voluta");
+  const project::Job again = project::readJob(folder / "job.voluta", allParameters());
   ASSERT_TRUE(again.item().loaded->toolPaths);
   EXPECT_EQ(again.item().loaded->hash, planned.job.item().loaded->hash);
   PlanRequest same;
@@ -278,7 +281,7 @@ TEST(SlicedPaths, AProjectKeepsThemAsTheyWereRead) {
                                              {"pathsKeep", "angles"},
                                              {"pathsFrame", "1,2,3,0,0,0"}}) {
     PlanRequest changed = same;
-    changed.choices.item().parameters[key] = value;
+    test::giveParameter(changed.choices, key, value);
     EXPECT_NE(stageKeys(changed)[0], stageKeys(same)[0]) << key;
   }
 }
@@ -305,7 +308,7 @@ TEST(SlicedPaths, OnAPlaneOfAnotherBody) {
   request.choices.item().automatic = false;
   request.choices.item().mode = "substrate";
   request.choices.item().platform = project::Platform("mesh:" + (folder / "body.stl").string());
-  request.choices.item().parameters = {{"pathsFrame", "0,-15,20,90,0,0"}, {"prime", "none"}};
+  test::giveParameters(request.choices, {{"pathsFrame", "0,-15,20,90,0,0"}, {"prime", "none"}});
   request.until = project::Stage::Toolpath;
   const PlanResult planned = planPart(request, kCtx);
   for (std::size_t i = 0; i < planned.job.toolPlan->waypointCount(); ++i) {

@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "box_request.h"
 #include "helpers/all_seeds.h"
+#include "helpers/given_parameters.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
@@ -24,7 +25,7 @@ PlanRequest sparseRequest(const std::string& mode, const std::string& pattern,
   request.item().loaded = test::loadedBox({-17, -15, 0}, {17, 15, 12});
   request.choices.item().mode = mode;
   request.choices.formats = {"gcode-extended"};
-  request.choices.item().parameters = {{"infillDensity", density}, {"sparsePattern", pattern}};
+  test::giveParameters(request.choices, {{"infillDensity", density}, {"sparsePattern", pattern}});
   return request;
 }
 

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "curved/forward_growth.h"
+#include "helpers/given_parameters.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/choices.h"
@@ -35,7 +36,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"firstLayerSpeedMmPerS", {"10", 3}},
     {"stepMm", {"0.9", 3}},
     {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test
-    {"pathsFlow", {"110", kStageCount}}, // the same, see sliced_paths_test
+    {"pathsFlow", {"110", kStageCount}},        // the same, see sliced_paths_test
     {"pathsTurn", {"5", kStageCount}},
     {"pathsTurnBackMm", {"5", kStageCount}},
     {"pathsOn", {"cylinder", kStageCount}},
@@ -243,7 +244,7 @@ TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
     request.choices.item().growth = curved::GrowthScheme(growth);
     default_ = stageKeys(request);
     for (const base::ParameterSpec& spec : table.specs()) {
-      request.choices.item().parameters = {{spec.key, kParameters.at(spec.key).first}};
+      test::giveParameters(request.choices, {{spec.key, kParameters.at(spec.key).first}});
       expectChangesFrom(request, 1, growth + (" " + spec.key));
     }
   }
@@ -271,7 +272,7 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
     request.choices.item().mode = mode;
     default_ = stageKeys(request);
     const bool supports = std::string_view(key) == "supports"; // curved layers have them anyway
-    request.choices.item().parameters = {{key, supports ? "auto" : kParameters.at(key).first}};
+    test::giveParameters(request.choices, {{key, supports ? "auto" : kParameters.at(key).first}});
     expectChangesFrom(request, first, mode + (std::string(" ") + key));
   }
   // Where the part is turned, what overhangs decides how.
@@ -288,20 +289,20 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
 
 TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
   const std::tuple<const char*, const char*, std::size_t> rows[] = {
-      {"lathe", "rodAxis", 0},        {"lathe", "rodSides", 1},
-      {"lathe", "rodProfile", 1},     {"lathe", "rodLayers", 1},
-      {"lathe", "firstLayerMm", 1},   {"lathe", "overhangAngle", 1},
-      {"lathe", "layerHeightMm", 1},  {"lathe", "beadWidthMm", 1},
-      {"lathe", "layerShape", 6},     {"lathe", "voxelMm", 6},
-      {"lathe", "infill", 3},         {"substrate", "rodAxis", 6},
-      {"substrate", "layerShape", 1}, {"substrate", "layerCentre", 1},
-      {"substrate", "endSurface", 1}, {"substrate", "firstLayerMm", 1},
-      {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1},
-      {"trace", "traceAngle", 1},     {"trace", "traceInset", 1},
-      {"trace", "traceSpacing", 1},   {"trace", "tracePasses", 1},
-      {"trace", "traceClosing", 1},   {"trace", "layerShape", 6},
+      {"lathe", "rodAxis", 0},         {"lathe", "rodSides", 1},
+      {"lathe", "rodProfile", 1},      {"lathe", "rodLayers", 1},
+      {"lathe", "firstLayerMm", 1},    {"lathe", "overhangAngle", 1},
+      {"lathe", "layerHeightMm", 1},   {"lathe", "beadWidthMm", 1},
+      {"lathe", "layerShape", 6},      {"lathe", "voxelMm", 6},
+      {"lathe", "infill", 3},          {"substrate", "rodAxis", 6},
+      {"substrate", "layerShape", 1},  {"substrate", "layerCentre", 1},
+      {"substrate", "endSurface", 1},  {"substrate", "firstLayerMm", 1},
+      {"substrate", "rodProfile", 6},  {"substrate", "overhangAngle", 1},
+      {"trace", "traceAngle", 1},      {"trace", "traceInset", 1},
+      {"trace", "traceSpacing", 1},    {"trace", "tracePasses", 1},
+      {"trace", "traceClosing", 1},    {"trace", "layerShape", 6},
       {"trace", "traceSidePasses", 1}, {"trace", "traceSideDepth", 1},
-      {"trace", "traceFillLines", 1}, {"trace", "traceFillAngle", 1},
+      {"trace", "traceFillLines", 1},  {"trace", "traceFillAngle", 1},
       {"substrate", "traceAngle", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
@@ -309,7 +310,7 @@ TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
     if (request.choices.item().mode == "lathe")
       request.choices.cell = "lathe";
     default_ = stageKeys(request);
-    request.choices.item().parameters = {{key, kParameters.at(key).first}};
+    test::giveParameters(request.choices, {{key, kParameters.at(key).first}});
     expectChangesFrom(request, first, mode + (std::string(" ") + key));
   }
 }
@@ -335,9 +336,9 @@ TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
   request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
   default_ = stageKeys(request);
-  request.choices.item().parameters = {{"infill", "woven"}};
+  test::giveParameters(request.choices, {{"infill", "woven"}});
   expectChangesFrom(request, kStageCount, "woven is meant anyway");
-  request.choices.item().parameters = {{"infill", "zigzag"}};
+  test::giveParameters(request.choices, {{"infill", "zigzag"}});
   expectChangesFrom(request, 3, "zigzag is another choice there");
 }
 
@@ -376,9 +377,9 @@ TEST_F(StageKeysOf, OptionsOfTheGreedySchemeMatterToIt) {
   for (const char* key : {"pieceClusters", "pieceRoot"}) {
     PlanRequest request = boxRequest();
     request.choices.item().mode = "planar";
-    request.choices.item().parameters = {{"planarScheme", "greedy"}};
+    test::giveParameters(request.choices, {{"planarScheme", "greedy"}});
     default_ = stageKeys(request);
-    request.choices.item().parameters[key] = kParameters.at(key).first;
+    test::giveParameter(request.choices, key, kParameters.at(key).first);
     expectChangesFrom(request, 1, key);
   }
 }

@@ -1,4 +1,5 @@
 // Parts with stitches (Castelli 6.2, 6.3) from the mesh to the replayed program.
+#include "helpers/given_parameters.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 
@@ -26,10 +27,10 @@ PlanRequest stitchedRequest(std::vector<std::string> formats) {
   request.choices.tools = {{"fdm-1.0"}};
   request.choices.formats = std::move(formats);
   request.choices.item().mode = "flat";
-  request.choices.item().parameters = {{"layerHeightMm", "1"},
-                                       {"stitchSpacing", "40"},
-                                       {"stitchLayers", "9"},
-                                       {"output.proof", "false"}};
+  test::giveParameters(request.choices, {{"layerHeightMm", "1"},
+                                         {"stitchSpacing", "40"},
+                                         {"stitchLayers", "9"},
+                                         {"output.proof", "false"}});
   return request;
 }
 

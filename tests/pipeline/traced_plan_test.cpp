@@ -1,5 +1,6 @@
 // Beads of glue along the seam of a body (Castelli 7.1), from the mesh to the replayed program.
 #include "base/error.h"
+#include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"
@@ -65,7 +66,7 @@ PlanRequest tracedRequest(geometry::TriangleMesh body) {
   request.choices.cell = "ur5-moving";
   request.choices.formats = {"urscript"};
   request.choices.item().mode = "trace";
-  request.choices.item().parameters = {{"output.proof", "false"}};
+  test::giveParameters(request.choices, {{"output.proof", "false"}});
   return request;
 }
 

@@ -1,4 +1,5 @@
 // A branching part that is dense along its pith (TreeD printing, Castelli 6.4.4).
+#include "helpers/given_parameters.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"
 #include "plan/tool_plan.h"
@@ -60,9 +61,12 @@ TEST(TreeDPlans, AYIsDenseAlongItsPith) {
       "tree.stl", std::make_shared<geometry::TriangleMesh>(treeY(45.0, 26.0, 10.0)), {}, true, {});
   request.choices.formats = {"gcode-extended"};
   request.choices.item().mode = "flat";
-  request.choices.item().parameters = {{"infillDensity", "0.3"}, {"sparsePattern", "pith"},
-                                       {"walls", "1"},           {"topLayers", "0"},
-                                       {"bottomLayers", "0"},    {"output.proof", "false"}};
+  test::giveParameters(request.choices, {{"infillDensity", "0.3"},
+                                         {"sparsePattern", "pith"},
+                                         {"walls", "1"},
+                                         {"topLayers", "0"},
+                                         {"bottomLayers", "0"},
+                                         {"output.proof", "false"}});
   const PlanResult plan = planPart(request, {});
   ASSERT_EQ(plan.checked.size(), 1u);
   EXPECT_TRUE(plan.checked[0]->passed) << test::reasons(plan);

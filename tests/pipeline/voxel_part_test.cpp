@@ -242,7 +242,7 @@ TEST(VoxelPart, ProjectsKeepItsCells) {
   const PlanResult planned = planPart(requestFor(ell(), Stage::Decompose), {}, &cache);
   const test::TemporaryFolder folder;
   writeJob(folder / "cells.voluta", planned.job);
-  const Job job = readJob(folder / "cells.voluta");
+  const Job job = readJob(folder / "cells.voluta", allParameters());
   ASSERT_TRUE(job.item().loaded->cells);
   EXPECT_EQ(job.item().loaded->cells->solid, ell()->cells->solid);
   EXPECT_EQ(job.item().loaded->cells->platform, ell()->cells->platform);

@@ -99,7 +99,7 @@ TEST_P(ProcessFamily, ABoxOfItsBeadsPasses) {
   request.choices.cell = isSmall ? "irb2400-moving" : "irb6700-moving";
   request.choices.item().mode = "flat";
   request.choices.formats = {p.beadWords.empty() ? "rapid" : p.beadWords.front().format};
-  request.choices.item().parameters["output.proof"] = "false";
+  request.choices.parameters["output.proof"] = "false";
   const PlanResult plan = planPart(request, {});
   for (const plan::Finding& finding : plan.job.report.findings)
     EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);

@@ -54,7 +54,7 @@ TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
   const VerifyResult again =
       verifyProgram(folder / "out" / "box.csv", folder / "out" / "job.voluta", kCtx);
   EXPECT_TRUE(again.replay.passed);
-  project::Job job = project::readJob(folder / "out" / "job.voluta");
+  project::Job job = project::readJob(folder / "out" / "job.voluta", allParameters());
   EXPECT_EQ(base::dataName(job.choices.tool().process), "mine");
   EXPECT_EQ(resultOf(std::move(job)).cell->id(), "my-cell");
 }

@@ -62,7 +62,7 @@ int main() {
     std::puts("set VOLUTA_JOB to a job.voluta");
     return 2;
   }
-  project::Job job = project::readJob(file);
+  project::Job job = project::readJob(file, pipeline::allParameters());
   Bench bench;
   scene::ViewState view;
   view.part = false;

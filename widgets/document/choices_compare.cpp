@@ -22,7 +22,7 @@ bool sameItem(const project::ItemChoices& a, const project::ItemChoices& b) {
 
 bool sameChoices(const Choices& a, const Choices& b) {
   const auto tied = [](const Choices& c) {
-    return std::tie(c.cell, c.tools, c.formats, c.seed, c.printOrder);
+    return std::tie(c.cell, c.tools, c.formats, c.seed, c.printOrder, c.parameters);
   };
   return tied(a) == tied(b) && std::ranges::equal(a.items, b.items, sameItem);
 }
@@ -30,7 +30,7 @@ bool sameChoices(const Choices& a, const Choices& b) {
 bool losesSettings(const Choices& now, const Choices& next) {
   const auto tied = [](const Choices& c) {
     return std::tie(c.item().automatic, c.item().platformStays, c.item().growth, c.cell, c.tools,
-                    c.item().units, c.item().repair, c.item().parameters, c.seed);
+                    c.item().units, c.item().repair, c.item().parameters, c.seed, c.parameters);
   };
   const bool sameWay = now.item().automatic || std::tie(now.item().mode, now.item().platform) ==
                                                    std::tie(next.item().mode, next.item().platform);

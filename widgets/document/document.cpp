@@ -162,21 +162,19 @@ void Document::filesChanged() {
 }
 
 void Document::setParameter(const QString& key, const QString& text) {
-  const base::ParameterTable table = parametersFor(choices());
-  base::ParameterValues values(table);
-  values.set(key.toStdString(), text.toStdString());
-  const base::ParameterSpec& spec = *table.find(base::currentKey(key.toStdString()));
-  const base::ParameterValue& value = values.changes().at(spec.key);
   project::Choices choices = activeChoices_;
-  if (value == spec.defaultValue)
-    choices.item().parameters.erase(spec.key);
-  else
-    choices.item().parameters[spec.key] = base::formatParameter(value);
+  pipeline::setParameters(choices, {key.toStdString() + '=' + text.toStdString()});
+  const base::ParameterTable table = parametersFor(choices);
+  const base::ParameterSpec& spec = *table.find(base::currentKey(key.toStdString()));
+  auto& given = pipeline::parametersOf(choices, spec.scope);
+  if (given.at(spec.key) == base::formatParameter(spec.defaultValue))
+    given.erase(spec.key);
   setChoices(choices, tr("Change %1").arg(language::words(spec.label)));
 }
 
 void Document::resetParameter(const QString& key) {
   project::Choices choices = activeChoices_;
+  choices.parameters.erase(key.toStdString());
   choices.item().parameters.erase(key.toStdString());
   const base::ParameterTable table = pipeline::allParameters();
   const base::ParameterSpec* spec = table.find(key.toStdString());
@@ -185,6 +183,7 @@ void Document::resetParameter(const QString& key) {
 
 void Document::resetParameters() {
   project::Choices choices = activeChoices_;
+  choices.parameters.clear();
   choices.item().parameters.clear();
   setChoices(choices, tr("Reset all parameters"));
 }

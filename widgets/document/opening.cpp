@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
+#include "pipeline/choices.h"
 #include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
 #include "project/job.h"
@@ -135,7 +136,7 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
       [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
         ctx.report(0.0, "open"_text);
         base::finishStaged(std::filesystem::absolute(pathOf(file)).parent_path());
-        project::Job job = project::readJob(pathOf(file));
+        project::Job job = project::readJob(pathOf(file), pipeline::allParameters());
         ctx.report(0.8, "open"_text);
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));

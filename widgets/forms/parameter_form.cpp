@@ -150,14 +150,6 @@ void ParameterForm::setValues(const std::map<std::string, std::string>& changedT
   filter();
 }
 
-void ParameterForm::offerFiles(const std::string& key, const QString& patterns,
-                               const QString& prefix) {
-  for (const Group& group : groups_)
-    for (ParameterRow* row : group.rows)
-      if (row->spec().key == key)
-        row->offerFiles(patterns, prefix);
-}
-
 void ParameterForm::setProblems(const std::map<std::string, std::string>& byKey) {
   for (const Group& group : groups_)
     for (ParameterRow* row : group.rows) {

@@ -39,10 +39,6 @@ public:
   // Emits nothing. Ignores unknown keys and texts that the parameter cannot take.
   void setValues(const std::map<std::string, std::string>& changed);
 
-  // Lets the text of that parameter name a file. `patterns`: name patterns, separated by blanks;
-  // `prefix` precedes the name.
-  void offerFiles(const std::string& key, const QString& patterns, const QString& prefix);
-
   // Shows one line per key below rows whose values are invalid, in every view; lines of all other
   // rows are removed.
   void setProblems(const std::map<std::string, std::string>& byKey);

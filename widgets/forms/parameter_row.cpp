@@ -24,6 +24,7 @@
 namespace voluta::forms {
 
 namespace {
+constexpr int kSpacing = 4;            // [px] between the widgets of a row
 constexpr double kProblemShare = 0.22; // Share of the mark's colour in a field that has a problem
 
 int clampToInt(double value) {
@@ -58,7 +59,10 @@ ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
   browse_ = new QToolButton(this);
   browse_->setObjectName(QStringLiteral("browse"));
   browse_->setText(QStringLiteral("…"));
-  browse_->hide();
+  const bool takesFile = !spec_.file.patterns.empty();
+  browse_->setVisible(takesFile);
+  if (takesFile)
+    editor_->setFixedWidth(editor_->minimumWidth() - browse_->sizeHint().width() - kSpacing);
   connect(browse_, &QToolButton::clicked, this, &ParameterRow::chooseFile);
 
   reset_ = new QToolButton(this);
@@ -89,7 +93,7 @@ ParameterRow::ParameterRow(const base::ParameterSpec& spec, QWidget* parent)
   column->setContentsMargins(12, 1, 0, 1);
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  row->setSpacing(kSpacing);
   row->addWidget(label_, 1);
   row->addWidget(editor_, 0);
   row->addWidget(browse_, 0);
@@ -149,26 +153,18 @@ void ParameterRow::buildEditor() {
   editor_->setFixedWidth(width);
 }
 
-void ParameterRow::offerFiles(const QString& patterns, const QString& prefix) {
-  base::require(spec_.type == base::ParameterType::Text, "ParameterRow: files for a text");
-  filePatterns_ = patterns;
-  filePrefix_ = prefix;
-  const int spacing = 4;
-  browse_->show();
-  editor_->setFixedWidth(fontMetrics().averageCharWidth() * 16 - browse_->sizeHint().width() -
-                         spacing);
-}
-
 void ParameterRow::chooseFile() {
+  const QString prefix = QString::fromStdString(spec_.file.prefix);
   QString now = QString::fromStdString(std::get<std::string>(value_));
-  if (now.startsWith(filePrefix_))
-    now.remove(0, filePrefix_.size());
+  if (now.startsWith(prefix))
+    now.remove(0, prefix.size());
   const QString chosen = QFileDialog::getOpenFileName(
       this, language::heading(spec_.label), QFileInfo(now).absolutePath(),
-      tr("Files (%1)").arg(filePatterns_) + QStringLiteral(";;") + tr("All files (*)"));
+      tr("Files (%1)").arg(QString::fromStdString(spec_.file.patterns)) + QStringLiteral(";;") +
+          tr("All files (*)"));
   if (chosen.isEmpty())
     return;
-  const base::ParameterValue value = (filePrefix_ + chosen).toStdString();
+  const base::ParameterValue value = (prefix + chosen).toStdString();
   commit(value);
   showValue();
 }

@@ -27,10 +27,6 @@ public:
   base::ParameterValue value() const { return value_; }
   bool isChanged() const;
 
-  // Lets the text name a file, which a button chooses. `patterns`: name patterns, separated by
-  // blanks; `prefix` precedes the name.
-  void offerFiles(const QString& patterns, const QString& prefix);
-
   // Sets the line below the row that explains why the value is invalid; empty: it is valid.
   void setProblem(const QString& problem);
   bool hasProblem() const;
@@ -59,7 +55,6 @@ private:
   QWidget* editor_ = nullptr;
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
-  QString filePatterns_, filePrefix_;
   QWidget* problem_ = nullptr;
   QLabel* problemIcon_ = nullptr;
   QLabel* problemText_ = nullptr;

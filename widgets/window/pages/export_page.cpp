@@ -212,7 +212,7 @@ void ExportPage::show() {
     return;
   panel_->setFormats(formats());
   panel_->setChecked(chosenFormats());
-  panel_->setOptions(work().document.choices().item().parameters);
+  panel_->setOptions(pipeline::givenParameters(work().document.choices()));
   // Beside the part, until the user chooses a folder.
   if (panel_->folder().isEmpty() && work().document.source()) {
     const QFileInfo part(work().document.sourcePath());

@@ -6,7 +6,6 @@
 #include "geometry/measures.h"
 #include "language/words.h"
 #include "layers/tool_assignment.h"
-#include "modes/file_parameters.h"
 #include "modes/mode_table.h"
 #include "modes/stages.h"
 #include "panels/mesh_panel.h"
@@ -62,11 +61,6 @@ void PreparePage::build() {
   parameters_ = new forms::ParameterForm(pipeline::allParameters());
   parameters_->setObjectName("parameters");
   parameters_->setHeader(choices_->form());
-  const auto text = [](std::string_view view) {
-    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-  };
-  for (const modes::FileParameter& file : modes::fileParameters())
-    parameters_->offerFiles(std::string(file.key), text(file.patterns), text(file.prefix));
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
@@ -270,7 +264,7 @@ void PreparePage::showChoices() {
         (hasPaths_ || !ofPaths.find(spec.key)))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
-  parameters_->setValues(c.item().parameters);
+  parameters_->setValues(pipeline::givenParameters(c));
   showProblems();
   placement_->setOnPlate(!modes::findMode(c.item().mode).aroundRod);
   placement_->setPlacement(handles_.placed());
