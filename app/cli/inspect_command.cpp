@@ -5,6 +5,7 @@
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/repair.h"
 #include "project/loaded_part.h"
+#include "project/part_formats.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
@@ -80,13 +81,10 @@ ExitCode inspectCells(const InspectOptions& options, const std::string& bytes,
 } // namespace
 
 ExitCode inspectCommand(const InspectOptions& options, const base::RunContext& ctx) {
-  const bool foreign = geometry::isForeign(options.part);
-  const std::string bytes = foreign ? std::string() : base::readFile(options.part);
-  if (!foreign && project::isVoxelText(options.part, bytes))
-    return inspectCells(options, bytes, ctx);
+  if (project::detectedFormat(options.part).content == project::PartContent::Voxels)
+    return inspectCells(options, base::readFile(options.part), ctx);
   const geometry::MeshFile file =
-      foreign ? geometry::readForeign(options.part, geometry::ForeignFrame::Upright)
-              : geometry::readMesh(bytes, options.part);
+      geometry::readMeshOf(options.part, geometry::ForeignFrame::Upright);
   const geometry::RepairResult repaired = geometry::repair(file.mesh, ctx);
   const std::string open = repaired.open ? base::english(repaired.open->sentence()) : "";
   Json found = diagnosisJson(repaired.found);

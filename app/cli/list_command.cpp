@@ -5,6 +5,7 @@
 #include "process/library.h"
 #include "program/dialect.h"
 #include "project/choices.h"
+#include "project/part_formats.h"
 #include "robot/cell.h"
 
 #include <algorithm>
@@ -59,6 +60,14 @@ Json listFormats() {
                         {"extension", dialect.extension},
                         {"options", std::move(options)}});
   }
+  return rows;
+}
+
+Json listParts() {
+  Json rows = Json::array();
+  for (const project::PartFormat& format : project::partFormats())
+    rows.push_back(
+        Json{{"id", format.ending}, {"label", format.name}, {"holds", format.holds.english()}});
   return rows;
 }
 
@@ -124,10 +133,10 @@ struct Listing {
   std::string_view what;
   Json (*rows)();
 };
-constexpr Listing kListings[] = {{"modes", listModes},          {"cells", listCells},
-                                 {"robots", listRobots},        {"formats", listFormats},
-                                 {"processes", listProcesses},  {"materials", listMaterials},
-                                 {"parameters", listParameters}};
+constexpr Listing kListings[] = {{"modes", listModes},           {"cells", listCells},
+                                 {"robots", listRobots},         {"formats", listFormats},
+                                 {"processes", listProcesses},   {"materials", listMaterials},
+                                 {"parameters", listParameters}, {"parts", listParts}};
 
 std::string materialText(const Json& row) {
   std::string text = fmt::format(", {} g/cm3", row.at("densityGPerCm3").get<double>());
@@ -150,6 +159,8 @@ std::string textOf(const Json& row) {
     text += materialText(row);
   if (row.contains("min"))
     text += fmt::format(" [{} to {}]", row.at("min").dump(), row.at("max").dump());
+  if (row.contains("holds"))
+    text += ": " + row.at("holds").get<std::string>();
   if (row.contains("choices"))
     text += " " + row.at("choices").dump();
   return text;

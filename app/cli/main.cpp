@@ -105,11 +105,14 @@ void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
 }
 
 void addPartOption(CLI::App& command, pipeline::PlanRequest& request) {
-  command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
+  command
+      .add_option("PART", request.item().part, "file of a part (see: list parts), or sample:NAME")
+      ->required();
 }
 
 void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions& options) {
-  command.add_option("PART", options.parts, "mesh files, or sample:NAME")->required();
+  command.add_option("PART", options.parts, "files of parts (see: list parts), or sample:NAME")
+      ->required();
   command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
   command.add_flag("--as-one", options.asOne,
                    "a 3MF of several objects is one part; default: a part for each object, in its "
@@ -328,7 +331,7 @@ void addInspect(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<InspectOptions>();
   options->threads = threads;
   CLI::App* inspect = app.add_subcommand("inspect", "diagnose a mesh");
-  inspect->add_option("PART", options->part, "mesh file")->required();
+  inspect->add_option("PART", options->part, "file of a part (see: list parts)")->required();
   inspect->add_flag("--json", options->json, "as JSON");
   addThreads(*inspect, options->threads);
   inspect->callback([options, &parsed] {
@@ -527,7 +530,7 @@ void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "list the available choices");
   list->add_option("WHAT", options->what,
-                   "modes, cells, robots, formats, processes, materials or parameters")
+                   "modes, cells, robots, formats, processes, materials, parameters or parts")
       ->required();
   list->add_flag("--json", options->json, "as JSON");
   list->callback(

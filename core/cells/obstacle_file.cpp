@@ -11,14 +11,10 @@ ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUni
                               const base::RunContext& ctx) {
   constexpr int kMaxPieces = 16;
   base::require(mmPerUnit > 0.0, "a unit has a length");
-  geometry::TriangleMesh mesh;
-  if (geometry::isForeign(file)) {
-    mesh = geometry::readForeign(file, geometry::ForeignFrame::Upright).mesh;
-  } else {
-    mesh = geometry::readMesh(file).mesh;
+  geometry::TriangleMesh mesh = geometry::readMeshOf(file, geometry::ForeignFrame::Upright).mesh;
+  if (!geometry::isForeign(file)) // which states its unit
     for (Eigen::Vector3d& p : mesh.vertices)
       p *= mmPerUnit;
-  }
   const double longest = geometry::bounds(mesh).sizes().maxCoeff();
   if (!(longest > 0.0))
     throw base::Error(base::ErrorCode::UnusableInput, "the whole mesh is a single point"_text,

@@ -14,6 +14,7 @@
 #include "project/choices.h"
 #include "project/file_content.h"
 #include "project/loaded_part.h"
+#include "project/part_formats.h"
 #include "project/platform_kinds.h"
 #include "substrate/substrate_layers.h"
 
@@ -267,7 +268,7 @@ base::ParameterTable substrateParameters() {
               "Surface on which flattening layers end: flat (at the part's top), flat:Z, "
               "radius:R (a larger cylinder) or mesh:FILE, placed together with the "
               "platform's mesh."_text),
-          {"*.stl *.obj *.ply *.off *.3mf", "mesh:", nullptr}),
+          {project::filePatterns(project::NamedFiles::Meshes), "mesh:", nullptr}),
   });
 }
 

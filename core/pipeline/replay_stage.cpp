@@ -9,7 +9,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "project/job.h"
-#include "sliced/sliced_reader.h"
+#include "project/part_formats.h"
 
 #include <cmath>
 #include <filesystem>
@@ -95,7 +95,7 @@ std::string programsName(const project::Job& job) {
       job.items.size() > 1 ? "-and-" + std::to_string(job.items.size() - 1) + "-more" : "";
   const std::string& part = job.item().partName;
   // Programs must not replace the G-code that they were made from.
-  return std::string(sliced::isSlicedGcode(part) ? "robot_" : "") +
+  return std::string(project::isSlicedFile(part) ? "robot_" : "") +
          std::filesystem::path(part).stem().string() + more + (job.resumedAt > 0 ? "-rest" : "");
 }
 

@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "base/lower_case.h"
 #include "build3mf/build_reader.h"
 #include "geometry/formats/threemf_parts.h"
 #include "geometry/measures.h"
+#include "project/part_formats.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -43,7 +43,8 @@ std::vector<PartInFile> loadedParts(std::vector<geometry::ThreemfPart> parts,
 } // namespace
 
 bool mayHoldSeveral(const std::string& file) {
-  return base::lowerCase(std::filesystem::path(file).extension().string()) == ".3mf";
+  const PartFormat* format = partFormatOf(file);
+  return format && format->holdsSeveral;
 }
 
 std::vector<PartInFile> loadParts(const std::string& part, bool repair,

@@ -1,26 +1,19 @@
 #include "project/loaded_part.h"
 
 #include "base/error.h"
-#include "base/files.h"
-#include "base/lower_case.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
-#include "build3mf/bead_cells.h"
-#include "build3mf/build_reader.h"
-#include "geometry/formats/foreign_reader.h"
-#include "geometry/formats/mesh_reader.h"
 #include "geometry/repair/repair.h"
 #include "project/accuracy_plate.h"
 #include "project/content_hash.h"
+#include "project/part_formats.h"
 #include "project/rib_samples.h"
 #include "project/sample_part.h"
 #include "project/specimens.h"
-#include "sliced/sliced_reader.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 
 namespace voluta::project {
@@ -35,7 +28,7 @@ void mend(LoadedPart& part, const base::RunContext& ctx) {
   base::Stopwatch mending;
   part.notes = part.readNotes;
   // Solids made of beads are made of cells too.
-  if (part.cells || (part.toolPaths && sliced::isSlicedGcode(part.name))) {
+  if (part.cells || (part.toolPaths && isSlicedFile(part.name))) {
     part.mesh = part.source;
     part.found = geometry::diagnose(*part.source, ctx);
     part.found.selfIntersections = {}; // reported where cells only touch
@@ -71,40 +64,6 @@ std::shared_ptr<const LoadedPart> mended(LoadedPart part, const base::RunContext
   mend(part, ctx);
   return std::make_shared<LoadedPart>(std::move(part));
 }
-void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells) {
-  part.source = std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(*cells));
-  part.hash = contentHash(voxel::writeVoxelText(*cells));
-  part.cells = std::move(cells);
-}
-
-// Reads tool-paths with their object, or with the solid of their beads if the file has no object.
-void readBuild(const std::string& bytes, const std::string& name, LoadedPart& part,
-               const base::RunContext& ctx) {
-  constexpr double kCellMm = 0.25;
-  build3mf::ReadBuild build = build3mf::readBuild(bytes, name, ctx);
-  if (build.hasObject) {
-    geometry::MeshFile file = geometry::readMesh(bytes, name);
-    part.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
-    part.readNotes = std::move(file.repairs);
-  } else {
-    part.source =
-        std::make_shared<geometry::TriangleMesh>(build3mf::solidOfBeads(build.plan, kCellMm, ctx));
-    part.readNotes.emplace_back("no object in the file: the part is made from its beads"_text);
-  }
-  part.readNotes.insert(part.readNotes.end(), build.notes.begin(), build.notes.end());
-  part.inWorkFrame = build.workFrame;
-  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(build.plan));
-}
-
-// Reads a slicer's tool-paths. The part is what their beads make.
-void readGcode(const std::string& bytes, const std::string& name, LoadedPart& part,
-               const base::RunContext& ctx) {
-  sliced::ReadSliced read = sliced::readSliced(bytes, name, ctx);
-  part.source = std::make_shared<geometry::TriangleMesh>(std::move(read.solid));
-  part.readNotes = std::move(read.notes);
-  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(read.plan));
-}
-
 struct SampleRow {
   std::string_view name;
   geometry::TriangleMesh (*mesh)();
@@ -136,9 +95,10 @@ std::string hashOf(const LoadedPart& part) {
   return part.toolPaths ? contentHash(mesh + contentHash(*part.toolPaths)) : mesh;
 }
 
-bool isVoxelText(const std::string& name, std::string_view bytes) {
-  const std::string ending = base::lowerCase(std::filesystem::path(name).extension().string());
-  return ending == ".txt" || ending == ".voxels" || voxel::looksLikeVoxelText(bytes);
+void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells) {
+  part.source = std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(*cells));
+  part.hash = contentHash(voxel::writeVoxelText(*cells));
+  part.cells = std::move(cells);
 }
 
 std::vector<std::string> sampleNames() {
@@ -187,25 +147,9 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                         {}, base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
     loaded.source = std::make_shared<geometry::TriangleMesh>(sample->mesh());
-  } else if (geometry::isForeign(part)) {
-    loaded.name = std::filesystem::path(part).filename().string();
-    geometry::MeshFile file = geometry::readForeign(part, geometry::ForeignFrame::Upright);
-    loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
-    loaded.readNotes = std::move(file.repairs);
   } else {
-    const std::string bytes = base::readFile(part);
     loaded.name = std::filesystem::path(part).filename().string();
-    if (isVoxelText(part, bytes)) {
-      setCells(loaded, std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(bytes, part)));
-    } else if (sliced::isSlicedGcode(part)) {
-      readGcode(bytes, part, loaded, ctx.sub(0.0, 0.3));
-    } else if (build3mf::holdsToolpaths(bytes)) {
-      readBuild(bytes, part, loaded, ctx);
-    } else {
-      geometry::MeshFile file = geometry::readMesh(bytes, part);
-      loaded.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
-      loaded.readNotes = std::move(file.repairs);
-    }
+    detectedFormat(part).read(part, loaded, ctx);
   }
   if (!loaded.cells)
     loaded.hash = hashOf(loaded);

@@ -51,17 +51,15 @@ struct LoadedPart {
 // Parts built into the program, loaded as "sample:NAME".
 std::vector<std::string> sampleNames();
 
-// Returns whether it is a text voxel object, by the extension .txt or .voxels, or else by the
-// content.
-bool isVoxelText(const std::string& name, std::string_view bytes);
+// Makes cells the content of a part: its surface is the source.
+void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells);
 
 // Returns LoadedPart::hash of a part that is a mesh.
 std::string hashOf(const LoadedPart& part);
 
-// Reads a part and repairs it if `repair`: a mesh, or a text voxel object, whose surface needs no
-// repair. A 3MF with tool-paths also provides these, and if it has no object, the part is the solid
-// of their beads. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
-// Error{Usage} for an unknown sample; Cancelled.
+// Reads a part (project/part_formats.h) and repairs it if `repair`; cells, and the solid of a
+// slicer's beads, need no repair. `part` is a path or "sample:NAME". Throws Error{UnreadableFile,
+// UnusableInput}; Error{Usage} for an unknown sample; Cancelled.
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx);
 

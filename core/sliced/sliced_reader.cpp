@@ -1,7 +1,6 @@
 #include "sliced/sliced_reader.h"
 
 #include "base/error.h"
-#include "base/lower_case.h"
 #include "base/run_context.h"
 #include "base/units.h"
 #include "build3mf/bead_cells.h"
@@ -11,9 +10,7 @@
 #include "sliced/stated_amount.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 namespace voluta::sliced {
@@ -86,13 +83,6 @@ std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3, 
       base::mm3(statedMm3), base::mm3(readMm3))};
 }
 } // namespace
-
-bool isSlicedGcode(const std::string& name) {
-  constexpr std::array<std::string_view, 7> kEndings{".gcode", ".gco", ".g",     ".ngc",
-                                                     ".nc",    ".tap", ".bgcode"};
-  const std::string ending = base::lowerCase(std::filesystem::path(name).extension().string());
-  return std::ranges::find(kEndings, ending) != kEndings.end();
-}
 
 ReadSliced readSliced(std::string_view text, const std::string& name, const base::RunContext& ctx) {
   if (text.starts_with("GCDE"))

@@ -23,9 +23,6 @@ struct ReadSliced {
   std::vector<base::Message> notes; // One sentence for each omission or assumption
 };
 
-// Returns whether a file is G-code, by its extension.
-bool isSlicedGcode(const std::string& name);
-
 // Throws Error{UnreadableFile, UnusableInput} with the line: as followGcode() and solidOfLayers();
 // binary G-code; no extrusion. Throws Cancelled. `name`: of the file, for errors.
 ReadSliced readSliced(std::string_view text, const std::string& name, const base::RunContext& ctx);

@@ -259,14 +259,6 @@ TEST(VoxelPart, ProjectsKeepItsCells) {
   expectBox(other.job.item().platform.polygon, -1.6, -0.4, 2.4, 0.4);
 }
 
-TEST(VoxelPart, IsToldFromMeshesByEndingOrContent) {
-  EXPECT_TRUE(isVoxelText("a.txt", "what"));
-  EXPECT_TRUE(isVoxelText("A.VOXELS", ""));
-  EXPECT_TRUE(isVoxelText("object1", "0110\n----\n"));
-  EXPECT_FALSE(isVoxelText("a.obj", "v 0 0 1\n"));
-  EXPECT_FALSE(isVoxelText("a.stl", "solid 1\n"));
-}
-
 TEST(VoxelPart, BadFilesAreOneLineWithTheirPlace) {
   const test::TemporaryFolder folder;
   PlanRequest request;

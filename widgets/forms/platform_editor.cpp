@@ -1,6 +1,7 @@
 #include "forms/platform_editor.h"
 
 #include "base/error.h"
+#include "forms/file_patterns.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
 #include "project/platform_kinds.h"
@@ -161,9 +162,9 @@ void PlatformEditor::chooseKind() {
 // Without a file the platform is unchanged.
 void PlatformEditor::chooseFile() {
   const QString folder = QSettings().value(QStringLiteral("open/folder")).toString();
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Body to print on"), file_.isEmpty() ? folder : file_,
-                                   tr("Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Body to print on"), file_.isEmpty() ? folder : file_,
+      tr("Meshes (%1);;All files (*)").arg(forms::filePatterns(project::NamedFiles::Meshes)));
   if (file.isEmpty()) {
     setText(shownText_);
     return;

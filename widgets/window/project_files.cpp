@@ -5,6 +5,7 @@
 #include "document/planning.h"
 #include "document/recovery.h"
 #include "forms/discard.h"
+#include "forms/file_patterns.h"
 #include "plan/trajectory.h"
 #include "window/cell/arm_import_dialog.h"
 
@@ -23,8 +24,6 @@ using document::Opening;
 
 namespace {
 constexpr const char* kOpenFolder = "open/folder";
-constexpr const char* kParts =
-    "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels";
 constexpr const char* kSaveFolder = "save/folder";
 
 QString nameOf(const QString& path) {
@@ -203,8 +202,8 @@ void ProjectFiles::openSample(const Sample& sample) {
 void ProjectFiles::choose() {
   const QString file = QFileDialog::getOpenFileName(
       &window_, tr("Open"), QSettings().value(kOpenFolder).toString(),
-      tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae "
-         "*.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;All files (*)"));
+      tr("Parts and projects (%1);;All files (*)")
+          .arg(forms::filePatterns(project::NamedFiles::Parts) + QStringLiteral(" *.voluta")));
   if (file.isEmpty())
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
@@ -214,7 +213,7 @@ void ProjectFiles::choose() {
 void ProjectFiles::chooseToAdd() {
   const QString file = QFileDialog::getOpenFileName(
       &window_, tr("Add part"), QSettings().value(kOpenFolder).toString(),
-      tr("Parts (%1);;All files (*)").arg(QLatin1String(kParts)));
+      tr("Parts (%1);;All files (*)").arg(forms::filePatterns(project::NamedFiles::Parts)));
   if (file.isEmpty())
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());

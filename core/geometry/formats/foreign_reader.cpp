@@ -2,11 +2,9 @@
 
 #include "base/child_process.h"
 #include "base/error.h"
-#include "base/lower_case.h"
 #include "geometry/formats/facet_soup.h"
+#include "geometry/formats/mesh_formats.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstring>
 
 namespace voluta::geometry {
@@ -17,22 +15,11 @@ using base::Error;
 using base::ErrorCode;
 using End = base::ChildResult::End;
 
-std::string extensionOf(const std::filesystem::path& file) {
-  return base::lowerCase(file.extension().string());
-}
-
-struct Format {
-  const char *extension, *name;
-};
-constexpr Format kFormats[] = {
-    {".dae", "COLLADA"}, {".gltf", "glTF"}, {".glb", "glTF"}, {".fbx", "FBX"}, {".3ds", "3DS"}};
-
 } // namespace
 
 bool isForeign(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
-  return std::any_of(std::begin(kFormats), std::end(kFormats),
-                     [&](const Format& format) { return extension == format.extension; });
+  const MeshFormat* format = meshFormatOf(file);
+  return format && format->foreign;
 }
 
 MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
@@ -69,10 +56,13 @@ MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
     for (std::size_t k = 0; k < 3; ++k)
       std::memcpy(soup.facets[f][k].data(), read.output.data() + (3 * f + k) * 3 * sizeof(double),
                   3 * sizeof(double));
-  for (const Format& format : kFormats)
-    if (extensionOf(file) == format.extension)
-      soup.format = format.name;
+  if (const MeshFormat* format = meshFormatOf(file))
+    soup.format = format->name;
   return meshOf(std::move(soup), file.string());
+}
+
+MeshFile readMeshOf(const std::filesystem::path& file, ForeignFrame frame) {
+  return isForeign(file) ? readForeign(file, frame) : readMesh(file);
 }
 
 } // namespace voluta::geometry

@@ -10,7 +10,7 @@
 
 namespace voluta::geometry {
 
-// Returns whether the extension is dae, gltf, glb, fbx or 3ds.
+// Returns whether the file's format is foreign (geometry/formats/mesh_formats.h).
 bool isForeign(const std::filesystem::path& file);
 
 enum class ForeignFrame {
@@ -23,5 +23,9 @@ enum class ForeignFrame {
 // or the reader program is missing; Error{UnusableInput} if there are no triangles.
 MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
                      std::chrono::milliseconds limit = std::chrono::seconds(30));
+
+// Reads a mesh of any format. `frame` matters to foreign ones. Throws as readMesh() and
+// readForeign().
+MeshFile readMeshOf(const std::filesystem::path& file, ForeignFrame frame);
 
 } // namespace voluta::geometry

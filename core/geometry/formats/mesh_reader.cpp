@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/lower_case.h"
 #include "geometry/formats/facet_soup.h"
+#include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/plain_text.h"
 
 #include <algorithm>
@@ -48,9 +49,9 @@ std::string formatOf(std::string_view bytes, const std::string& extension) {
     return "ply";
   if (extension == "stl" || looksLikeStl(bytes))
     return "stl";
-  for (const char* known : {"obj", "ply", "off", "3mf"})
-    if (extension == known)
-      return known;
+  for (const MeshFormat& format : meshFormats())
+    if (!format.foreign && extension == format.ending.substr(1))
+      return extension;
   if (bytes.starts_with("OFF"))
     return "off";
   return {};

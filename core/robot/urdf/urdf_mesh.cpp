@@ -46,10 +46,7 @@ fs::path meshPath(const std::string& written, const fs::path& urdf) {
 geometry::TriangleMesh readUrdfMesh(const fs::path& path, const UrdfMesh& mesh,
                                     const Eigen::Isometry3d& pose) {
   base::require(mesh.scale.cwiseAbs().minCoeff() > 0.0, "a mesh that is scaled to something");
-  geometry::TriangleMesh read =
-      geometry::isForeign(path)
-          ? geometry::readForeign(path, geometry::ForeignFrame::AsWritten).mesh
-          : geometry::readMesh(path).mesh;
+  geometry::TriangleMesh read = geometry::readMeshOf(path, geometry::ForeignFrame::AsWritten).mesh;
   for (Vector3d& p : read.vertices)
     p = pose * Vector3d(kMmInMetre * mesh.scale.cwiseProduct(p));
   if (mesh.scale.prod() < 0.0) // A mirror image reverses the orientation

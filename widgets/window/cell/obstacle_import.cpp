@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/outcome.h"
 #include "cells/obstacle_file.h"
+#include "forms/file_patterns.h"
 #include "language/numbers.h"
 #include "language/words.h"
 #include "window/background.h"
@@ -28,7 +29,7 @@ void ObstacleImport::choose() {
   const QString key = QStringLiteral("open/folder");
   const QString file = QFileDialog::getOpenFileName(
       parent_, tr("Obstacle from a file"), QSettings().value(key).toString(),
-      tr("Meshes (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb);;All files (*)"));
+      tr("Meshes (%1);;All files (*)").arg(forms::filePatterns(project::NamedFiles::AllMeshes)));
   if (file.isEmpty())
     return;
   QSettings().setValue(key, QFileInfo(file).absolutePath());

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "forms/colours.h"
+#include "forms/file_patterns.h"
 #include "forms/icons.h"
 #include "geometry/formats/mesh_reader.h"
 #include "language/words.h"
@@ -501,8 +502,9 @@ void LibraryDialog::sizesFromPlate() {
 }
 
 void LibraryDialog::headFromMesh() {
-  const QString file = chosenFile(this, tr("Head from a mesh"),
-                                  tr("Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)"));
+  const QString file = chosenFile(
+      this, tr("Head from a mesh"),
+      tr("Meshes (%1);;All files (*)").arg(forms::filePatterns(project::NamedFiles::Meshes)));
   if (!file.isEmpty())
     tried([&] { setHead(process::headFromMesh(geometry::readMesh(file.toStdString()).mesh)); });
 }

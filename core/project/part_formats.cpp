@@ -1,0 +1,140 @@
+#include "project/part_formats.h"
+
+#include "base/files.h"
+#include "base/lower_case.h"
+#include "base/run_context.h"
+#include "build3mf/bead_cells.h"
+#include "build3mf/build_reader.h"
+#include "geometry/formats/foreign_reader.h"
+#include "geometry/formats/mesh_formats.h"
+#include "geometry/formats/mesh_reader.h"
+#include "project/content_hash.h"
+#include "project/loaded_part.h"
+#include "sliced/sliced_reader.h"
+#include "voxel/voxel_text.h"
+
+#include <algorithm>
+
+namespace voluta::project {
+
+namespace {
+constexpr double kReadShare = 0.3; // of the progress of loading a part
+
+void takeMesh(geometry::MeshFile file, LoadedPart& part) {
+  part.source = std::make_shared<geometry::TriangleMesh>(std::move(file.mesh));
+  part.readNotes = std::move(file.repairs);
+}
+
+void readMeshFile(const std::string& file, LoadedPart& part, const base::RunContext&) {
+  takeMesh(geometry::readMesh(base::readFile(file), file), part);
+}
+
+void readForeignFile(const std::string& file, LoadedPart& part, const base::RunContext&) {
+  takeMesh(geometry::readForeign(file, geometry::ForeignFrame::Upright), part);
+}
+
+// Reads a 3MF: its object, or its tool-paths with their object, which is the solid of their beads
+// if the file has none.
+void readPackage(const std::string& file, LoadedPart& part, const base::RunContext& ctx) {
+  constexpr double kCellMm = 0.25;
+  const std::string bytes = base::readFile(file);
+  if (!build3mf::holdsToolpaths(bytes)) {
+    takeMesh(geometry::readMesh(bytes, file), part);
+    return;
+  }
+  build3mf::ReadBuild build = build3mf::readBuild(bytes, file, ctx);
+  if (build.hasObject) {
+    takeMesh(geometry::readMesh(bytes, file), part);
+  } else {
+    part.source =
+        std::make_shared<geometry::TriangleMesh>(build3mf::solidOfBeads(build.plan, kCellMm, ctx));
+    part.readNotes.emplace_back("no object in the file: the part is made from its beads"_text);
+  }
+  part.readNotes.insert(part.readNotes.end(), build.notes.begin(), build.notes.end());
+  part.inWorkFrame = build.workFrame;
+  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(build.plan));
+}
+
+void readVoxels(const std::string& file, LoadedPart& part, const base::RunContext&) {
+  setCells(part,
+           std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(base::readFile(file), file)));
+}
+
+// The part is the solid of the beads.
+void readGcode(const std::string& file, LoadedPart& part, const base::RunContext& ctx) {
+  sliced::ReadSliced read =
+      sliced::readSliced(base::readFile(file), file, ctx.sub(0.0, kReadShare));
+  part.source = std::make_shared<geometry::TriangleMesh>(std::move(read.solid));
+  part.readNotes = std::move(read.notes);
+  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(read.plan));
+}
+
+std::vector<PartFormat> makeTable() {
+  constexpr base::Text kMesh = "one mesh"_text;
+  constexpr base::Text kForeignMesh = "one mesh; read by a program of its own"_text;
+  constexpr base::Text kPackage = "several parts, or tool-paths (build files)"_text;
+  constexpr base::Text kVoxels = "solid cells, drawn as text"_text;
+  constexpr base::Text kGcode = "tool-paths of a slicer"_text;
+  std::vector<PartFormat> table;
+  for (const geometry::MeshFormat& mesh : geometry::meshFormats()) {
+    const bool package = mesh.ending == ".3mf";
+    table.push_back({mesh.ending, mesh.name, PartContent::Mesh, package, mesh.foreign,
+                     package        ? kPackage
+                     : mesh.foreign ? kForeignMesh
+                                    : kMesh,
+                     package        ? readPackage
+                     : mesh.foreign ? readForeignFile
+                                    : readMeshFile});
+  }
+  for (const char* ending : {".gcode", ".gco", ".g", ".ngc", ".nc", ".tap", ".bgcode"})
+    table.push_back({ending, "G-code", PartContent::SlicedPaths, false, false, kGcode, readGcode});
+  for (const char* ending : {".txt", ".voxels"})
+    table.push_back({ending, "voxel text", PartContent::Voxels, false, false, kVoxels, readVoxels});
+  return table;
+}
+
+bool isOf(const PartFormat& format, NamedFiles files) {
+  if (files == NamedFiles::Parts)
+    return true;
+  return format.content == PartContent::Mesh && (files == NamedFiles::AllMeshes || !format.foreign);
+}
+
+const PartFormat& formatNamed(std::string_view ending) {
+  return *std::ranges::find(partFormats(), ending, &PartFormat::ending);
+}
+} // namespace
+
+const std::vector<PartFormat>& partFormats() {
+  static const std::vector<PartFormat> kTable = makeTable();
+  return kTable;
+}
+
+const PartFormat* partFormatOf(const std::filesystem::path& file) {
+  const std::string ending = base::lowerCase(file.extension().string());
+  const auto format = std::ranges::find(partFormats(), ending, &PartFormat::ending);
+  return format == partFormats().end() ? nullptr : &*format;
+}
+
+const PartFormat& detectedFormat(const std::string& file) {
+  if (const PartFormat* format = partFormatOf(file))
+    return *format;
+  const std::string bytes = base::readFile(file);
+  if (voxel::looksLikeVoxelText(bytes))
+    return formatNamed(".voxels");
+  return formatNamed(build3mf::holdsToolpaths(bytes) ? ".3mf" : ".stl");
+}
+
+bool isSlicedFile(const std::string& name) {
+  const PartFormat* format = partFormatOf(name);
+  return format && format->content == PartContent::SlicedPaths;
+}
+
+std::string filePatterns(NamedFiles files) {
+  std::string patterns;
+  for (const PartFormat& format : partFormats())
+    if (isOf(format, files))
+      patterns += (patterns.empty() ? "*" : " *") + std::string(format.ending);
+  return patterns;
+}
+
+} // namespace voluta::project

@@ -1,0 +1,65 @@
+// The formats of parts: one table for readers, dialogs and help.
+#include "project/part_formats.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
+#include "project/loaded_part.h"
+
+#include <algorithm>
+#include <cctype>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace voluta::project {
+namespace {
+
+TEST(PartFormats, EachEndingIsLowerCaseAndHasOneFormatWithAReader) {
+  std::set<std::string_view> endings;
+  for (const PartFormat& format : partFormats()) {
+    EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
+    EXPECT_EQ(format.ending.front(), '.');
+    std::string shouted(format.ending);
+    std::ranges::transform(shouted, shouted.begin(),
+                           [](unsigned char c) { return std::toupper(c); });
+    EXPECT_EQ(partFormatOf("PART" + shouted), &format);
+    EXPECT_NE(format.read, nullptr);
+    EXPECT_FALSE(format.holds.english().empty());
+    EXPECT_EQ(isSlicedFile("part" + std::string(format.ending)),
+              format.content == PartContent::SlicedPaths);
+  }
+}
+
+TEST(PartFormats, EachReaderRefusesAnEmptyFileInOneLine) {
+  const test::TemporaryFolder folder;
+  for (const PartFormat& format : partFormats()) {
+    const std::filesystem::path file = folder / ("empty" + std::string(format.ending));
+    base::writeFile(file, "");
+    EXPECT_THROW(loadPart(file.string(), true, {}), base::Error) << format.ending;
+  }
+}
+
+TEST(PartFormats, DialogsOfferWhatCanBeRead) {
+  EXPECT_EQ(filePatterns(NamedFiles::Meshes), "*.stl *.obj *.ply *.off *.3mf");
+  EXPECT_EQ(filePatterns(NamedFiles::AllMeshes),
+            "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.fbx *.3ds");
+  EXPECT_EQ(filePatterns(NamedFiles::Parts),
+            "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.fbx *.3ds *.gcode *.gco *.g *.ngc "
+            "*.nc *.tap *.bgcode *.txt *.voxels");
+}
+
+TEST(PartFormats, AFileOfUnknownEndingIsReadByItsContent) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "cells", "0110\n----\n");
+  EXPECT_EQ(detectedFormat((folder / "cells").string()).content, PartContent::Voxels);
+  base::writeFile(folder / "box.part",
+                  geometry::writeStl(test::box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones())));
+  EXPECT_EQ(detectedFormat((folder / "box.part").string()).content, PartContent::Mesh);
+  EXPECT_EQ(loadPart((folder / "box.part").string(), true, {})->mesh->triangles.size(), 12u);
+  EXPECT_THROW(detectedFormat((folder / "missing").string()), base::Error);
+}
+
+} // namespace
+} // namespace voluta::project
