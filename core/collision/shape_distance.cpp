@@ -1,6 +1,7 @@
 #include "collision/shape_distance.h"
 
 #include "base/error.h"
+#include "geometry/nearest_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,8 +129,7 @@ double PlacedPrism::signedDistance(const Vector3d& point) const {
   for (std::size_t i = 0, j = polygon_.size() - 1; i < polygon_.size(); j = i++) {
     const Vector2d &a = polygon_[j], &b = polygon_[i];
     const Vector2d edge = b - a, r = q - a;
-    const double length = edge.squaredNorm();
-    const double t = length > 0.0 ? std::clamp(r.dot(edge) / length, 0.0, 1.0) : 0.0;
+    const double t = geometry::nearestShare(q, a, b);
     squared = std::min(squared, (r - t * edge).squaredNorm());
     if ((a.y() > q.y()) != (b.y() > q.y()) &&
         q.x() < a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))

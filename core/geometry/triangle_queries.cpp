@@ -1,4 +1,5 @@
 #include "geometry/triangle_queries.h"
+#include "geometry/nearest_share.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -63,10 +64,7 @@ Vector3d closestPointOnTriangle(const Vector3d& p, const Vector3d& a, const Vect
 }
 
 double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d d = b - a;
-  const double n = d.squaredNorm();
-  const double t = n > 0.0 ? std::clamp((p - a).dot(d) / n, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
+  return (p - a - nearestShare(p, a, b) * (b - a)).norm();
 }
 
 double solidAngle(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {

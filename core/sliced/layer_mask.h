@@ -1,6 +1,7 @@
 // The cells of one layer: beads, walls, and the regions between them.
 #pragma once
 
+#include "geometry/nearest_share.h"
 #include "plan/tool_plan.h"
 #include "process/bead_model.h"
 
@@ -78,7 +79,6 @@ void LayerMask::eachNear(const Field& field, const plan::ToolPlan& plan, std::si
   const double height = 0.5 * (plan.heightMm[end - 1] + plan.heightMm[end]);
   const double half = 0.5 * process::hatchOf(width, height), reach = half + marginMm;
   const Eigen::Vector2d along = b - a;
-  const double length2 = along.squaredNorm();
   const auto at = [&](double mm, int axis, int most) {
     return static_cast<int>(
         std::clamp(std::floor((mm - field.origin[axis]) / field.pitch), 0.0, most - 1.0));
@@ -90,8 +90,7 @@ void LayerMask::eachNear(const Field& field, const plan::ToolPlan& plan, std::si
   for (int j = low; j <= high; ++j)
     for (int i = left; i <= right; ++i) {
       const Eigen::Vector2d centre = field.origin + field.pitch * Eigen::Vector2d(i + 0.5, j + 0.5);
-      const double t =
-          length2 > 0.0 ? std::clamp((centre - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+      const double t = geometry::nearestShare<2>(centre, a, b);
       const double distance2 = (centre - a - t * along).squaredNorm();
       if (distance2 <= reach * reach)
         take(static_cast<std::size_t>(i) +

@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "geometry/nearest_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +21,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 constexpr double kChordMm = 1e-3; // For meshes of rods without a closed form
 
 Vector2d nearestOnSegment(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
-  const Vector2d way = b - a;
-  const double length = way.squaredNorm();
-  return length > 0.0 ? Vector2d(a + std::clamp((p - a).dot(way) / length, 0.0, 1.0) * way) : a;
+  return a + geometry::nearestShare(p, a, b) * (b - a);
 }
 
 // Profile and both ends in the half-plane (x, radius).

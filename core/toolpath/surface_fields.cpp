@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/index.h"
+#include "geometry/nearest_share.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -19,10 +20,7 @@ using Eigen::Vector3d;
 using base::at;
 
 Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d ab = b - a;
-  const double l2 = ab.squaredNorm();
-  const double t = l2 > 0 ? std::clamp(ab.dot(p - a) / l2, 0.0, 1.0) : 0.0;
-  return a + t * ab;
+  return a + geometry::nearestShare(p, a, b) * (b - a);
 }
 
 // Returns the length of the circular arc over a chord that leaves the tangent planes at both ends;

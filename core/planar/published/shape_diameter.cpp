@@ -1,6 +1,7 @@
 #include "planar/published/shape_diameter.h"
 
 #include "base/parallel.h"
+#include "geometry/nearest_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,8 @@ std::vector<double> shapeDiameters(const geometry::TriangleMesh& mesh,
         least = std::min(least, (p - q).squaredNorm());
       for (const auto& e : skeleton.edges) {
         const Vector3d& a = skeleton.points[static_cast<std::size_t>(e[0])];
-        const Vector3d ab = skeleton.points[static_cast<std::size_t>(e[1])] - a;
-        const double along =
-            std::clamp((p - a).dot(ab) / std::max(1e-30, ab.squaredNorm()), 0.0, 1.0);
-        least = std::min(least, (a + along * ab - p).squaredNorm());
+        const Vector3d& b = skeleton.points[static_cast<std::size_t>(e[1])];
+        least = std::min(least, (a + geometry::nearestShare(p, a, b) * (b - a) - p).squaredNorm());
       }
       out[t] = std::sqrt(least);
     }

@@ -1,4 +1,5 @@
 #include "program/common/straight_pieces.h"
+#include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -53,11 +54,9 @@ private:
 
   bool isNear(const std::vector<robot::JointVector>& way, double mostMm) const {
     const Vector3d line = to_.translation() - from_.translation();
-    const double squared = line.squaredNorm();
     const auto off = [&](const robot::JointVector& q) {
       const Vector3d p = cell_.work_T_tool(q).translation() - from_.translation();
-      const double u = squared > 0.0 ? std::clamp(p.dot(line) / squared, 0.0, 1.0) : 0.0;
-      return (p - u * line).norm();
+      return geometry::distanceToSegment(p, Vector3d::Zero(), line);
     };
     for (std::size_t k = 0; k <= way.size(); ++k) {
       const robot::JointVector &p = k == 0 ? a_ : way[k - 1], &q = k == way.size() ? b_ : way[k];

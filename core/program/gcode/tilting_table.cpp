@@ -1,6 +1,7 @@
 #include "program/gcode/tilting_table.h"
 
 #include "geometry/directions.h"
+#include "geometry/nearest_share.h"
 
 #include <algorithm>
 #include <array>
@@ -39,10 +40,7 @@ TablePose between(const TablePose& from, const TablePose& to, double share) {
 }
 
 double offLine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d way = b - a;
-  const double squared = way.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(way) / squared, 0.0, 1.0) : 0.0;
-  return (a + t * way - p).norm();
+  return (a + geometry::nearestShare(p, a, b) * (b - a) - p).norm();
 }
 
 double nearestTurn(double angle, double to) {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/principal_axes.h"
+#include "geometry/triangle_queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +75,7 @@ double toTenths(double mm) {
 }
 
 double distanceTo(const Capsule& capsule, const Vector3d& p) {
-  const Vector3d along = capsule.p1 - capsule.p0;
-  const double square = along.squaredNorm();
-  const double at = square > 0.0 ? std::clamp((p - capsule.p0).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - capsule.p0 - at * along).norm();
+  return geometry::distanceToSegment(p, capsule.p0, capsule.p1);
 }
 
 Capsule around(const std::vector<Vector3d>& points, const Vector3d& axis) {

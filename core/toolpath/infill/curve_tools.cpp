@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/directions.h"
+#include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -109,12 +110,9 @@ bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance
   for (int i = 0; i < n; ++i) {
     const double from = s0 + (s1 - s0) * i / n, to = s0 + (s1 - s0) * (i + 1) / n;
     const Vector3d a = c.at(from, near).position, b = c.at(to, near).position;
-    const Vector3d ab = b - a;
-    const double l2 = ab.squaredNorm();
     for (; it != knots.end() && *it < to; ++it) {
-      const Vector3d d = c.point(static_cast<std::size_t>(it - knots.begin())) - a;
-      const double t = l2 > 0 ? std::clamp(ab.dot(d) / l2, 0.0, 1.0) : 0.0;
-      if ((d - t * ab).norm() > tolerance)
+      const Vector3d knot = c.point(static_cast<std::size_t>(it - knots.begin()));
+      if (geometry::distanceToSegment(knot, a, b) > tolerance)
         return false;
     }
   }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/index.h"
+#include "geometry/nearest_share.h"
 #include "process/bead_model.h"
 
 #include <algorithm>
@@ -158,9 +159,7 @@ std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double
     if (!edge)
       continue;
     const Eigen::Vector3d &a = s.position[at((*edge)[0])], &b = s.position[at((*edge)[1])];
-    const double squared = (b - a).squaredNorm();
-    const double t =
-        squared > 0.0 ? std::clamp((b - a).dot(s.position[v] - a) / squared, 0.0, 1.0) : 0.0;
+    const double t = geometry::nearestShare(s.position[v], a, b);
     const double width = (1.0 - t) * widthMm[at((*edge)[0])] + t * widthMm[at((*edge)[1])];
     hatches[v] += width - process.beadWidthMm;
   }

@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "base/units.h"
 #include "geometry/least_turn.h"
+#include "geometry/nearest_share.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/coverage/line_cover.h"
@@ -63,9 +64,8 @@ std::vector<double> distanceFromWalls(const PatchSurface& s, const layers::Patch
   for (std::size_t v = 0; v < mm.size(); ++v) {
     double least = std::numeric_limits<double>::infinity();
     for (const SourceSegment& edge : edges) {
-      const Vector3d along = edge.b - edge.a, off = s.position[v] - edge.a;
-      const double t = std::clamp(off.dot(along) / std::max(1e-12, along.squaredNorm()), 0.0, 1.0);
-      least = std::min(least, (off - t * along).squaredNorm());
+      const double t = geometry::nearestShare(s.position[v], edge.a, edge.b);
+      least = std::min(least, (s.position[v] - edge.a - t * (edge.b - edge.a)).squaredNorm());
     }
     mm[v] = std::sqrt(least) - wallsMm;
   }
