@@ -1,6 +1,7 @@
 #include "substrate/seam.h"
 
 #include "geometry/mesh_query.h"
+#include "geometry/polygon_paths.h"
 #include "substrate/corner_normals.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <polyclipping/clipper.hpp>
 
 namespace voluta::substrate {
 
@@ -20,26 +20,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kUnits = 1e4; // Clipper's per mm
 constexpr double kLeastClosingMm = 0.01;
 constexpr double kLeastReachMm = 10.0; // of the search for the side beside an outline
 constexpr double kArcMm = 0.002, kCleanMm = 0.004;
 constexpr std::size_t kUnionOf = 256; // polygons that are united at a time
-
-ClipperLib::IntPoint toClipper(const Vector2d& p) {
-  return {std::llround(p.x() * kUnits), std::llround(p.y() * kUnits)};
-}
-Vector2d fromClipper(const ClipperLib::IntPoint& p) {
-  return {static_cast<double>(p.X) / kUnits, static_cast<double>(p.Y) / kUnits};
-}
-
-Paths united(const Paths& paths) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  Paths out;
-  clipper.Execute(ClipperLib::ctUnion, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return out;
-}
 
 // Many small polygons are united group by group, which is faster than all at once.
 Paths unitedInGroups(Paths paths, const base::RunContext& ctx) {
@@ -50,7 +34,7 @@ Paths unitedInGroups(Paths paths, const base::RunContext& ctx) {
       const auto from = paths.begin() + static_cast<std::ptrdiff_t>(first),
                  to = paths.begin() +
                       static_cast<std::ptrdiff_t>(std::min(paths.size(), first + kUnionOf));
-      const Paths group = united(Paths(from, to));
+      const Paths group = geometry::united(Paths(from, to));
       next.insert(next.end(), group.begin(), group.end());
     }
     const bool isStuck = next.size() > paths.size() / 2;
@@ -58,16 +42,13 @@ Paths unitedInGroups(Paths paths, const base::RunContext& ctx) {
     if (isStuck)
       break;
   }
-  return united(paths);
+  return geometry::united(paths);
 }
 
 Paths grown(const Paths& paths, double byMm) {
-  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
-  offset.AddPaths(paths, byMm > 0.0 ? ClipperLib::jtRound : ClipperLib::jtMiter,
-                  ClipperLib::etClosedPolygon);
-  Paths out;
-  offset.Execute(out, byMm * kUnits);
-  return out;
+  return geometry::offsetPaths(
+      paths, byMm,
+      {.arcMm = kArcMm, .corners = byMm > 0.0 ? ClipperLib::jtRound : ClipperLib::jtMiter});
 }
 
 // Removes steps of an outline to the side: where the normals of neighbouring triangles differ, the
@@ -79,13 +60,14 @@ Path withoutJags(Path path, double shortMm) {
     isChanged = false;
     for (std::size_t i = 0; i < path.size() && path.size() > 4; ++i) {
       const std::size_t n = path.size();
-      const Vector2d before = fromClipper(path[(i + n - 1) % n]), from = fromClipper(path[i]),
-                     to = fromClipper(path[(i + 1) % n]), after = fromClipper(path[(i + 2) % n]);
+      const Vector2d before = geometry::pointMm(path[(i + n - 1) % n]),
+                     from = geometry::pointMm(path[i]), to = geometry::pointMm(path[(i + 1) % n]),
+                     after = geometry::pointMm(path[(i + 2) % n]);
       const Vector2d way = (from - before).normalized(), step = to - from;
       const bool isAside = step.norm() > 0.0 && step.normalized().dot(way) < kSameWay;
       if (step.norm() >= shortMm || !isAside || way.dot((after - to).normalized()) < kSameWay)
         continue;
-      path[i] = toClipper(0.5 * (from + to));
+      path[i] = geometry::pathPoint(0.5 * (from + to));
       path.erase(path.begin() + static_cast<std::ptrdiff_t>((i + 1) % n));
       isChanged = true;
     }
@@ -102,10 +84,10 @@ Path gentlePart(const geometry::TriangleMesh& mesh, std::size_t t,
     const Vector3d &a = mesh.corner(t, static_cast<int>(k)),
                    &b = mesh.corner(t, static_cast<int>(n));
     if (angle[k] <= steepRad)
-      part.push_back(toClipper(a.head<2>()));
+      part.push_back(geometry::pathPoint(a.head<2>()));
     if ((angle[k] <= steepRad) != (angle[n] <= steepRad)) {
       const double share = (steepRad - angle[k]) / (angle[n] - angle[k]);
-      part.push_back(toClipper(a.head<2>() + share * (b - a).head<2>()));
+      part.push_back(geometry::pathPoint(a.head<2>() + share * (b - a).head<2>()));
     }
   }
   return part;
@@ -154,7 +136,7 @@ private:
     }
     const double closing = std::max(kLeastClosingMm, rule_.closingMm);
     Paths closed = grown(grown(unitedInGroups(std::move(parts), ctx_), closing), -closing);
-    ClipperLib::CleanPolygons(closed, kCleanMm * kUnits);
+    ClipperLib::CleanPolygons(closed, kCleanMm * geometry::kPathUnits);
     std::erase_if(closed, [](const Path& path) {
       return path.size() < 3 || ClipperLib::Area(path) <= 0.0; // holes
     });
@@ -175,13 +157,14 @@ private:
     std::vector<Vector2d> points;
     const std::size_t pieces = path.size() - (isClosed ? 0 : 1);
     for (std::size_t i = 0; i < pieces; ++i) {
-      const Vector2d from = fromClipper(path[i]), to = fromClipper(path[(i + 1) % path.size()]);
+      const Vector2d from = geometry::pointMm(path[i]),
+                     to = geometry::pointMm(path[(i + 1) % path.size()]);
       const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / rule_.stepMm)));
       for (int s = 0; s < steps; ++s)
         points.emplace_back(from + (to - from) * s / steps);
     }
     if (!isClosed)
-      points.push_back(fromClipper(path.back()));
+      points.push_back(geometry::pointMm(path.back()));
     return points;
   }
 
@@ -224,7 +207,7 @@ private:
     for (const Path& area : areas) {
       double low = std::numeric_limits<double>::infinity(), high = -low, reach = 0.0;
       for (const ClipperLib::IntPoint& corner : area) {
-        const Vector2d p = fromClipper(corner);
+        const Vector2d p = geometry::pointMm(corner);
         low = std::min(low, p.dot(across));
         high = std::max(high, p.dot(across));
         reach = std::max(reach, std::abs(p.dot(along)) + 1.0);
@@ -237,7 +220,8 @@ private:
           if (in > 0.5 * (high - low) - (end == 0 ? 0.0 : 0.5 * rule_.spacingMm) + kSlackMm)
             break;
           const Vector2d middle = (end == 0 ? high - in : low + in) * across;
-          const Path line{toClipper(middle - reach * along), toClipper(middle + reach * along)};
+          const Path line{geometry::pathPoint(middle - reach * along),
+                          geometry::pathPoint(middle + reach * along)};
           ClipperLib::Clipper clipper;
           clipper.AddPath(line, ClipperLib::ptSubject, false);
           clipper.AddPath(area, ClipperLib::ptClip, true);

@@ -2,6 +2,7 @@
 
 #include "base/index.h"
 #include "geometry/boundary.h"
+#include "geometry/polygon_paths.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/first_layer.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <polyclipping/clipper.hpp>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -22,7 +22,6 @@ using Eigen::Vector3d;
 namespace {
 using base::at;
 
-constexpr double kUnits = 1e4;    // Polygon integers per mm
 constexpr double kArcMm = 0.01;   // Chord error of round corners
 constexpr double kCrackMm = 0.05; // Narrower cracks between polygons are closed
 // [brim heights]: material with its underside below this would be inside the brim's beads
@@ -33,40 +32,24 @@ constexpr double kShortestLoop = 3.0; // [bead widths]: shorter pieces do not st
 // [hatches]: least distance of loops in a hole from its wall, so that they do not stick to it
 constexpr double kFromHoleWall = 1.5;
 
-ClipperLib::IntPoint pointOf(const Vector2d& p) {
-  return {std::llround(kUnits * p.x()), std::llround(kUnits * p.y())};
-}
-Vector2d pointOf(const ClipperLib::IntPoint& p) {
-  return Vector2d(static_cast<double>(p.X), static_cast<double>(p.Y)) / kUnits;
-}
 Path pathOf(const Polygon2d& polygon) {
   Path path;
   for (const Vector2d& p : polygon)
-    path.push_back(pointOf(p));
+    path.push_back(geometry::pathPoint(p));
   return path;
 }
 
 Paths grown(const Paths& paths, double byMm, ClipperLib::JoinType corners = ClipperLib::jtRound,
             ClipperLib::EndType ends = ClipperLib::etClosedPolygon) {
-  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
-  offset.AddPaths(paths, corners, ends);
-  Paths out;
-  offset.Execute(out, byMm * kUnits);
-  return out;
-}
-
-Paths united(const Paths& paths) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  Paths out;
-  clipper.Execute(ClipperLib::ctUnion, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return out;
+  return geometry::offsetPaths(paths, byMm, {kArcMm, corners, ends});
 }
 
 double lengthOf(const Path& path, bool closed) {
   double length = 0.0;
   for (std::size_t i = closed ? 0 : 1; i < path.size(); ++i)
-    length += (pointOf(path[i]) - pointOf(path[i > 0 ? i - 1 : path.size() - 1])).norm();
+    length +=
+        (geometry::pointMm(path[i]) - geometry::pointMm(path[i > 0 ? i - 1 : path.size() - 1]))
+            .norm();
   return length;
 }
 
@@ -112,13 +95,7 @@ struct Islands {
 };
 
 bool meet(const Path& outline, const Paths& paths) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPath(outline, ClipperLib::ptSubject, true);
-  clipper.AddPaths(paths, ClipperLib::ptClip, true);
-  Paths shared;
-  clipper.Execute(ClipperLib::ctIntersection, shared, ClipperLib::pftNonZero,
-                  ClipperLib::pftNonZero);
-  return !shared.empty();
+  return !geometry::combined({outline}, paths, ClipperLib::ctIntersection).empty();
 }
 
 // `part`: the material without supports.
@@ -208,7 +185,7 @@ std::vector<Polygon2d> outlinesOf(const plan::ToolPlan& plan, const plan::ToolPa
            grown({line}, 0.5 * width, ClipperLib::jtRound, ClipperLib::etOpenRound)) {
         outlines.emplace_back();
         for (const ClipperLib::IntPoint& p : outline)
-          outlines.back().push_back(pointOf(p));
+          outlines.back().push_back(geometry::pointMm(p));
       }
     line.clear();
     width = 0.0;
@@ -218,7 +195,7 @@ std::vector<Polygon2d> outlinesOf(const plan::ToolPlan& plan, const plan::ToolPa
       finish();
       continue;
     }
-    line.push_back(pointOf(Vector2d(plan.position[i].head<2>())));
+    line.push_back(geometry::pathPoint(Vector2d(plan.position[i].head<2>())));
     width = std::max(width, static_cast<double>(plan.widthMm[i]));
   }
   finish();
@@ -298,8 +275,8 @@ Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, 
   Paths material = part;
   for (const Polygon2d& support : supports)
     material.push_back(pathOf(support));
-  material =
-      grown(grown(united(material), kCrackMm, ClipperLib::jtMiter), -kCrackMm, ClipperLib::jtMiter);
+  material = grown(grown(geometry::united(material), kCrackMm, ClipperLib::jtMiter), -kCrackMm,
+                   ClipperLib::jtMiter);
   const Paths onPlate = grown({pathOf(plate)}, -0.5 * bead.widthMm);
   const std::vector<Islands> all = islandsOf(material, part, bead.widthMm);
   const int count = std::max(1, static_cast<int>(std::lround(brimWidthMm / bead.hatchMm)));
@@ -320,7 +297,7 @@ Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, 
           left += length;
           BrimLoop loop{{}, closed};
           for (const ClipperLib::IntPoint& p : piece)
-            loop.points.push_back(pointOf(p));
+            loop.points.push_back(geometry::pointMm(p));
           brim.loops.push_back(std::move(loop));
         }
         brim.lengthMm += left;
@@ -329,7 +306,7 @@ Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, 
           for (const ClipperLib::IntPoint& p : contour)
             if (!brim.cutAt &&
                 !ClipperLib::PointInPolygon(p, onPlate.empty() ? Path() : onPlate[0]))
-              brim.cutAt = pointOf(p);
+              brim.cutAt = geometry::pointMm(p);
         }
       }
     }

@@ -1,15 +1,14 @@
 // Conversion between sections and Clipper polygons.
 #pragma once
 
+#include "geometry/polygon_paths.h"
 #include "planar/plane.h"
 #include "planar/slicing/section.h"
 
-#include <polyclipping/clipper.hpp>
-
 namespace voluta::planar {
 
-inline constexpr double kPathUnits = 1e4; // polygon integers per mm
-inline constexpr double kCleanMm = 0.02;  // size of details that polygons may lose at each step
+using geometry::kPathUnits;
+inline constexpr double kCleanMm = 0.02; // size of details that polygons may lose at each step
 
 // Returns the paths without small details and without paths of no area.
 ClipperLib::Paths cleaned(ClipperLib::Paths paths);

@@ -15,11 +15,9 @@ Paths moved(const Paths& paths, double outwardsMm) {
   if (outwardsMm == 0.0)
     return paths;
   constexpr double kMiterLimit = 4.0; // Sharper corners than about 29 degrees are cut off
-  ClipperLib::ClipperOffset offset(kMiterLimit, kArcMm * kPathUnits);
-  offset.AddPaths(paths, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
-  Paths out;
-  offset.Execute(out, outwardsMm * kPathUnits);
-  return out;
+  return geometry::offsetPaths(
+      paths, outwardsMm,
+      {.arcMm = kArcMm, .corners = ClipperLib::jtMiter, .miterLimit = kMiterLimit});
 }
 
 // Returns an outline with its own holes, all moved.

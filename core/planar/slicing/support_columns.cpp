@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <polyclipping/clipper.hpp>
 #include <vector>
 
 namespace voluta::planar {
@@ -34,12 +33,7 @@ Paths pathsOf(const Section& section, const PlaneFrame& frame) {
 }
 
 Paths combined(const Paths& a, const Paths& b, ClipperLib::ClipType how) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(a, ClipperLib::ptSubject, true);
-  clipper.AddPaths(b, ClipperLib::ptClip, true);
-  Paths out;
-  clipper.Execute(how, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return cleaned(std::move(out));
+  return cleaned(geometry::combined(a, b, how));
 }
 Paths united(const Paths& a, const Paths& b) {
   return combined(a, b, ClipperLib::ctUnion);
@@ -54,22 +48,11 @@ Paths shared(const Paths& a, const Paths& b) {
 Paths grown(const Paths& a, double byMm, ClipperLib::JoinType corners = ClipperLib::jtRound) {
   if (a.empty())
     return a;
-  ClipperLib::ClipperOffset offset(2.0, kArcMm * kPathUnits);
-  offset.AddPaths(a, corners, ClipperLib::etClosedPolygon);
-  Paths out;
-  offset.Execute(out, byMm * kPathUnits);
-  return cleaned(std::move(out));
+  return cleaned(geometry::offsetPaths(a, byMm, {.arcMm = kArcMm, .corners = corners}));
 }
 // Removes areas narrower than twice `byMm`.
 Paths opened(const Paths& a, double byMm) {
   return grown(grown(a, -byMm), byMm);
-}
-
-double areaMm2(const Paths& paths) {
-  double sum = 0.0;
-  for (const Path& path : paths)
-    sum += ClipperLib::Area(path);
-  return sum / (kPathUnits * kPathUnits);
 }
 
 // Returns each outline with its holes.
@@ -118,7 +101,7 @@ Paths laid(const Paths& a, double beadWidthMm) {
   const double quarter = 0.5 * kNarrowestLaid * beadWidthMm;
   Paths out;
   for (const Paths& one : components(grown(grown(a, -quarter), quarter, ClipperLib::jtMiter)))
-    if (areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm)
+    if (geometry::areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm)
       out.insert(out.end(), one.begin(), one.end());
   return out;
 }
@@ -241,7 +224,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     if (k > 0 && !unsupported[k].empty()) {
       const Paths loose = without(unsupported[k], grown(columns[k - 1], half + options.gapMm));
       const Paths unheld = opened(loose, kNarrowest * half);
-      if (const double area = areaMm2(unheld); area > 0.0) {
+      if (const double area = geometry::areaMm2(unheld); area > 0.0) {
         if (out.unheldMm2 == 0.0)
           out.unheldAt = sectionOf(unheld, levels.plane(k), levels.frame()).points.front();
         out.unheldMm2 += area;
