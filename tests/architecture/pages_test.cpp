@@ -108,6 +108,19 @@ TEST(Pages, PathsTheyNameAreThere) {
   }
 }
 
+std::size_t filesIn(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Pages, TheReadmeCountsRobotsAndCells) {
+  const std::string text = textOf(kRoot / "README.md");
+  std::smatch counts;
+  ASSERT_TRUE(std::regex_search(text, counts, std::regex(R"((\d+) robots in (\d+) cells)")));
+  EXPECT_EQ(std::stoul(counts[1]), filesIn(kRoot / "resources" / "robots"));
+  EXPECT_EQ(std::stoul(counts[2]), filesIn(kRoot / "resources" / "cells"));
+}
+
 // In "Code and tests" of an algorithm: files by their stem, tests as `Suite.Name` or `Suite.*`.
 TEST(Pages, AlgorithmsNameCodeAndTestsThatAreThere) {
   std::set<std::string> stems, tests, suites;
