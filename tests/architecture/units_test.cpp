@@ -42,6 +42,15 @@ TEST(Units, NoFileHasMoreThanSixHundredLines) {
   }
 }
 
+// In the tab of an editor, the name says where a file is.
+TEST(Units, EachFileHasANameOfItsOwn) {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& file : sourcesBelow({"core", "widgets", "app", "tests"})) {
+    const auto [other, isNew] = files.emplace(file.filename().string(), file);
+    EXPECT_TRUE(isNew) << file << " is named like " << other->second;
+  }
+}
+
 // A unit by its path without the ending, and those whose headers it includes.
 using Units = std::map<std::string, std::set<std::string>>;
 

@@ -1,4 +1,4 @@
-// From parts to replayed programs around rods and on given surfaces, as the table has them.
+// From parts to replayed programs around rods and on given surfaces.
 #include "base/error.h"
 #include "base/files.h"
 #include "base/units.h"
@@ -11,6 +11,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
