@@ -10167,6 +10167,26 @@ facce %</translation>
         <source>not used: {bytes} bytes behind the {facets} facets that the header states</source>
         <translation>non usati: {bytes} byte dopo le {facets} facce che l&apos;intestazione indica</translation>
     </message>
+    <message>
+        <source>under G93 a way from an unknown place has no speed</source>
+        <translation>con G93 un tragitto da un punto sconosciuto non ha velocità</translation>
+    </message>
+    <message>
+        <source>the table turns while the nozzle goes to its start</source>
+        <translation>la tavola gira mentre l&apos;ugello va al suo punto di partenza</translation>
+    </message>
+    <message>
+        <source>the nozzle is not above its start: its way has no speed</source>
+        <translation>l&apos;ugello non è sopra il suo punto di partenza: il tragitto non ha velocità</translation>
+    </message>
+    <message>
+        <source>the nozzle&apos;s height beside the print</source>
+        <translation>l&apos;altezza dell&apos;ugello fuori dalla stampa</translation>
+    </message>
+    <message>
+        <source>at least {height:.1f}</source>
+        <translation>almeno {height:.1f}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -97,6 +97,15 @@ struct ProgramPause {
   bool cuts = false;      // The tape's cutter is out meanwhile
 };
 
+// A motion of a machine's axes that has no place on the part: before the positions of all of them
+// are known, on the way from the reference (homing) run to the start; or the turn of a table that
+// is wound back.
+struct ProgramApproach {
+  std::size_t file = 0, line = 0;      // As in ProgramMotion
+  std::optional<double> heightMm = {}; // Z behind it; nullopt: that of the reference run
+  double mmPerS = 0.0, radPerS = 0.0;  // 0: it does not move so, or is no way to the start
+};
+
 // The payload that the program states.
 struct ProgramLoad {
   std::size_t file = 0, line = 0;
@@ -124,6 +133,9 @@ struct ReadProgram {
   // Index of the first motion that the text contains. Earlier motions were printed before a resumed
   // program begins.
   std::size_t firstMotion = 0;
+  std::vector<ProgramApproach> approaches;
+  // x and z of the plate's centre over the tilt axis of the table that carries it [mm]
+  std::optional<Eigen::Vector2d> tableAxisMm;
   std::vector<ProgramPause> pauses; // In order
   bool tellsPauses = false;         // The language expresses pauses, so a prime can be found
   bool tellsDirections = true;      // The language expresses the nozzle's direction

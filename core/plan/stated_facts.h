@@ -15,7 +15,7 @@ enum class FactKind : std::uint8_t {
   OperatorStop,
   NozzleHeat,        // Number: degrees C, 0: off
   NozzleHeatWait,    // Waits until the nozzle is that hot
-  Home,              // Reference (homing) run
+  Home,              // Reference (homing) run. Number 1: all axes are there; 0: some of them
   Millimetres,       // Lengths are in mm
   AbsolutePositions, // Targets are absolute, not relative to the previous one
   FilamentCount,     // Whether amounts of filament are relative to the previous one

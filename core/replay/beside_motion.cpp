@@ -5,6 +5,7 @@
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
 #include "program/extruder.h"
+#include "replay/approach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ constexpr double kMinMm3 = 0.005, kPrimeTolerance = 0.1;
 constexpr double kMaxPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
 constexpr std::size_t kMaxPauses = 100; // maximum number of findings
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
-constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
+constexpr double kFirstRadPerS2 = 2.0;
 constexpr double kFlowSlack = 1.05; // as for motions
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
 constexpr double kHarder = 1.5;
@@ -167,10 +168,12 @@ private:
     if (first >= program_.motions.size())
       return;
     const plan::ProgramMotion& m = program_.motions[first];
-    if (m.target == plan::TargetKind::ToolPoint) // from home, given for the head
-      return;
+    // Machines without an arm travel so from home.
+    const double most = m.target == plan::TargetKind::ToolPoint
+                            ? firstMmPerS(tooling_.at(m.tool).process)
+                            : kFirstMmPerS;
     if (m.jointSpeedRadPerS > kFirstRadPerS || m.jointAccelerationRadPerS2 > kFirstRadPerS2 ||
-        m.speedMmPerS > kFirstMmPerS)
+        m.speedMmPerS > most)
       add(FirstMotionFast, placeOf(program_, first), {});
   }
 

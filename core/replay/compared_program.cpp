@@ -3,6 +3,7 @@
 #include "base/run_context.h"
 #include "plan/finding_kinds.h"
 #include "replay/alignment.h"
+#include "replay/approach.h"
 #include "replay/bead_words.h"
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
@@ -141,6 +142,7 @@ private:
     addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
     stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
     addDrops();
+    addDeviations(judgeApproach(in_.program, in_.plan, in_.tooling));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint, stops_));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);

@@ -122,7 +122,11 @@ private:
     case FactKind::BedHeatWait:
       break;
     default:
-      if (!first(kind, [&](const StatedFact& f) { return isBeforeMotion(f) && isBeforeFlow(f); }))
+      // Of the reference run: of all axes.
+      if (!first(kind, [&](const StatedFact& f) {
+            return isBeforeMotion(f) && isBeforeFlow(f) &&
+                   (kind != FactKind::Home || f.number > 0.0);
+          }))
         missing(kind, firstMotion);
     }
   }

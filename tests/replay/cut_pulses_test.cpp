@@ -13,7 +13,7 @@
 namespace voluta::replay {
 namespace {
 
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 
 // The box of one layer; amid one of its beads tape is cut.
 class CutPulses : public EventPrograms {
@@ -78,15 +78,15 @@ TEST_F(CutPulses, LastAndAreDrawnBackInStepWithTheMotion) {
         << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
     const Verification v = verify(read);
     EXPECT_TRUE(v.passed) << told(v);
-    Lines cut;
+    TextLines cut;
     for (const std::size_t line : cutLines(text))
       cut.push_back(text.lines[line]);
     if (format == "urscript")
-      EXPECT_EQ(cut, (Lines{"  set_standard_digital_out(7,True) # cuts", "  sleep(0.2)",
-                            "  set_standard_digital_out(7,False)"}));
+      EXPECT_EQ(cut, (TextLines{"  set_standard_digital_out(7,True) # cuts", "  sleep(0.2)",
+                                "  set_standard_digital_out(7,False)"}));
     else if (format.starts_with("gcode"))
       EXPECT_EQ(cut,
-                (Lines{"M400", "M42 P1 S255 ; cuts the tape", "G4 P200", "M400", "M42 P1 S0"}));
+                (TextLines{"M400", "M42 P1 S255 ; cuts the tape", "G4 P200", "M400", "M42 P1 S0"}));
     else
       EXPECT_EQ(cut.size(), 1u);
   }

@@ -3,6 +3,7 @@
 #include "program/program_fixture.h"
 
 #include "base/run_context.h"
+#include "replay/approach.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
 
@@ -30,6 +31,8 @@ protected:
     Compared c;
     c.findings =
         compareWithPlan(program, path, planned, trajectory_, alignment, ComparisonOptions{});
+    for (TextFinding& low : judgeApproach(program, plan_, process::Tooling(process_)))
+      c.findings.push_back(std::move(low));
     c.off = pathDeviation(path, planned, trajectory_, program, alignment, ctx);
     c.seconds = path.totalS();
     for (std::size_t m = 0; m < program.motions.size(); ++m)
@@ -43,6 +46,10 @@ protected:
 
 TEST_F(TableWinding, IsNoDeviation) {
   appendTurning(2, 20);
+  const PlannedNozzle planned = plannedNozzle(trajectory_, *cell_, {});
+  for (std::size_t i = 0; i < trajectory_.pointCount(); ++i)
+    if (trajectory_.waypoint[i] != plan::kNoWaypoint)
+      plan_.position[trajectory_.waypoint[i]] = planned.tip[i];
   program::ProgramInput in = input();
   in.options.own["tableUnwind"] = std::string("wind");
   in.options.own["tableTurns"] = 2.0;
@@ -75,6 +82,28 @@ TEST_F(TableWinding, IsNoDeviation) {
                                              [](const TextFinding& f) { return f.place.line; });
     EXPECT_NEAR(static_cast<double>(at->place.line), static_cast<double>(l + 1), 3.0) << lines[l];
   }
+
+  // The nozzle would pass through the part while the table turns.
+  const auto heightIn = [](const std::string& line) {
+    return std::stod(line.substr(line.find(" Z") + 2));
+  };
+  const double up = heightIn(lines[first]);
+  std::size_t down = first;
+  while (heightIn(lines[down]) == up)
+    ++down;
+  const double from = heightIn(lines[down]);
+  ASSERT_GT(up, from + 2.0);
+  std::string lower;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    std::string& line = lines[l];
+    if (l >= first && line.find(" Z") != std::string::npos && heightIn(line) == up)
+      line.replace(line.find(" Z") + 2, line.find(' ', line.find(" Z") + 2) - line.find(" Z") - 2,
+                   std::to_string(from + 1.0));
+    lower += line + "\n";
+  }
+  const Compared low = compare({{program.files[0].name, lower}});
+  ASSERT_FALSE(low.findings.empty());
+  EXPECT_EQ(low.findings.front().place.line, first + 2);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 // motion states its time, G93 with F = 1 / minutes, and is a G1 (G0 would ignore F). Where the
 // nozzle would leave its straight line on the part by more than kSagMm, the motion is split into
 // pieces. Before the first motion: home, then up to where the table is free to turn, then the
-// table.
+// table, then above the start.
 #pragma once
 
 #include "base/run_context.h"
@@ -54,7 +54,9 @@ plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext&
 // with Voluta's head (kTableNote) every motion requires G93. G92 C may change the count by whole
 // turns. Z up, C by whole turns, one per motion, and Z back is read as winding back
 // (plan::ProgramMotion::aside). The table must not turn before Z is known, and X and Y must not
-// move before B and C are.
+// move before B and C are. The motions before all five are known, in a program with that head those
+// before G93, are approaches (plan::ProgramApproach); the motion that follows must not turn the
+// table.
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeTableGcode(std::string_view text);

@@ -80,6 +80,8 @@ private:
       defect("X or Y motion before B and C are known"_text);
       return false;
     }
+    const bool isAbove = knows('X') && knows('Y') && tilt_ && turn_;
+    const std::optional<double> tilt = tilt_, turn = turn_;
     if (w['B'])
       tilt_ = sense_ * base::degreesToRadians(*w['B']);
     if (w['C'])
@@ -89,20 +91,31 @@ private:
     else if (inverseTime_ && !w['F'])
       defect("a motion without F: under G93 each motion needs its own"_text);
     const TablePose last = pose_;
+    const Eigen::Vector3d from = position_;
     const bool allKnown = takePosition(w) && tilt_ && turn_;
-    if (!allKnown) {
+    const bool isOnTheWay = ours_ && !placed_ && !inverseTime_ && !w.any("ZBC");
+    if (!allKnown || isOnTheWay) {
       if (extruding)
         defect("material before X, Y, Z, B and C are all known"_text);
+      if (inverseTime_)
+        defect("under G93 a way from an unknown place has no speed"_text);
+      approach(w);
       return false;
     }
+    if (!placed_ && tilt && turn && (tilt != tilt_ || turn != turn_))
+      defect("the table turns while the nozzle goes to its start"_text);
+    if (ours_ && !placed_ && !isAbove)
+      defect("the nozzle is not above its start: its way has no speed"_text);
     if (ours_ && !inverseTime_)
       defect("a motion without G93: its F is not a time"_text);
     pose_ = {position_, {*tilt_, *turn_}};
     const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
     m.position = nozzle.position;
     m.direction = nozzle.direction;
-    // The starting point of the first motion is unknown
+    // The starting point of the first motion is not on the part.
     m.durationS = placed_ ? secondsTo(last) : 0.0;
+    if (!placed_ && isAbove && inverseTime_)
+      m.speedMmPerS = (position_ - from).norm() * perS_;
     if (placed_)
       m.way = wayOnPart(frame_, last, pose_);
     placed_ = true;
@@ -131,6 +144,7 @@ private:
                : 0;
   }
   void finish() override {
+    out_.program().tableAxisMm = {frame_.xMm, frame_.zMm};
     if (ours_ && inverseTime_ && !poses_.empty()) {
       const plan::ProgramMotion& last = out_.program().motions.back();
       out_.file = last.file;
@@ -141,8 +155,13 @@ private:
     std::vector<plan::ProgramMotion>& motions = out_.program().motions;
     for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
       if (const std::size_t count = windingAt(m)) {
-        for (std::size_t k = 0; k < count; ++k)
-          motions[m++].aside = true;
+        for (std::size_t k = 0; k < count; ++k, ++m) {
+          motions[m].aside = true;
+          if (k > 0 && k + 1 < count)
+            out_.program().approaches.push_back({.file = motions[m].file,
+                                                 .line = motions[m].line,
+                                                 .heightMm = poses_[m].axesMm.z()});
+        }
       } else {
         ++m;
       }

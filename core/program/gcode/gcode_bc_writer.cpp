@@ -196,13 +196,19 @@ private:
   // Returns a Z above everything that the table can lift.
   double heightAbove() const {
     double reach = 0.0;
+    const auto add = [&](const Eigen::Vector3d& p) {
+      reach = std::max(
+          reach, std::hypot(std::hypot(p.x(), p.y()) + std::abs(frame_.xMm), p.z() + frame_.zMm));
+    };
     for (const Station& s : stations_)
-      reach = std::max(reach, std::hypot(std::hypot(s.tip.x(), s.tip.y()) + std::abs(frame_.xMm),
-                                         s.tip.z() + frame_.zMm));
+      add(s.tip);
+    // The rest of a print turns what earlier programs have printed.
+    std::ranges::for_each(in_.toolPlan.position, add);
     return std::max(reach - frame_.zMm, poseAt(0).axesMm.z()) + kAboveMm;
   }
 
-  // Moves up first, then the table.
+  // Moves up first, then the table, then above the start: under G93 the first motion's speed would
+  // depend on where the machine's home is.
   void start() {
     const TablePose first = poseAt(0);
     const double travel = in_.process().travelSpeedMmPerS * 60.0;
@@ -211,6 +217,9 @@ private:
     text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
     text_.word(" C", sense_ * base::radiansToDegrees(first.angles.turn), kAngleDecimals);
     text_.word(" F", kStartDegPerS * 60.0, 3, true);
+    text_.word("\nG1 X", first.axesMm.x(), kGcodePositionDecimals);
+    text_.word(" Y", first.axesMm.y(), kGcodePositionDecimals);
+    text_.word(" F", travel, 3, true);
     text_.line("\nG93");
     last_ = first;
     last_.axesMm.z() = upMm_;

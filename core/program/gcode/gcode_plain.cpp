@@ -16,6 +16,7 @@ private:
     if (!takePosition(w)) {
       if (extruding)
         defect("material before X, Y and Z are all known"_text);
+      approach(w);
       return false;
     }
     m.position = position_;

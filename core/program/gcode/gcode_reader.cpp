@@ -1,5 +1,6 @@
 #include "program/gcode/gcode_reader.h"
 
+#include "base/units.h"
 #include "program/common/arc.h"
 #include "program/common/text.h"
 
@@ -158,7 +159,7 @@ void GcodeReader::executeG(double g, GcodeWords& w) {
   if (g == 21.0)
     out_.state(Millimetres);
   else if (g == 28.0)
-    out_.state(Home);
+    home(w);
   else if (g == 90.0)
     out_.state(AbsolutePositions);
 }
@@ -269,6 +270,17 @@ void GcodeReader::setPosition(GcodeWords& w) {
     e_.set(*w['E']);
 }
 
+// Without letters all axes go home. Where that is, a program does not state.
+void GcodeReader::home(GcodeWords& w) {
+  const bool isAll = !w.any("XYZ");
+  for (std::size_t k = 0; k < homed_.size(); ++k)
+    if (isAll || w[static_cast<char>('X' + k)]) {
+      homed_[k] = true;
+      known_[k] = false;
+    }
+  out_.state(Home, homed_[0] && homed_[1] && homed_[2] ? 1.0 : 0.0);
+}
+
 double GcodeReader::secondsOf(GcodeWords&, double filamentMm) {
   return perS_ > 0.0 ? filamentMm / perS_ : 0.0;
 }
@@ -349,6 +361,16 @@ bool GcodeReader::arc(const Eigen::Vector3d& from, double g, GcodeWords& w,
   for (const Eigen::Vector3d& point : pointsAlong(*arc))
     m.way.push_back({point, m.direction});
   return true;
+}
+
+void GcodeReader::approach(GcodeWords& w) {
+  if (perS_ == 0.0)
+    defect("a motion before any speed (F)"_text);
+  plan::ProgramApproach way{.file = out_.file, .line = out_.line};
+  if (knows('Z'))
+    way.heightMm = position_.z();
+  (w.any("XYZ") ? way.mmPerS : way.radPerS) = w.any("XYZ") ? perS_ : base::degreesToRadians(perS_);
+  out_.program().approaches.push_back(way);
 }
 
 bool GcodeReader::takePosition(GcodeWords& w) {

@@ -62,6 +62,8 @@ protected:
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
   // Takes X Y Z as far as the line has them. Returns false if one of them is still unknown.
   bool takePosition(GcodeWords& words);
+  // Takes a motion to a target of which axes are not known yet, or one above the start.
+  void approach(GcodeWords& words);
   bool knows(char letter) const { return known_[static_cast<std::size_t>(letter - 'X')]; }
 
   ProgramBuilder out_;
@@ -81,6 +83,7 @@ private:
   void heatBed(double m, GcodeWords& words);
   void cool(double m, GcodeWords& words);
   void switchCutter(GcodeWords& words);
+  void home(GcodeWords& words);
   void setPosition(GcodeWords& words);
   void motion(double g, GcodeWords& words);
   void wait(GcodeWords& words);
@@ -101,7 +104,7 @@ private:
   const process::Tooling tooling_;
   const base::RunContext& ctx_;
   std::vector<Nozzle> nozzles_; // per tool
-  std::array<bool, 3> known_{};
+  std::array<bool, 3> known_{}, homed_{};
   double filamentMm2_ = filamentArea();
   FilamentCount e_;
   bool relativeE_ = false, motorsOff_ = false, ended_ = false;

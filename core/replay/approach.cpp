@@ -1,0 +1,55 @@
+#include "replay/approach.h"
+
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+
+using enum plan::FindingKind;
+
+constexpr double kSlack = 1.05, kSameMm = 0.05;
+
+// Returns the lowest height at which the nozzle touches nothing.
+double clearMm(const plan::ReadProgram& program, const plan::ToolPlan& plan) {
+  if (!program.tableAxisMm)
+    return program.motions[program.firstMotion].position.z();
+  const Eigen::Vector2d& axis = *program.tableAxisMm;
+  double reach = 0.0;
+  for (const Eigen::Vector3d& p : plan.position)
+    reach = std::max(reach, std::hypot(p.head<2>().norm() + std::abs(axis.x()), p.z() + axis.y()));
+  return reach - axis.y();
+}
+
+} // namespace
+
+double firstMmPerS(const process::Process& process) {
+  return std::max(kFirstMmPerS, kSlack * process.travelSpeedMmPerS);
+}
+
+std::vector<TextFinding> judgeApproach(const plan::ReadProgram& program, const plan::ToolPlan& plan,
+                                       const process::Tooling& tooling) {
+  std::vector<TextFinding> found;
+  if (program.approaches.empty() || program.firstMotion >= program.motions.size())
+    return found;
+  const double clear = clearMm(program, plan);
+  const process::Process& process = tooling.at(program.motions[program.firstMotion].tool).process;
+  for (const plan::ProgramApproach& way : program.approaches) {
+    const TextPlace place{way.file + 1, way.line};
+    if (!way.heightMm || !(*way.heightMm >= clear - kSameMm))
+      found.push_back(
+          textFinding(program, StatementChanged, place,
+                      {{"statement", base::Message("the nozzle's height beside the print"_text)},
+                       {"found", way.heightMm ? base::Value(base::mm(*way.heightMm))
+                                              : base::Value(base::Message("none"_text))},
+                       {"planned", base::message("at least {height:.1f}"_text, base::mm(clear))}}));
+    if (way.mmPerS > firstMmPerS(process) || way.radPerS > kFirstRadPerS)
+      found.push_back(textFinding(program, FirstMotionFast, place, {}));
+  }
+  return found;
+}
+
+} // namespace voluta::replay
