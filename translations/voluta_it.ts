@@ -10187,6 +10187,10 @@ facce %</translation>
         <source>at least {height:.1f}</source>
         <translation>almeno {height:.1f}</translation>
     </message>
+    <message>
+        <source>the heat of {tool}</source>
+        <translation>il riscaldamento di {tool}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

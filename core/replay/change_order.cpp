@@ -2,6 +2,7 @@
 
 #include "base/lower_case.h"
 #include "plan/finding_kinds.h"
+#include "plan/fitted_tools.h"
 #include "program/dialect.h"
 #include "program/job_head.h"
 #include "replay/planned_events.h"
@@ -82,6 +83,7 @@ public:
         compareAt(m, trajectory_.eventsBefore(point));
       last = point;
     }
+    compareFitted();
     return std::move(found_);
   }
 
@@ -193,6 +195,39 @@ private:
     if (heats && !waits)
       found_.push_back(textFinding(program_, StatementMissing, placeOf(program_, motion),
                                    {{"statement", nameOf(Step::Heat)}}));
+  }
+
+  // A tool that the operator fits has no heat before the stop for it.
+  void compareFitted() {
+    int fitted = trajectory_.toolAt(firstPoint_);
+    std::size_t next = program_.firstMotion + 1;
+    for (const StatedFact& fact : program_.facts) {
+      for (; next < fact.before && next < program_.motions.size(); ++next)
+        fitted = fittedBefore(next).value_or(fitted);
+      if (fact.kind == FactKind::OperatorStop && fact.before > program_.firstMotion &&
+          fact.before < program_.motions.size())
+        fitted = fittedBefore(fact.before).value_or(fitted);
+      if (fact.kind != FactKind::NozzleHeat || fact.number <= 0.0 || fact.tool == fitted ||
+          !plan::isFittedByHand(trajectory_, fact.tool))
+        continue;
+      found_.push_back(
+          textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
+                      {{"statement", base::message("the heat of {tool}"_text,
+                                                   program::toolName(tooling_, fact.tool))},
+                       {"found", base::message("before {event}"_text, nameOf(Step::Stop))},
+                       {"planned", base::message("behind {event}"_text, nameOf(Step::Stop))}}));
+    }
+  }
+  // Returns the tool that the operator fits before that motion.
+  std::optional<int> fittedBefore(std::size_t motion) const {
+    const std::size_t point = alignment_.pointAhead(motion);
+    if (point == kUnmatched)
+      return std::nullopt;
+    for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))
+      if (event.kind == EventKind::Pause)
+        if (const TrajectoryEvent* change = trajectory_.changeAfter(event))
+          return change->tool;
+    return std::nullopt;
   }
 
   // The operator fits the tool of the first motion before an output selects it.

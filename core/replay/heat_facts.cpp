@@ -1,6 +1,7 @@
 #include "replay/heat_facts.h"
 
 #include "plan/finding_kinds.h"
+#include "plan/fitted_tools.h"
 #include "process/cooling.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ struct Heater {
   int tool = 0; // of nozzles
   double usualC = 0.0, toleranceC = 0.0;
   base::Message name, waitName, offName;
+  bool isFittedLater = false;
 
   bool isNozzle() const { return heat == FactKind::NozzleHeat; }
 };
@@ -110,8 +112,9 @@ private:
                                     {"planned", base::number(heater_.usualC)}}));
       return;
     }
-    // Nothing is hot when the program begins: the statement belongs before its first motion.
-    const std::size_t at = isFirst_ ? program_.firstMotion : motion;
+    // Nothing is hot when the program begins: the statement belongs before its first motion, or
+    // into the change in which the tool is fitted.
+    const std::size_t at = isFirst_ && !heater_.isFittedLater ? program_.firstMotion : motion;
     found_.push_back(textFinding(program_, StatementMissing, placeOf(program_, at),
                                  {{"statement", isOn_ ? heater_.waitName : heater_.name}}));
     isFirst_ = false;
@@ -137,8 +140,11 @@ std::vector<TextFinding> compareHeat(const plan::ReadProgram& program,
     return found;
   for (Heater& heater : heatersOf(tooling, tooling.usedAfter(trajectory, firstPoint),
                                   tooling.usedAfter(trajectory, 0).front()))
-    if (needs(program, heater.heat))
+    if (needs(program, heater.heat)) {
+      heater.isFittedLater = heater.isNozzle() && heater.tool != trajectory.toolAt(firstPoint) &&
+                             plan::isFittedByHand(trajectory, heater.tool);
       HeaterComparer(program, std::move(heater), found).compare();
+    }
   return found;
 }
 

@@ -213,6 +213,11 @@ void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult&
   if (program::findDialect(checked.program.format).showsTexts) {
     EXPECT_NE(stop->word.find(name), std::string::npos) << stop->word;
   }
+  // The machine does not have the tool that the operator fits later.
+  for (const plan::StatedFact& fact : read.facts)
+    if (fact.kind == plan::FactKind::NozzleHeat && fact.number > 0.0 && fact.before == 0) {
+      EXPECT_EQ(fact.tool, tool);
+    }
   // Its purge comes before its first bead, and no other tool's material.
   const auto purge = std::ranges::find_if(
       read.pauses, [](const plan::ProgramPause& pause) { return pause.volumeMm3 > 0.5; });

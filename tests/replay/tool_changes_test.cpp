@@ -258,6 +258,60 @@ TEST_F(ToolChanges, EveryOtherOrderIsRefusedAtItsLine) {
   }
 }
 
+// Before the stop the machine does not have the tool: its heat stands in the change alone.
+TEST_F(ToolChanges, AToolThatIsFittedByHandIsHeatedWhenItIsFitted) {
+  for (const char* const format : {"gcode-extended", "gcode"}) {
+    SCOPED_TRACE(format);
+    const test::ProgramText whole = test::textOf(programFor(format));
+    EXPECT_TRUE(verify(read(whole)).passed) << told(verify(read(whole)));
+    const auto lineOf = [](const test::ProgramText& text, const std::string& begin) {
+      const auto at = std::ranges::find_if(
+          text.lines, [&](const std::string& line) { return line.starts_with(begin); });
+      return static_cast<std::size_t>(at - text.lines.begin()) + 1;
+    };
+    const std::size_t first = read(whole).motions.front().line, stop = lineOf(whole, "M0 Fit"),
+                      heat = lineOf(whole, "M109 T1");
+    EXPECT_GT(stop, first);
+    EXPECT_EQ(heat, stop + 2);
+    EXPECT_EQ(lineOf(whole, "M104 T1 S2"), whole.lines.size() + 1);
+    EXPECT_LT(lineOf(whole, "M104 T0 S210"), first);
+    const std::string word = "M109 T1 S235", early = "M104 T1 S235";
+    const auto with = [&](const std::string& line, std::size_t before) {
+      test::ProgramText text = whole;
+      text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(before) - 1, line);
+      return text;
+    };
+    for (const std::string& line : {word, early})
+      for (const std::size_t before : {first, first + 20, stop, stop + 1}) {
+        SCOPED_TRACE(line + " before line " + std::to_string(before));
+        expectAt(verify(read(with(line, before))), before);
+      }
+    EXPECT_TRUE(verify(read(with(early, heat))).passed);
+    test::ProgramText lost = whole;
+    lost.lines.erase(lost.lines.begin() + static_cast<std::ptrdiff_t>(heat) - 1);
+    std::size_t next = 0;
+    for (const plan::ProgramMotion& motion : read(lost).motions)
+      if (next == 0 && motion.line > heat)
+        next = motion.line;
+    expectAt(verify(read(lost)), next);
+    for (const char* other : {"M109 T1 S210", "M109 T1 S0", "M109 T0 S210", "M104 T1 S235"}) {
+      SCOPED_TRACE(other);
+      test::ProgramText text = whole;
+      text.lines[heat - 1] = other;
+      EXPECT_FALSE(verify(read(text)).passed);
+    }
+  }
+  // A feeder switches between tools that the machine has: they are hot from the start.
+  std::erase_if(scene_.trajectory.events, [](const plan::TrajectoryEvent& event) {
+    return event.kind == plan::EventKind::Pause;
+  });
+  const test::ProgramText fed = test::textOf(programFor("gcode-extended"));
+  EXPECT_TRUE(verify(read(fed)).passed) << told(verify(read(fed)));
+  const auto hot = std::ranges::find(fed.lines, "M109 T1 S235");
+  ASSERT_NE(hot, fed.lines.end());
+  EXPECT_LT(static_cast<std::size_t>(hot - fed.lines.begin()), read(fed).motions.front().line);
+}
+
 // What comes before the first motion: an earlier run may have left another tool selected.
 TEST_F(ToolChanges, TheFirstSelectionIsNeeded) {
   for (const std::string_view format : formats()) {

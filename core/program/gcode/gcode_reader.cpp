@@ -217,6 +217,16 @@ std::optional<int> GcodeReader::heatedTool(GcodeWords& w) const {
   return std::nullopt;
 }
 
+// The heat of a tool is part of the change to it.
+bool GcodeReader::isJustSelected(int tool) {
+  const plan::ReadProgram& program = out_.program();
+  for (auto fact = program.facts.rbegin();
+       fact != program.facts.rend() && fact->before == program.motions.size(); ++fact)
+    if (fact->kind == ToolSelected)
+      return fact->tool == tool;
+  return false;
+}
+
 void GcodeReader::heat(double m, GcodeWords& w) {
   const std::optional<int> tool = heatedTool(w);
   if (!tool) {
@@ -229,7 +239,7 @@ void GcodeReader::heat(double m, GcodeWords& w) {
   const std::string_view word = m == 104.0 ? "M104" : "M109";
   if (celsius == 0.0)
     out_.wordAt(word, kBeforeMotion | kAtEnd);
-  else if (celsius != nozzle.celsius)
+  else if (celsius != nozzle.celsius && !isJustSelected(*tool))
     out_.wordAt(word, kAside);
   if (celsius != 0.0 && !prints(material, celsius))
     defect(base::message("{celsius} °C is outside the printing range of {material}"_text,

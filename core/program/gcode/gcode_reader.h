@@ -92,6 +92,8 @@ private:
   // Returns the tool that the line heats: its T, else the selected one; nullopt if the job has no
   // such tool.
   std::optional<int> heatedTool(GcodeWords& words) const;
+  // Returns whether the tool was selected since the last motion.
+  bool isJustSelected(int tool);
   bool isCold() const;
 
   // A tool that was heated or has extruded must be cold at the end.

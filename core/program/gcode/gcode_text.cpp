@@ -1,6 +1,7 @@
 #include "program/gcode/gcode_text.h"
 
 #include "base/units.h"
+#include "plan/fitted_tools.h"
 #include "program/common/arc.h"
 #include "program/common/motion_targets.h"
 #include "program/common/tape_cut.h"
@@ -222,10 +223,16 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
     line("M0");
   }
   tools_ = input.tooling.usedAfter(input.trajectory, 0);
+  // The machine does not have the tools that the operator fits later: they are heated at their
+  // change.
+  std::vector<int> fitted = tools_;
+  std::erase_if(fitted, [&](int tool) {
+    return tool != input.trajectory.firstTool && plan::isFittedByHand(input.trajectory, tool);
+  });
   bedC_ = plateC(input);
   if (bedC_ > 0)
     out += joined({"M140 S", std::to_string(bedC_), "\n"});
-  for (const int tool : tools_)
+  for (const int tool : fitted)
     if (const process::Material& material = input.tooling.at(tool).process.material;
         material.nozzleC)
       out += joined({heating("M104", tool), std::to_string(*material.nozzleC), " ; assumed for ",
@@ -233,7 +240,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   out += "G28\n";
   if (bedC_ > 0)
     out += joined({"M190 S", std::to_string(bedC_), "\n"});
-  for (const int tool : tools_)
+  for (const int tool : fitted)
     awaitHeat(input, tool);
   out += "M107\nG92 E0\n";
   if (primesStanding(input)) {

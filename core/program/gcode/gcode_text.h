@@ -47,8 +47,8 @@ public:
   void remark(std::string_view text);
 
   // Writes remarks, units, the question, the tool that the program begins with (if the job has
-  // several), home, heat of the bed and of each tool that prints, the fan off, and the prime;
-  // `notes`: remarks of the dialect.
+  // several), home, heat of the bed and of each tool that prints and that the operator does not fit
+  // later, the fan off, and the prime; `notes`: remarks of the dialect.
   void head(const ProgramInput& input, std::string_view title, std::string_view question,
             const std::vector<std::string>& notes = {});
   void end();
