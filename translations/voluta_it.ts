@@ -10191,6 +10191,22 @@ facce %</translation>
         <source>the heat of {tool}</source>
         <translation>il riscaldamento di {tool}</translation>
     </message>
+    <message>
+        <source>the payload</source>
+        <translation>il carico utile</translation>
+    </message>
+    <message>
+        <source>the payload is not set</source>
+        <translation>il carico utile non è impostato</translation>
+    </message>
+    <message>
+        <source>the payload&apos;s centre, mm</source>
+        <translation>il baricentro del carico utile, mm</translation>
+    </message>
+    <message>
+        <source>a payload&apos;s centre is no sensible place</source>
+        <translation>il baricentro del carico utile non è un punto plausibile</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

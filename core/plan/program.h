@@ -110,6 +110,7 @@ struct ProgramApproach {
 struct ProgramLoad {
   std::size_t file = 0, line = 0;
   double kg = 0.0;
+  std::optional<Eigen::Vector3d> centreMm; // Its centre of mass on the flange, where it is stated
 };
 
 // Text that the reader could not interpret, or an element missing at the end of the program.

@@ -13,6 +13,7 @@ enum class FactKind : std::uint8_t {
   // Waits for the operator. Number 1: without time limit; 0: at most for a time that the statement
   // sets, or only if a switch is on
   OperatorStop,
+  Payload,           // Number: mass on the flange [kg]
   NozzleHeat,        // Number: degrees C, 0: off
   NozzleHeatWait,    // Waits until the nozzle is that hot
   Home,              // Reference (homing) run. Number 1: all axes are there; 0: some of them

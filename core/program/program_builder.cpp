@@ -311,10 +311,24 @@ void ProgramBuilder::wordAt(std::string_view word, std::uint8_t places) {
   places_.word(word, places, file, line, outputs_.on());
 }
 
-void ProgramBuilder::load(std::string_view word, double kg) {
+void ProgramBuilder::load(std::string_view word, double kg,
+                          const std::optional<Eigen::Vector3d>& centreMm) {
+  state(plan::FactKind::Payload, kg);
   if (!program_.load)
-    program_.load = {file, line, kg};
+    program_.load = {file, line, kg, std::nullopt};
   else if (program_.load->kg != kg)
+    defect(base::message("'{word}' sets a different load"_text, word));
+  if (centreMm)
+    loadCentre(word, *centreMm);
+}
+
+void ProgramBuilder::loadCentre(std::string_view word, const Eigen::Vector3d& centreMm) {
+  constexpr double kSameMm = 1e-6, kMostMm = 1e5;
+  if (!(centreMm.cwiseAbs().maxCoeff() < kMostMm))
+    defect("a payload's centre is no sensible place"_text);
+  else if (program_.load && !program_.load->centreMm)
+    program_.load->centreMm = centreMm;
+  else if (program_.load && (*program_.load->centreMm - centreMm).norm() > kSameMm)
     defect(base::message("'{word}' sets a different load"_text, word));
 }
 

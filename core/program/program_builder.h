@@ -97,8 +97,12 @@ public:
   // first motion: programs state it at the joint motion that needs it.
   void setJointSpeed(std::string_view word);
 
-  // Sets the arm's payload. A different payload during the print is a defect.
-  void load(std::string_view word, double kg);
+  // Sets the arm's payload, and its centre of mass on the flange [mm]. A different payload during
+  // the print is a defect.
+  void load(std::string_view word, double kg,
+            const std::optional<Eigen::Vector3d>& centreMm = std::nullopt);
+  // The same of the centre alone.
+  void loadCentre(std::string_view word, const Eigen::Vector3d& centreMm);
 
   // Sets the moved tool and the pose of a stationary nozzle, once for all motions
   // (plan::ReadProgram). Returns false if another tool was set before.

@@ -29,7 +29,8 @@ constexpr double kMinMm3 = 0.005, kPrimeTolerance = 0.1;
 // Tolerated sum of unplanned pauses [s]; and per pause the relative and absolute rounding error.
 constexpr double kMaxPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
 constexpr std::size_t kMaxPauses = 100; // maximum number of findings
-constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
+constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0,
+                 kLoadCentreMm = 50.0;
 constexpr double kFirstRadPerS2 = 2.0;
 constexpr double kFlowSlack = 1.05; // as for motions
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
@@ -135,9 +136,19 @@ private:
         {{"volume", base::mm3(volume)}, {"planned", base::mm3(planned)}});
   }
 
+  // Without it: stated_facts.h.
   void load() {
     if (!program_.load)
       return;
+    const TextPlace place{program_.load->file + 1, program_.load->line};
+    if (const auto& centre = program_.load->centreMm) {
+      const Eigen::Vector3d planned = cell_.flange_T_moved().translation();
+      if ((*centre - planned).norm() > kLoadCentreMm)
+        add(StatementChanged, place,
+            {{"statement", base::Message("the payload's centre, mm"_text)},
+             {"found", textOf(*centre)},
+             {"planned", textOf(planned)}});
+    }
     const bool head = cell_.nozzleMount() != robot::Mount::World;
     const double part = 1e-3 * tooling_.printedG(trajectory_);
     const double carried = !cell_.carriedIsAssumed() ? cell_.carriedKg()
@@ -147,8 +158,12 @@ private:
     if (std::abs(kg - planned) <= kLoadSlackKg ||
         (kg <= kLoadFactor * planned && planned <= kLoadFactor * kg))
       return;
-    add(LoadChanged, {program_.load->file + 1, program_.load->line},
-        {{"mass", base::number(kg)}, {"planned", base::number(planned)}});
+    add(LoadChanged, place, {{"mass", base::number(kg)}, {"planned", base::number(planned)}});
+  }
+
+  static base::Message textOf(const Eigen::Vector3d& mm) {
+    return base::message("{x:.1f}, {y:.1f}, {z:.1f}"_text, base::number(mm.x()),
+                         base::number(mm.y()), base::number(mm.z()));
   }
 
   // The arm's targets do not depend on the stated nozzle pose, but speeds and straight paths do.

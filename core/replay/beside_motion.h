@@ -39,7 +39,8 @@ double standingMm3(const plan::ReadProgram& program, const PlannedStops& planned
 // - volume extruded before the first bead that differs from the planned prime by more than a tenth;
 //   not for languages that cannot express a pause;
 // - a load that differs from the assumed one (0.5 kg of plate plus the part, or 1 kg of head) by
-//   more than 1 kg and by more than a factor of 3;
+//   more than 1 kg and by more than a factor of 3; its centre of mass, where it is stated, by more
+//   than 50 mm;
 // - a stationary nozzle whose stated pose differs from the cell's by more than 0.05 mm, or its axis
 //   by more than 0.01 rad;
 // - a first motion, which starts from any pose of the arm, faster than 60 degrees/s, 2 rad/s2 or

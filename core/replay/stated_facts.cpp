@@ -32,6 +32,8 @@ base::Message nameOf(FactKind kind) {
     return "absolute positions"_text;
   case FactKind::FilamentCount:
     return "the counting mode of the filament"_text;
+  case FactKind::Payload:
+    return "the payload"_text;
   case FactKind::FullFlow:
     return "the full flow"_text;
   case FactKind::FlowOutputRange:

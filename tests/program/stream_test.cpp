@@ -172,7 +172,8 @@ TEST_F(Streams, RefuseOtherTextsBeside) {
           ++tried;
           if (back.defects.empty()) {
             ++free;
-            EXPECT_TRUE(remark || lines[l].find("set_payload") != std::string::npos)
+            // The same payload twice is one.
+            EXPECT_TRUE(remark || (harm == 1 && lines[l].find("set_payload") != std::string::npos))
                 << id << " " << whole.files[f].name << " " << harm << ": " << lines[l];
             continue;
           }

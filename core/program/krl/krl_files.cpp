@@ -49,8 +49,8 @@ bool mayBeMissingInKrl(const std::vector<std::string>& lines, std::size_t i) {
     moved = moved || lines[k].find("PTP ") != std::string::npos;
   if (!moved)
     for (const std::string_view idle :
-         {"GLOBAL INTERRUPT", "INTERRUPT ON", "BAS (#INITMOV", "$ADVANCE", "$VEL.ORI", "$LOAD",
-          "$ACC.CP", "$IPO_MODE=#BASE", "$OUT[1]=FALSE", "$ANOUT[1]=0", "MsgNotify("})
+         {"GLOBAL INTERRUPT", "INTERRUPT ON", "BAS (#INITMOV", "$ADVANCE", "$VEL.ORI", "$ACC.CP",
+          "$IPO_MODE=#BASE", "$OUT[1]=FALSE", "$ANOUT[1]=0", "MsgNotify("})
       if (line.starts_with(idle))
         return true;
   return primes(lines, i);

@@ -259,7 +259,10 @@ private:
     if (root == "$load" && value.numbers.contains("m")) {
       if (!(value.numbers["m"] >= 0.0 && value.numbers["m"] < 1e5))
         return fail("a mass is no sensible number"_text);
-      out_.load("$LOAD", value.numbers["m"]);
+      const auto x = krlNumber(value, "cm.x"), y = krlNumber(value, "cm.y"),
+                 z = krlNumber(value, "cm.z");
+      out_.load("$LOAD", value.numbers["m"],
+                x && y && z ? std::optional(Eigen::Vector3d(*x, *y, *z)) : std::nullopt);
     }
     variables_.set(path, value);
     return true;

@@ -145,7 +145,9 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
   if (first && tool.size() > kMass) {
     const std::size_t here =
         std::exchange(out_.line, data.toolLine > 0 ? data.toolLine : out_.line);
-    out_.load("tooldata", tool[kMass]);
+    out_.load("tooldata", tool[kMass],
+              tool.size() > kMass + 3 ? std::optional(Eigen::Vector3d(tool.data() + kMass + 1))
+                                      : std::nullopt);
     out_.line = here;
   }
   return true;

@@ -35,8 +35,7 @@ bool looksLikeSpelplus(std::string_view text) {
 // AccelS is never below the value that a reader assumes without it.
 bool mayBeMissingInSpelplus(const std::vector<std::string>& lines, std::size_t i) {
   const std::string_view line = trimmed(lines[i]);
-  for (const std::string_view idle :
-       {"Motor On", "Power Low", "AutoLJM On", "Weight", "Print", "AccelS"})
+  for (const std::string_view idle : {"Motor On", "Power Low", "AutoLJM On", "Print", "AccelS"})
     if (line.starts_with(idle))
       return true;
   return primes(lines, i);

@@ -80,7 +80,7 @@ private:
   bool loads(const LinkFrame& numbers) {
     if (!(numbers[0] >= 0.0 && numbers[0] < kMaxKg))
       return false;
-    out_.load(kLinkLoad, numbers[0]);
+    out_.load(kLinkLoad, numbers[0], Eigen::Vector3d(numbers.data() + 1));
     return true;
   }
   bool places(std::string_view name, const LinkFrame& numbers) {

@@ -13,8 +13,10 @@
 #include "program/stream/urscript_stream_texts.h"
 #include "program/urscript/urscript.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace voluta::program {
@@ -49,6 +51,20 @@ bool isReceiver(std::string_view text) {
   return text.find(urscriptReceiverBegin()) != std::string_view::npos || text.starts_with("def ");
 }
 
+// Parses ",[x,y,z]" in metres.
+std::optional<Eigen::Vector3d> takeCentre(std::string_view rest) {
+  Eigen::Vector3d metres;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view mark = k == 0 ? ",[" : ",";
+    if (!rest.starts_with(mark))
+      return std::nullopt;
+    rest.remove_prefix(mark.size());
+    if (!takeNumber(rest, metres[k]))
+      return std::nullopt;
+  }
+  return 1000.0 * metres;
+}
+
 // Parses the head: a name, remarks and the load; everything else is the same for every job.
 void readReceiver(std::string_view text, ProgramBuilder& out) {
   const std::size_t body = text.find(urscriptReceiverBegin());
@@ -61,13 +77,17 @@ void readReceiver(std::string_view text, ProgramBuilder& out) {
     double kg = 0.0;
     std::string_view rest = line.substr(std::min(kPayload.size(), line.size()));
     if (line.starts_with(kPayload) && takeNumber(rest, kg))
-      out.load(kPayload.substr(0, kPayload.size() - 1), kg);
+      out.load(kPayload.substr(0, kPayload.size() - 1), kg, takeCentre(rest));
     else
       out.defect(base::message("not understood: '{code}'"_text, line.substr(0, 60)));
   }
   if (body == std::string_view::npos) {
     out.defect("this is not the program that receives a stream"_text);
     return;
+  }
+  if (!out.program().load) {
+    out.line = head.number() + 1;
+    out.defect("the payload is not set"_text);
   }
   tellOtherText(text.substr(body), urscriptReceiver(), head.number() + 1, out);
 }

@@ -16,8 +16,7 @@ bool looksLikeUrscript(std::string_view text) {
 }
 
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
-  return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
+  return lines[i].find("sleep(") != std::string::npos || primes(lines, i);
 }
 
 // Returns the functions that are called without arguments and not defined in the text.

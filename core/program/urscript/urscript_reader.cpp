@@ -234,7 +234,12 @@ private:
       if (!first || first->kind != ValueKind::Number || !(first->number >= 0.0))
         defect(base::message("'{name}' needs a mass"_text, call.name));
       else
-        out_.load(call.name, first->number);
+        out_.load(call.name, first->number, centreOf(call.find("cog", 1)));
+    } else if (call.name == "set_payload_cog") {
+      if (const auto centre = centreOf(first))
+        out_.loadCentre(call.name, *centre);
+      else
+        defect("a payload's centre is no sensible place"_text);
     } else if (call.name == "set_gravity") {
       constexpr double kG = 9.82, kSlack = 0.1;
       if (!first || first->kind != ValueKind::List || first->count != 3 ||
@@ -252,6 +257,12 @@ private:
         out_.state(plan::FactKind::FlowOutputRange, 0.0,
                    domain && domain->number == 1.0 ? k0To10V : "4 to 20 mA");
     }
+  }
+
+  static std::optional<Eigen::Vector3d> centreOf(const Value* value) {
+    if (!value || value->kind != ValueKind::List || value->count != 3)
+      return std::nullopt;
+    return 1000.0 * Eigen::Vector3d(value->list.data());
   }
 
   bool poseOf(const Value& value, Eigen::Isometry3d& pose) {
