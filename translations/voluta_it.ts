@@ -10207,6 +10207,10 @@ facce %</translation>
         <source>a payload&apos;s centre is no sensible place</source>
         <translation>il baricentro del carico utile non è un punto plausibile</translation>
     </message>
+    <message>
+        <source>this text does not go to the extruder as those before it</source>
+        <translation>questo testo non va all&apos;estrusore come quelli prima</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

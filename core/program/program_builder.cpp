@@ -59,8 +59,12 @@ void ProgramBuilder::turn(bool on) {
   outputs_.turn(on);
 }
 
-void ProgramBuilder::send(std::string_view text) {
+void ProgramBuilder::send(std::string_view text, std::string_view to) {
   need(plan::FactKind::NozzleHeat);
+  if (!sentTo_)
+    sentTo_ = to;
+  else if (*sentTo_ != to)
+    defect("this text does not go to the extruder as those before it"_text);
   const auto command = readCastelli(text);
   if (!command) {
     defect(base::message("'{text}' is not an extruder command"_text, text.substr(0, 40)));

@@ -37,8 +37,9 @@ public:
   void beginOutputs();
   void turn(bool on);
   void flow(double share) { outputs_.flow(share); }
-  // A text to the castelli-serial extruder, instead of both outputs.
-  void send(std::string_view text);
+  // A text to the castelli-serial extruder, instead of both outputs, by that port or connection. A
+  // defect if texts before it went another way.
+  void send(std::string_view text, std::string_view to);
   bool outputsEnded() const { return outputs_.ended(); }
 
   // Adds a motion and sets its file and line. The extruder follows the outputs, or the motion's own
@@ -146,6 +147,7 @@ private:
   std::optional<Statement> jointSpeed_; // that no joint motion has followed
   // The extruder's reverse flow [mm3/s], and the retracted volume of filament [mm3].
   double drawsMm3PerS_ = 0.0, drawnMm3_ = 0.0;
+  std::optional<std::string> sentTo_;
   FilamentCount axis_;
   bool axisZeroed_ = false;
   std::size_t onSince_ = 0; // number of motions and pauses when the extruder was switched on

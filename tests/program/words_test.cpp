@@ -375,6 +375,74 @@ TEST(Words, StandWhereTheyMay) {
   }
 }
 
+// A port, a signal, a tool and an output's value are whole numbers: a controller refuses others, or
+// takes the next one.
+TEST(Words, NumbersOfPortsAreWhole) {
+  const struct {
+    const char* format;
+    std::string (*program)(const std::string&, const std::string&, const std::string&);
+    std::string good;
+    std::vector<std::string> bad;
+  } cases[] = {
+      {"urscript",
+       urscript,
+       "set_standard_digital_out(5,True)\n",
+       {"set_standard_digital_out(5.3,True)\n", "set_standard_digital_out(0.3,False)\n",
+        "set_standard_analog_out(0.5,0)\n", "set_configurable_digital_out(1.5,True)\n"}},
+      {"urscript",
+       urscript,
+       "while (get_standard_digital_in(5)!=True):\nsync()\nend\n",
+       {"while (get_standard_digital_in(5.3)!=True):\nsync()\nend\n",
+        "while (get_configurable_digital_in(0.5)!=True):\nsync()\nend\n"}},
+      {"urscript",
+       urscript,
+       "socket_send_string(\"G0n\",\"extruder\")\nsocket_send_string(\"G0n\",\"extruder\")\n",
+       {"socket_send_string(\"G0n\",\"extruder\")\nsocket_send_string(\"G0n\",\"other\")\n"}},
+      {"rapid",
+       rapid,
+       "SetDO doMark1,1;\n",
+       {"SetDO doMark1,0.5;\n", "SetDO doMark1,2;\n", "SetDO doExtruder,0.5;\n"}},
+      {"rapid", rapid, "WaitDI diMark1,1;\n", {"WaitDI diMark1,0.5;\n", "WaitDI diMark1,2;\n"}},
+      {"krl", krl, "$OUT[6]=TRUE\n", {"$OUT[6.3]=TRUE\n", "$OUT[6]=0.5\n", "$ANOUT[1.5]=0.1\n"}},
+      {"krl", krl, "WAIT FOR $IN[6]==TRUE\n", {"WAIT FOR $IN[6.3]==TRUE\n"}},
+      {"krl", krl, "BAS (#TOOL,0)\n", {"BAS (#TOOL,0.3)\n"}},
+      {"spel", spelplus, "  On 6\n", {"  On 6.3\n", "  Off 1.3\n", "  AIO_Out 1.3, 1\n"}},
+      {"spel", spelplus, "  Wait Sw(6) = On\n", {}},
+      {"spel",
+       spelplus,
+       "  Write #201, \"G0n\"\n  Write #201, \"G0n\"\n",
+       {"  Write #201.3, \"G0n\"\n", "  Write #201, \"G0n\"\n  Write #202, \"G0n\"\n"}},
+      {"melfa", melfa, "M_Out(8)=1\n", {"M_Out(8.3)=1\n", "M_Out(8)=0.5\n", "M_Out(10.3)=0\n"}},
+      {"melfa", melfa, "Wait M_In(8)=1\n", {"Wait M_In(8.3)=1\n", "Wait M_In(8)=0.5\n"}},
+      {"melfa",
+       melfa,
+       "Open \"COM1:\" As #1\nPrint #1,\"x\"\n",
+       {"Open \"COM1:\" As #1\nPrint #2,\"x\"\n", "Open \"COM1:\" As #1.5\nPrint #1.5,\"x\"\n"}},
+      {"tmscript",
+       tmscript,
+       "IO[\"ControlBox\"].DO[5]=1\n",
+       {"IO[\"ControlBox\"].DO[5.3]=1\n", "IO[\"ControlBox\"].DO[5]=0.5\n",
+        "IO[\"ControlBox\"].DO[0.3]=0\n", "IO[\"ControlBox\"].AO[0.3]=1\n"}},
+      {"tmscript",
+       tmscript,
+       "while(IO[\"ControlBox\"].DI[5]==0){Sleep(10)}\n",
+       {"while(IO[\"ControlBox\"].DI[5.3]==0){Sleep(10)}\n",
+        "while(IO[\"ControlBox\"].DI[5]==0.5){Sleep(10)}\n"}},
+      {"gcode-extended",
+       gcode,
+       "M106 P0 S255\n",
+       {"M106 P0.3 S255\n", "M104 T0.3 S210\n", "T0.3\n"}},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(std::string(c.format) + ": " + c.good);
+    const plan::ReadProgram sound = read(c.format, c.program(c.good, "", ""));
+    for (const auto& d : sound.defects)
+      ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
+    for (const std::string& bad : c.bad)
+      EXPECT_FALSE(read(c.format, c.program(bad, "", "")).defects.empty()) << bad;
+  }
+}
+
 TEST(Words, OfATableStandOnceAndMeanSomething) {
   for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), slicerWords(), krlWords(),
                            spelplusWords(), melfaWords(), tmscriptWords()})

@@ -93,7 +93,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 namespace {
-bool takeNumber(std::string_view& text, double& value, std::chars_format format) {
+bool takeFormatted(std::string_view& text, double& value, std::chars_format format) {
   std::string_view rest = text;
   if (rest.size() > 1 && rest[0] == '+' && (isDigit(rest[1]) || rest[1] == '.'))
     rest.remove_prefix(1);
@@ -106,12 +106,25 @@ bool takeNumber(std::string_view& text, double& value, std::chars_format format)
 }
 } // namespace
 
+std::optional<int> wholeNumber(double value, int least, int most) {
+  if (!(value >= least && value <= most) || value != std::floor(value))
+    return std::nullopt;
+  return static_cast<int>(value);
+}
+
+std::optional<int> parseWholeNumber(std::string_view text, int least, int most) {
+  double value = 0.0;
+  if (!std::ranges::all_of(text, isDigit) || !parseNumber(text, value))
+    return std::nullopt;
+  return wholeNumber(value, least, most);
+}
+
 bool takeNumber(std::string_view& text, double& value) {
-  return takeNumber(text, value, std::chars_format::general);
+  return takeFormatted(text, value, std::chars_format::general);
 }
 
 bool takeDecimal(std::string_view& text, double& value) {
-  return takeNumber(text, value, std::chars_format::fixed);
+  return takeFormatted(text, value, std::chars_format::fixed);
 }
 
 bool parseNumber(std::string_view text, double& value) {

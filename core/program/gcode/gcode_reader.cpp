@@ -261,6 +261,8 @@ void GcodeReader::heatBed(double m, GcodeWords& w) {
 
 // P numbers the fans of a machine; the first one cools the part.
 void GcodeReader::cool(double m, GcodeWords& w) {
+  if (w['P'] && *w['P'] != std::floor(*w['P']))
+    defect("an output needs a number and a value"_text);
   if (w['P'].value_or(0.0) == 0.0)
     out_.state(FanSpeed,
                m == 107.0 ? 0.0

@@ -25,6 +25,7 @@ namespace {
 
 constexpr std::string_view kExtruder = "$out[1]", kFlow = "$anout[1]";
 constexpr double kMaxDegrees = 6000.0, kMaxSeconds = 1e5;
+constexpr int kMostIndex = 1000;
 
 std::string rootOf(std::string_view path) {
   return std::string(path.substr(0, path.find_first_of(".[")));
@@ -316,9 +317,9 @@ private:
       out_.program().motions.back().blendMm = 0.0;
   }
   bool setOutput(const std::string& path, double value) {
+    if (rootOf(path) == "$out" && value != 0.0 && value != 1.0)
+      return fail("a digital output must be 0 or 1"_text);
     if (path == kExtruder) {
-      if (value != 0.0 && value != 1.0)
-        return fail("a digital output must be 0 or 1"_text);
       out_.turn(value == 1.0);
     } else if (path == kFlow) {
       if (!(value >= 0.0 && value <= 1.0))
@@ -385,7 +386,10 @@ private:
     } else if (word == "vel_cp" && given) {
       variables_.set("$vel.cp", number);
     } else if (word == "tool" || word == "base") {
-      const std::string list = word + "_data[" + std::to_string(static_cast<int>(number)) + "]";
+      const std::optional<int> index = wholeNumber(number, 0, kMostIndex);
+      if (!index)
+        return false;
+      const std::string list = word + "_data[" + std::to_string(*index) + "]";
       const KrlValue frame = variables_.below(number == 0.0 ? "$nullframe" : list);
       if (frame.numbers.empty())
         return fail(base::message("'{word}' is a frame that only the controller knows"_text, list));

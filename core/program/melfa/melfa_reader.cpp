@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kMaxDepth = 8;
 constexpr double kMaxJointDeg = 5000.0, kMaxMmPerS = 1e5, kMaxSeconds = 1e6;
 constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
+constexpr double kMostOutput = 1e6;
 
 class MelfaReader {
 public:
@@ -131,7 +132,7 @@ private:
     else if (word == "dly")
       delay(scanner);
     else if (word == "wait")
-      awaitInput(scanner);
+      awaitInput(scanner, code);
     else if (word == "gosub")
       subroutine(scanner, depth);
     else if (word == "callp")
@@ -147,17 +148,19 @@ private:
     else if (word == "print" && !show(scanner))
       notUnderstood(code);
   }
-  // Other lines lead to machines, which may command.
-  static bool opensScreen(MelfaScanner& scanner) {
+  // Other lines lead to machines, which may command. Open "COM1:" As #1
+  bool opensScreen(MelfaScanner& scanner) {
     std::string_view line;
-    return scanner.take('"') && scanner.textBehindQuote(line) && sameWord(line, "com1:");
+    return scanner.take('"') && scanner.textBehindQuote(line) && sameWord(line, "com1:") &&
+           sameWord(scanner.name(), "as") && scanner.take('#') && scanner.number(screen_) &&
+           screen_ == std::floor(screen_);
   }
   // Print #1,"text"
   bool show(MelfaScanner& scanner) {
     double line = 0.0;
     std::string_view text;
-    const bool isText = scanner.take('#') && scanner.number(line) && scanner.take(',') &&
-                        scanner.take('"') && scanner.textBehindQuote(text);
+    const bool isText = scanner.take('#') && scanner.number(line) && line == screen_ &&
+                        scanner.take(',') && scanner.take('"') && scanner.textBehindQuote(text);
     if (isText)
       out_.show(text);
     return isText;
@@ -170,12 +173,16 @@ private:
   }
 
   // Wait M_In(n)=value
-  void awaitInput(MelfaScanner& scanner) {
+  void awaitInput(MelfaScanner& scanner, std::string_view code) {
     double input = 0.0, value = 0.0;
     const bool known = scanner.variableName() == "m_in" && scanner.take('(') &&
                        scanner.number(input) && scanner.take(')') && scanner.take('=') &&
                        scanner.number(value) && scanner.ended();
-    if (!known || !out_.awaitInput(melfaOutputOf(input), value > 0.0))
+    if (!known)
+      out_.wordAt("Wait", kAside);
+    else if (input != std::floor(input) || !(std::abs(input) < kMostOutput) || !isDigital(value))
+      notUnderstood(code);
+    else if (!out_.awaitInput(melfaOutputOf(input), value > 0.0))
       out_.wordAt("Wait", kAside);
   }
 
@@ -222,7 +229,8 @@ private:
     double index = 0.0;
     ScriptValue value;
     if (!scanner.take('(') || !scanner.number(index) || !scanner.take(')') || !scanner.take('=') ||
-        !scanner.value(value) || !scanner.ended() || index != std::floor(index) || index < 0.0)
+        !scanner.value(value) || !scanner.ended() || index != std::floor(index) ||
+        !(index >= 0.0 && index < kMostOutput))
       return false;
     if (name == "p_wkcord")
       return workCoordinates(index, value);
@@ -253,7 +261,7 @@ private:
     if (isExtruder && !isTriggered)
       out_.statePassingOutput();
     if (name == "m_out" && first == kMelfaExtruder) {
-      if (value != 0.0 && value != 1.0)
+      if (!isDigital(value))
         defect("an output is 0 or 1"_text);
       else
         out_.turn(value > 0.0);
@@ -265,10 +273,14 @@ private:
         out_.flow(value / kMelfaFullFlow);
     } else if (touches(kMelfaExtruder, 1) || touches(kMelfaFlow, kOutputsOfWord)) {
       defect("an output of the extruder is set together with other outputs"_text);
+    } else if (name == "m_out" && !isDigital(value)) {
+      defect("an output is 0 or 1"_text);
     } else if (name != "m_out" || !out_.toolOutput(melfaOutputOf(first), value > 0.0)) {
       out_.wordAt(name, kAside);
     }
   }
+
+  static bool isDigital(double value) { return value == 0.0 || value == 1.0; }
 
   std::optional<double> numberIn(MelfaScanner& scanner, double least, double most) {
     double value = 0.0;
@@ -548,6 +560,7 @@ private:
   std::optional<double> blendMm_; // nullopt: over the stopping distance
   bool toolSet_ = false, everSet_ = false;
   bool missing_ = false; // A called program is missing
+  double screen_ = 0.0;  // number of the line to the pendant; 0: none is open
 };
 
 } // namespace

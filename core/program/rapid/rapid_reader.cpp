@@ -303,16 +303,25 @@ private:
   // WaitDI signal,value;
   bool awaitInput() {
     constexpr std::string_view kMarkSignal = "dimark";
-    double value = 0.0, number = 0.0;
+    double value = 0.0;
     std::string name;
     if (!takeName(name))
       return false;
-    if (!name.starts_with(kMarkSignal) ||
-        !parseNumber(std::string_view(name).substr(kMarkSignal.size()), number) ||
-        !(number >= 1.0 && number <= plan::kMarkSignals))
+    const std::optional<int> number = numberBehind(name, kMarkSignal, 1, plan::kMarkSignals);
+    if (!number)
       return out_.wordAt("WaitDI", kAside), skipStatement();
-    return takeMark(',') && takeNumberToken(value) && takeEnd() &&
-           out_.awaitInput(kMarkOutput - 1 + static_cast<int>(number), value == 1.0);
+    return takeMark(',') && takeNumberToken(value) && takeEnd() && isDigital(value) &&
+           out_.awaitInput(kMarkOutput - 1 + *number, value == 1.0);
+  }
+
+  // Returns the number in the name of a signal, e.g. of doMark2.
+  static std::optional<int> numberBehind(std::string_view name, std::string_view begin, int least,
+                                         int most) {
+    return name.starts_with(begin) ? parseWholeNumber(name.substr(begin.size()), least, most)
+                                   : std::nullopt;
+  }
+  bool isDigital(double value) {
+    return value == 0.0 || value == 1.0 || fail("a digital output must be 0 or 1"_text);
   }
 
   bool wait() {
@@ -350,24 +359,22 @@ private:
       return false;
     if (name == signal)
       return take(value);
-    if (name == "dotoollocked" && out_.toolOutput(kChangerOutput, value == 1.0))
-      return true;
-    constexpr std::string_view kMarkSignal = "domark", kToolSignal = "dotool";
-    double mark = 0.0, tool = 0.0;
-    if (name.starts_with(kMarkSignal) &&
-        parseNumber(std::string_view(name).substr(kMarkSignal.size()), mark) && mark >= 1.0 &&
-        mark <= plan::kMarkSignals)
-      return out_.toolOutput(kMarkOutput - 1 + static_cast<int>(mark), value == 1.0);
-    if (name.starts_with(kToolSignal) &&
-        parseNumber(std::string_view(name).substr(kToolSignal.size()), tool) && tool <= 255.0 &&
-        out_.toolOutput(static_cast<int>(tool) - 1, value == 1.0))
-      return true;
-    out_.wordAt(name, kAside);
+    constexpr int kMostTools = 255;
+    const std::optional<int> mark = numberBehind(name, "domark", 1, plan::kMarkSignals),
+                             tool = numberBehind(name, "dotool", 2, kMostTools);
+    const int own = name == "dotoollocked" ? kChangerOutput
+                    : mark                 ? kMarkOutput - 1 + *mark
+                    : tool                 ? *tool - 1
+                                           : 0;
+    if (own > 0 && !isDigital(value))
+      return false;
+    if (own == 0 || !out_.toolOutput(own, value == 1.0))
+      out_.wordAt(name, kAside);
     return true;
   }
   bool digital(double value) {
-    if (value != 0.0 && value != 1.0)
-      return fail("a digital output must be 0 or 1"_text);
+    if (!isDigital(value))
+      return false;
     out_.statePassingOutput();
     extruderOn_ = value == 1.0;
     out_.turn(extruderOn_);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kVolts = 10.0, kMaxSpeed = 1e5, kMaxSeconds = 1e5, kMaxNumber = 15.0;
 constexpr double kNoWayMm = 1e-4, kNoTurnDeg = 1e-3; // smaller motions are none for the controller
+constexpr int kMostPort = 255;
 constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 
 class SpelplusReader {
@@ -168,8 +169,10 @@ private:
     std::string label;
     const bool isNamed = line.takeName(label);
     const bool isPort = !isNamed && variables_.takeNumber(line, port);
-    if (isPort && port >= 2.0 && port <= 255.0 && line.ended() &&
-        out_.toolOutput(static_cast<int>(port) - 1, on))
+    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    if (isPort && !number)
+      return fail("an output needs a number and a value"_text);
+    if (isPort && line.ended() && *number >= 2 && out_.toolOutput(*number - 1, on))
       return true;
     if (isNamed || (isPort && port != 1.0))
       return out_.wordAt("output", kAside), takeRest(line);
@@ -185,6 +188,8 @@ private:
     if (!variables_.takeNumber(line, channel) || !line.takeMark(',') ||
         !variables_.takeNumber(line, volts))
       return false;
+    if (!wholeNumber(channel, 0, kMostPort))
+      return fail("an output needs a number and a value"_text);
     if (channel != 1.0)
       return out_.wordAt("AIO_Out", kAside), true;
     if (!(volts >= 0.0 && volts <= kVolts))
@@ -199,17 +204,22 @@ private:
     if (!line.takeMark('#') || !line.takeNumber(port) || !line.takeMark(',') ||
         !line.takeText(text))
       return false;
-    out_.send(text);
+    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    if (!number)
+      return false;
+    out_.send(text, std::to_string(*number));
     return true;
   }
   // Sw(n) = On
   bool awaitInput(LineCursor& line) {
     double port = 0.0;
     std::string value;
-    return line.takeWord("sw") && line.takeMark('(') && line.takeNumber(port) &&
-           line.takeMark(')') && line.takeMark('=') && line.takeName(value) &&
-           (value == "on" || value == "off") && line.ended() && port >= 1.0 && port <= 255.0 &&
-           out_.awaitInput(static_cast<int>(port) - 1, value == "on");
+    if (!line.takeWord("sw") || !line.takeMark('(') || !line.takeNumber(port) ||
+        !line.takeMark(')') || !line.takeMark('=') || !line.takeName(value) ||
+        (value != "on" && value != "off") || !line.ended())
+      return false;
+    const std::optional<int> number = wholeNumber(port, 1, kMostPort);
+    return number && out_.awaitInput(*number - 1, value == "on");
   }
   bool wait(LineCursor& line) {
     double seconds = 0.0;

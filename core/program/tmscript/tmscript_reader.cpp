@@ -22,6 +22,7 @@ namespace voluta::program {
 namespace {
 
 constexpr std::size_t kNumbers = 6;
+constexpr int kMostChannel = 255;
 constexpr double kMaxMm = 1e5, kMaxDeg = 1e5, kMaxMmPerS = 1e4, kMaxSeconds = 1e6;
 // Tolerated deviation of a cubic from its line, and from even motion along it, beyond that of
 // starting and stopping.
@@ -183,8 +184,9 @@ private:
                        scanner.number(value) && scanner.take(')') && scanner.take('{') &&
                        scanner.name() == "Sleep" && scanner.take('(') && scanner.number(ms) &&
                        scanner.take(')') && scanner.take('}') && scanner.ended();
-    if (!known || !(channel >= 0.0 && channel <= 255.0) ||
-        !out_.awaitInput(static_cast<int>(channel), value == 0.0))
+    const std::optional<int> input = wholeNumber(channel, 0, kMostChannel);
+    if (!known || !input || (value != 0.0 && value != 1.0) ||
+        !out_.awaitInput(*input, value == 0.0))
       notUnderstood(code);
     else if (!isQueueDone_ && !out_.program().motions.empty())
       defect("an input is read while motions are queued"_text);
@@ -252,12 +254,13 @@ private:
       return;
     }
     const bool digital = kind == "DO" || kind == "InstantDO";
-    if (!digital && kind != "AO" && kind != "InstantAO") {
+    const std::optional<int> number = wholeNumber(channel, 0, kMostChannel);
+    if ((!digital && kind != "AO" && kind != "InstantAO") || !number) {
       notUnderstood(code);
       return;
     }
-    const bool isTool = module == "ControlBox" && kind == "DO" &&
-                        out_.toolOutput(static_cast<int>(channel), value > 0.0);
+    const bool isTool = module == "ControlBox" && kind == "DO" && (value == 0.0 || value == 1.0) &&
+                        out_.toolOutput(*number, value > 0.0);
     if (isTool)
       return;
     if (module != "ControlBox" || channel != 0.0)

@@ -161,14 +161,16 @@ private:
     const std::string_view function = scanner.name();
     const bool isConfigurable = function == "get_configurable_digital_in";
     const int first = isConfigurable ? kConfigurableFrom : 0;
-    const double last = isConfigurable ? 31.0 : kConfigurableFrom - 1.0;
+    const int last = isConfigurable ? 31 : kConfigurableFrom - 1;
     Value input, value;
     if ((!isConfigurable && function != "get_standard_digital_in") || !scanner.take('(') ||
         !scanner.value(input) || input.kind != ValueKind::Number || !scanner.take(')') ||
         !scanner.take('!') || !scanner.take('=') || !scanner.value(value) ||
         value.kind != ValueKind::Boolean || !scanner.take(')') || !scanner.take(':') ||
-        !scanner.ended() || !(input.number >= 0.0 && input.number <= last) ||
-        !out_.awaitInput(first + static_cast<int>(input.number), value.number > 0.0))
+        !scanner.ended())
+      return false;
+    const std::optional<int> number = wholeNumber(input.number, 0, last);
+    if (!number || !out_.awaitInput(first + *number, value.number > 0.0))
       return false;
     i += 3;
     return true;
@@ -416,13 +418,15 @@ private:
   // Reads the two arguments of an output call. Returns false (and reports a defect) if they are not
   // of this kind.
   bool outputOf(const Call& call, ValueKind kind, int& channel, double& value) {
-    if (call.count != 2 || call.arguments[0].value.kind != ValueKind::Number ||
-        call.arguments[1].value.kind != kind || call.arguments[0].value.number < 0.0 ||
-        call.arguments[0].value.number > 31.0) {
+    const bool isCall = call.count == 2 && call.arguments[0].value.kind == ValueKind::Number &&
+                        call.arguments[1].value.kind == kind;
+    const std::optional<int> output =
+        isCall ? wholeNumber(call.arguments[0].value.number, 0, 31) : std::nullopt;
+    if (!output) {
       defect("an output needs a number and a value"_text);
       return false;
     }
-    channel = static_cast<int>(call.arguments[0].value.number);
+    channel = *output;
     value = call.arguments[1].value.number;
     return true;
   }
@@ -464,7 +468,8 @@ private:
     if (call.count == 0 || call.arguments[0].value.kind != ValueKind::Text)
       defect("a text to be sent is needed"_text);
     else
-      out_.send(call.arguments[0].value.text);
+      out_.send(call.arguments[0].value.text,
+                call.count > 1 ? call.arguments[1].value.text : std::string_view());
   }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;
