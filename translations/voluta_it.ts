@@ -10211,6 +10211,10 @@ facce %</translation>
         <source>this text does not go to the extruder as those before it</source>
         <translation>questo testo non va all&apos;estrusore come quelli prima</translation>
     </message>
+    <message>
+        <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
+        <translation>A una sosta il pannello di comando non mostra testo: l&apos;utensile da montare è indicato solo nei commenti del programma.</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

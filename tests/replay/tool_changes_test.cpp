@@ -3,6 +3,7 @@
 // than stop, selection, heat and purge are refused.
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
+#include "program/assumptions.h"
 #include "replay/event_programs.h"
 #include "replay/told.h"
 
@@ -183,6 +184,24 @@ TEST_F(ToolChanges, TheOperatorReadsItOnEveryPendant) {
       return line.find("the tips of all tools are expected in one place") != std::string::npos;
     })) << format;
   }
+}
+
+// Its pendant shows no texts: the head says so, and the remark above the stop names the tool.
+TEST_F(ToolChanges, TmscriptSaysThatThePendantShowsNoText) {
+  const std::vector<std::string> lines = test::textOf(programFor("tmscript")).lines;
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
+    return line.find("// the pendant shows no text at Pause()") != std::string::npos;
+  }));
+  const auto remark = std::ranges::find_if(lines, [](const std::string& line) {
+    return line.starts_with("// Fit tool 2 (other, PETG, 235 C)");
+  });
+  ASSERT_NE(remark, lines.end());
+  EXPECT_TRUE((remark + 1)->starts_with("QueueTag"));
+  EXPECT_TRUE((remark + 2)->starts_with("Pause()"));
+  const auto said = program::assumptionsOf(program::findDialect("tmscript"));
+  EXPECT_TRUE(std::ranges::any_of(said, [](const base::Message& one) {
+    return base::english(one).find("the pendant shows no text") != std::string::npos;
+  }));
 }
 
 // The rest of a print may begin with any tool, which the program selects before it moves.

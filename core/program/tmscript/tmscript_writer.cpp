@@ -92,6 +92,11 @@ private:
            return joined({"DO ", std::to_string(k)});
          }))
       remark(note);
+    if (in_.selectsTool()) {
+      remark(
+          "the pendant shows no text at Pause(): the remark above each one names the tool to fit,");
+      remark("so have these remarks at hand, and resume only when that tool is fitted");
+    }
   }
 
   void endFile(std::size_t) override {
