@@ -1,3 +1,4 @@
+#include "program/common/text.h"
 #include "replay/mutation_text.h"
 
 #include <cctype>
@@ -90,6 +91,53 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
          line.insert(ends[random() % ends.size()], "000");
          return s.read.motions[m].line;
        }});
+  // Of the statements between motions.
+  const auto statement = [](Subject& s, std::mt19937_64& random) -> std::string* {
+    std::vector<std::size_t> lines;
+    for (const plan::StatedFact& fact : s.read.facts)
+      lines.push_back(fact.line);
+    for (const plan::ProgramPause& pause : s.read.pauses)
+      lines.push_back(pause.line);
+    std::erase_if(lines, [&](std::size_t l) { return l == 0 || l > s.text.lines.size(); });
+    return lines.empty() ? nullptr : &s.text.lines[lines[random() % lines.size()] - 1];
+  };
+  const auto lineOfText = [](const Subject& s, const std::string* text) {
+    return static_cast<std::size_t>(text - s.text.lines.data()) + 1;
+  };
+  all.push_back({"zeros behind a number of a statement",
+                 [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+                   std::string* text = statement(s, random);
+                   if (!text || text->find('"') != std::string::npos || text->starts_with("M0"))
+                     return std::nullopt;
+                   const std::string code = text->substr(0, text->find(program::trimmed(remark)));
+                   std::vector<std::size_t> ends;
+                   for (const auto& [begin, end] : numbersIn(code))
+                     if (code.substr(begin, end - begin).find('.') != std::string::npos)
+                       ends.push_back(end);
+                   if (ends.empty())
+                     return std::nullopt;
+                   text->insert(ends[random() % ends.size()], "00");
+                   return lineOfText(s, text);
+                 }});
+  all.push_back(
+      {"blanks around a statement", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         std::string* text = statement(s, random);
+         if (!text)
+           return std::nullopt;
+         text->insert(endOf(*text), " ");
+         text->insert(0, "  ");
+         return lineOfText(s, text);
+       }});
+  if (format == "rapid" || format == "krl" || format == "spel" || format == "melfa")
+    all.push_back({"letters of the other case in a statement",
+                   [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+                     std::string* text = statement(s, random);
+                     if (!text || text->find('"') != std::string::npos)
+                       return std::nullopt;
+                     for (char& c : *text)
+                       c = static_cast<char>(random() % 2 ? std::toupper(c) : std::tolower(c));
+                     return lineOfText(s, text);
+                   }});
   all.push_back(
       {"blanks within a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
          const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
