@@ -15,6 +15,7 @@
 #include "pipeline/stages.h"
 #include "pipeline/start_check.h"
 #include "plan/finding_kinds.h"
+#include "support/supports.h"
 #include "toolpath/options.h"
 #include "toolpath/plan_toolpaths.h"
 
@@ -24,6 +25,12 @@
 namespace voluta::pipeline {
 
 namespace {
+bool isSupportedOverhang(const plan::Finding& finding) {
+  using enum plan::FindingKind;
+  return finding.kind == OverhangOfFlat || finding.kind == OverhangsOfFlat ||
+         finding.kind == OverhangOfPieces || finding.kind == OverhangsOfPieces;
+}
+
 using project::Stage;
 
 std::shared_ptr<const project::LoadedPart> loadedOf(const RequestedItem& part, bool repair,
@@ -231,7 +238,11 @@ ItemOutcome ItemStages::decompose() {
   item().result = decomposed_->result;
   report().decomposition = decomposed_->report;
   report().decomposition.mode = choices_.item().mode;
-  return {decomposed_->findings, decomposed_->timings};
+  plan::Findings findings = decomposed_->findings;
+  // The layers report overhangs that no support can stand under.
+  if (support::supportsWanted(values_) && values_.text("layerPlanes").empty())
+    std::erase_if(findings, isSupportedOverhang);
+  return {std::move(findings), decomposed_->timings};
 }
 
 ItemOutcome ItemStages::layers() {

@@ -96,6 +96,8 @@ TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
   EXPECT_EQ(r.replay.collisions, 0u);
   EXPECT_LT(r.replay.unsupportedFraction, 0.005);
   EXPECT_NEAR(r.replay.massRatio, 1.0, 0.03);
+  for (const plan::Finding& finding : r.findings)
+    EXPECT_NE(voluta::plan::reportId(finding), "overhang") << "both are supported";
 }
 
 TEST(FlatMode, LayersLieWhereTheUserSays) {
