@@ -9957,6 +9957,10 @@ facce %</translation>
         <translation>troppi triangoli si intersecano per unirli ({pairs} coppie, al massimo {most}): i gusci restano come sono, le sovrapposizioni contano come un solo solido quando si fanno gli strati</translation>
     </message>
     <message>
+        <source>leave this format out, or choose another cell or process</source>
+        <translation>tralascia questo formato, o scegli un'altra cella o un altro processo</translation>
+    </message>
+    <message>
         <source>choose another program format</source>
         <translation>scegli un altro formato di programma</translation>
     </message>

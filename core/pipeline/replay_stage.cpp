@@ -11,6 +11,7 @@
 #include "project/job.h"
 #include "project/part_formats.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -310,10 +311,17 @@ void tellProgram(const CheckedProgram& checked, bool first, bool decides, projec
         plan::makeFinding(plan::FindingKind::FormatRefused, {{"format", checked.program.format},
                                                              {"why", *checked.refusal},
                                                              {"help", *checked.refusalHelp}}));
-  else if (!checked.passed)
+  else if (!checked.passed && std::ranges::any_of(checked.findings, &plan::Finding::blocking))
     findings.push_back(
         plan::makeFinding(plan::FindingKind::ProgramRefused,
                           {{"format", checked.program.format}, {"failed", checked.failed}}));
+  else if (!checked.passed) // no other finding has a remedy
+    findings.push_back(plan::makeFinding(
+        plan::FindingKind::FormatRefused,
+        {{"format", checked.program.format},
+         {"why", checked.failed},
+         {"help",
+          base::Message("leave this format out, or choose another cell or process"_text)}}));
 }
 
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,

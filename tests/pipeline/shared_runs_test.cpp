@@ -2,6 +2,7 @@
 // without a change of any verdict, whatever the dialects and the pieces of their joint motions.
 #include "base/run_context.h"
 #include "helpers/all_seeds.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/program_stage.h"
 #include "pipeline/replay_stage.h"
@@ -330,6 +331,27 @@ TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   PlanResult result;
   result.checked = {checked};
   EXPECT_TRUE(chosenPrograms(result, {"gcode-extended"}, true).empty());
+}
+
+// Only a remedy of a finding that follows others may refer to them.
+TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
+  CheckedProgram checked;
+  checked.program.format = "urscript-stream";
+  checked.failed = {"massRatio 0.5"_text};
+  const auto remedy = [&] {
+    project::Report report;
+    plan::Findings findings;
+    tellProgram(checked, true, true, report, findings);
+    EXPECT_EQ(findings.size(), checked.findings.size() + 1);
+    EXPECT_TRUE(findings.back().blocking);
+    return plan::englishRemedy(findings.back());
+  };
+  EXPECT_EQ(remedy(), "leave this format out, or choose another cell or process");
+  checked.findings = {plan::makeFinding(plan::FindingKind::BondTime, {})};
+  EXPECT_EQ(remedy(), "leave this format out, or choose another cell or process");
+  checked.findings = {
+      plan::makeFinding(plan::FindingKind::PathDeviation, {{"distance", base::mm(1.0)}})};
+  EXPECT_EQ(remedy(), "see the findings before this one");
 }
 
 } // namespace
