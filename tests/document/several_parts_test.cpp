@@ -63,6 +63,26 @@ TEST(SeveralParts, TheFirstPartAddedIsOpened) {
   EXPECT_EQ(document.undoStack()->text(0), "Open box.stl");
 }
 
+// Joint values for another maker's arm are left out with the cell that they were chosen for; undo
+// brings both back.
+TEST(SeveralParts, AnotherCellLeavesOutFormatsThatItCannotBeWrittenIn) {
+  Document document;
+  openFlat(document);
+  project::Choices choices = document.choices();
+  choices.cell = "ur5-moving";
+  choices.formats = {"urscript", "urscript-stream", "csv"};
+  document.setChoices(choices, "formats");
+  choices = document.choices();
+  choices.cell = "irb1200-moving";
+  document.setChoices(choices, "cell");
+  EXPECT_EQ(document.choices().formats, (std::vector<std::string>{"urscript", "csv"}));
+  document.undoStack()->undo();
+  EXPECT_EQ(document.choices().formats.size(), 3u);
+  choices.formats = {"urscript-stream"};
+  document.setChoices(choices, "cell");
+  EXPECT_TRUE(document.choices().formats.empty()) << "those of the cell";
+}
+
 TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
   Document document;
   openFlat(document);
@@ -216,6 +236,38 @@ TEST(SeveralParts, AFreePlaceTouchesNoOther) {
     const Eigen::AlignedBox2d box(centre - 0.5 * own, centre + 0.5 * own);
     for (const Eigen::AlignedBox2d& other : others)
       EXPECT_GE(box.exteriorDistance(other), 10.0 - 1e-9);
+  }
+}
+
+// On a plate with room behind the others only; a larger plate is taken where the first has no room.
+TEST(SeveralParts, AFreePlaceIsOnThePlateWhereThereIsRoom) {
+  const auto square = [](double half) {
+    return std::vector<Eigen::Vector2d>{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  };
+  const std::vector<Eigen::AlignedBox2d> wide{{Eigen::Vector2d(-80, -20), Eigen::Vector2d(80, 20)}};
+  const Eigen::Vector2d own(30, 30);
+  EXPECT_EQ(nextFreePlace(wide, own, 10.0), Eigen::Vector2d(105, 0));
+  EXPECT_EQ(nextFreePlace(wide, own, 10.0, {square(100), square(200)}), Eigen::Vector2d(0, 45));
+  const std::vector<Eigen::AlignedBox2d> both{wide.front(),
+                                              {Eigen::Vector2d(-15, 30), Eigen::Vector2d(15, 60)}};
+  EXPECT_EQ(nextFreePlace(both, own, 10.0, {square(100)}), Eigen::Vector2d(0, -45));
+  EXPECT_EQ(nextFreePlace(wide, {90, 90}, 10.0, {square(100), square(200)}),
+            Eigen::Vector2d(135, 0));
+  EXPECT_EQ(nextFreePlace(wide, own, 10.0, {square(30)}), Eigen::Vector2d(105, 0)) << "no room";
+}
+
+// The cell's plates are 200, 300 and 400 wide.
+TEST(SeveralParts, AnAddedPartStandsOnTheCellsPlate) {
+  Document document;
+  openFlat(document, 180.0);
+  project::Choices choices = document.choices();
+  choices.cell = "ur5-moving";
+  choices.item().platform = project::Platform("cell");
+  document.setChoices(choices, "cell");
+  for (int i = 0; i < 3; ++i) {
+    document.addPart(test::boxPart(60.0, "other.stl"), {}, true);
+    const Eigen::Vector2d centre = document.choices().item().placement.centreMm;
+    EXPECT_LE(centre.cwiseAbs().maxCoeff() + 30.0, 200.0) << i;
   }
 }
 

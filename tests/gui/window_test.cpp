@@ -1,4 +1,5 @@
 // The window worked by clicks and keys, and what it shows looked at.
+#include "document/mode_switch.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
@@ -273,6 +274,7 @@ TEST_F(WindowTest, EverySampleOpensWithTheChoicesItRequires) {
     EXPECT_EQ(choices.item().parameters, required.item().parameters) << sample.id;
     EXPECT_EQ(choices.tool().process, required.tool().process) << sample.id;
     EXPECT_EQ(choices.cell, required.cell) << sample.id;
+    EXPECT_EQ(document::obstacle(choices), QString()) << sample.id;
     document().undoStack()->setClean();
   }
 }

@@ -101,6 +101,8 @@ void Document::tellDirtyAndName() {
 // ---- edits
 
 void Document::push(State after, const QString& editName) {
+  if (after.choices.cell != choices_.cell)
+    after.choices.formats = writableFormats(after.choices);
   if (after.parts == parts_ && sameChoices(after.choices, choices_))
     return;
   undo_.push(new EditCommand(*this, present(), std::move(after), editName));

@@ -10,6 +10,8 @@
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
+#include "process/process.h"
+#include "robot/cell.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -38,6 +40,27 @@ double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Foot
   } catch (const base::Error&) { // The plan reports the process's error
   }
   return gap;
+}
+// Returns the plates on which the last item may stand, the smallest first; empty: the plan makes
+// one that fits, or there is none.
+std::vector<std::vector<Eigen::Vector2d>> platesFor(const project::Choices& choices) {
+  std::vector<std::vector<Eigen::Vector2d>> plates;
+  try {
+    const project::Choices own =
+        pipeline::wayOrFirst(project::onlyItem(choices, choices.items.size() - 1));
+    const project::Platform& platform = own.item().platform;
+    if (platform.isOfCell()) {
+      const robot::Cell cell =
+          pipeline::fittingCell(own, pipeline::chosenProcess(own, pipeline::parameterValues(own)));
+      for (const auto& plate : cell.plates())
+        plates.push_back(project::Platform(plate).plateAround({}));
+    } else if (platform.isFor(project::PlatformUse::Plate) && !platform.marginMm()) {
+      plates.push_back(platform.plateAround({}));
+    }
+  } catch (const base::Error&) {
+    // The plan reports the error of the cell or the process.
+  }
+  return plates;
 }
 // Returns the factor from the part's file to mm on the plate; that of scale "fit" is not known yet.
 double ownScale(const project::LoadedPart& part, const project::Choices& own) {
@@ -168,8 +191,8 @@ Document::State Document::withSources(project::Choices choices,
     added.leans = added.leans || pipeline::mayLean(own.item());
   }
   added.heightMm = whole.max().z();
-  const Eigen::Vector2d centre =
-      nextFreePlace(others, whole.sizes().head<2>(), gapFor(added, heights, choices));
+  const Eigen::Vector2d centre = nextFreePlace(others, whole.sizes().head<2>(),
+                                               gapFor(added, heights, choices), platesFor(choices));
   if (sources.size() == 1)
     choices.items.back().placement.centreMm = centre;
   else
@@ -269,7 +292,9 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   next.tools = choices_.tools;
   next.formats = choices_.formats;
   try {
-    return next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);
+    next = next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);
+    next.formats = writableFormats(next);
+    return next;
   } catch (const base::Error&) {
     return next; // the plan reports the cell's error
   }

@@ -6,6 +6,8 @@
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
+#include "program/dialect.h"
+#include "project/loaded_part.h"
 #include "robot/cell.h"
 
 #include <QCoreApplication>
@@ -92,6 +94,32 @@ Choices ModeSwitch::automatic(const Choices& now) {
   return next;
 }
 
+std::vector<std::string> writableFormats(const Choices& choices) {
+  std::vector<std::string> formats = choices.formats;
+  if (formats.empty())
+    return formats;
+  try {
+    const base::ParameterValues values = pipeline::parameterValues(choices);
+    const robot::Cell cell =
+        pipeline::fittingCell(choices, pipeline::chosenProcess(choices, values));
+    std::erase_if(formats, [&](const std::string& id) {
+      return program::refusal(program::findDialect(id), cell, {}, nullptr).has_value();
+    });
+  } catch (const base::Error&) {
+    // Planning reports the error.
+  }
+  return formats;
+}
+
+bool bodyIsMissing(const Choices& choices) {
+  if (!choices.item().platform.isBody())
+    return false;
+  const std::string file = choices.item().platform.file();
+  const auto isSample = [&](const std::string& name) { return file == "sample:" + name; };
+  return std::ranges::none_of(project::sampleNames(), isSample) &&
+         !QFileInfo(QString::fromStdString(file)).isFile();
+}
+
 base::ParameterTable parametersFor(const Choices& choices) {
   std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices).specs();
   const base::ParameterTable offered = pipeline::allParameters();
@@ -125,10 +153,9 @@ QString obstacle(const Choices& given) {
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs the scale as a number."));
   try {
-    if (const project::Platform& platform = choices.item().platform;
-        platform.isBody() && !QFileInfo(QString::fromStdString(platform.file())).isFile())
+    if (bodyIsMissing(choices))
       return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform file %1 is missing."))
-          .arg(QString::fromStdString(platform.file()));
+          .arg(QString::fromStdString(choices.item().platform.file()));
     pipeline::checkChoices(choices);
     const base::ParameterValues values = pipeline::parameterValues(choices);
     pipeline::chosenProcess(choices, values);

@@ -8,6 +8,7 @@
 #include <QString>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace voluta::document {
 
@@ -34,6 +35,14 @@ private:
 // Returns the choices with all values replaced that do not fit their mode; unchanged if none. Reads
 // cell descriptions.
 project::Choices fitting(project::Choices choices);
+
+// Returns choices.formats without those that no job of the chosen cell can be written in: joint
+// values of another maker's arm, motions without the cell's external axes. Reads the cell; if that
+// fails, returns all of them.
+std::vector<std::string> writableFormats(const project::Choices& choices);
+
+// Returns whether the platform is a body that is neither a file that exists nor a sample.
+bool bodyIsMissing(const project::Choices& choices);
 
 // Returns the parameters with the defaults of the choices' mode and process and, if the way of
 // building is left to the plan, with the values of the last chosen way.

@@ -3,6 +3,7 @@
 #include "base/data_files.h"
 #include "curved/decompose.h"
 #include "document/document.h"
+#include "document/mode_switch.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
@@ -12,7 +13,6 @@
 #include "robot/cell.h"
 #include "window/library/library_dialog.h"
 
-#include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
 
@@ -83,12 +83,6 @@ QString materialFacts(const process::Material& m) {
   if (!m.notes.empty())
     facts << named(m.notes);
   return facts.join(QStringLiteral(", "));
-}
-
-// Returns whether the platform is a body whose file is missing.
-bool bodyIsMissing(const project::Choices& choices) {
-  return choices.item().platform.isBody() &&
-         !QFileInfo(named(choices.item().platform.file())).isFile();
 }
 
 bool wantsBody(const project::Choices& choices) {
@@ -315,9 +309,9 @@ void ChoicesEditor::showNotice() {
     const project::Choices mended = document::fitting(choices);
     const QString changes = changesOf(choices, mended);
     form_->setNotice(obstacle,
-                     bodyIsMissing(choices) ? tr("Choose the file…")
-                     : changes.isEmpty()    ? QString()
-                                            : tr("Use %1").arg(changes),
+                     document::bodyIsMissing(choices) ? tr("Choose the file…")
+                     : changes.isEmpty()              ? QString()
+                                                      : tr("Use %1").arg(changes),
                      true);
   } else if (document_.partCount() > 1 && concernsTheJob(document_.unusable())) {
     form_->setNotice(language::words(document_.unusable()->whole()), {}, true);
@@ -348,7 +342,7 @@ QString ChoicesEditor::wayChosen() const {
 
 void ChoicesEditor::pressNotice() {
   const project::Choices& choices = document_.choices();
-  if (bodyIsMissing(choices) || wantsBody(choices))
+  if (document::bodyIsMissing(choices) || wantsBody(choices))
     form_->choosePlatformFile();
   else
     document_.setChoices(document::fitting(choices), tr("choices that fit the way of building"));
