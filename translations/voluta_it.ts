@@ -9957,8 +9957,8 @@ facce %</translation>
         <translation>troppi triangoli si intersecano per unirli ({pairs} coppie, al massimo {most}): i gusci restano come sono, le sovrapposizioni contano come un solo solido quando si fanno gli strati</translation>
     </message>
     <message>
-        <source>leave this format out, or choose another cell or process</source>
-        <translation>tralascia questo formato, o scegli un'altra cella o un altro processo</translation>
+        <source>change parameters, process or cell of the plan, or leave this format out</source>
+        <translation>cambia parametri, processo o cella del piano, o tralascia questo formato</translation>
     </message>
     <message>
         <source>choose another program format</source>

@@ -25,12 +25,6 @@
 namespace voluta::pipeline {
 
 namespace {
-bool isSupportedOverhang(const plan::Finding& finding) {
-  using enum plan::FindingKind;
-  return finding.kind == OverhangOfFlat || finding.kind == OverhangsOfFlat ||
-         finding.kind == OverhangOfPieces || finding.kind == OverhangsOfPieces;
-}
-
 using project::Stage;
 
 std::shared_ptr<const project::LoadedPart> loadedOf(const RequestedItem& part, bool repair,
@@ -95,6 +89,12 @@ std::shared_ptr<const modes::LoadStage> onPlate(const modes::LoadStage& placed) 
 
 void append(plan::Findings& to, const plan::Findings& more) {
   to.insert(to.end(), more.begin(), more.end());
+}
+
+bool isOverhangOfSlices(const plan::Finding& finding) {
+  using enum plan::FindingKind;
+  return finding.kind == OverhangOfFlat || finding.kind == OverhangsOfFlat ||
+         finding.kind == OverhangOfPieces || finding.kind == OverhangsOfPieces;
 }
 } // namespace
 
@@ -239,10 +239,18 @@ ItemOutcome ItemStages::decompose() {
   report().decomposition = decomposed_->report;
   report().decomposition.mode = choices_.item().mode;
   plan::Findings findings = decomposed_->findings;
-  // The layers report overhangs that no support can stand under.
-  if (support::supportsWanted(values_) && values_.text("layerPlanes").empty())
-    std::erase_if(findings, isSupportedOverhang);
+  // Here and not in the mode, so that its pieces are not searched again for other supports.
+  if (supportsSlices())
+    std::erase_if(findings, isOverhangOfSlices);
   return {std::move(findings), decomposed_->timings};
+}
+
+// Returns whether columns are put under the overhangs of sliced layers; the layers then report
+// those without one. Layers along the user's planes have no columns.
+bool ItemStages::supportsSlices() const {
+  const bool hasPlanes =
+      mode_.requiresParameter("layerPlanes") && !values_.text("layerPlanes").empty();
+  return mode_.requiresParameter("supports") && support::supportsWanted(values_) && !hasPlanes;
 }
 
 ItemOutcome ItemStages::layers() {

@@ -69,6 +69,7 @@ private:
 
   project::ChosenReport chosenReport() const;
   std::vector<base::Message> allRepairs() const;
+  bool supportsSlices() const;
   plan::Findings startFindings();
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx);
 

@@ -281,6 +281,27 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   return checked;
 }
 
+namespace {
+plan::Finding refusalOf(const CheckedProgram& checked) {
+  using enum plan::FindingKind;
+  if (checked.refusal)
+    return plan::makeFinding(FormatRefused, {{"format", checked.program.format},
+                                             {"why", *checked.refusal},
+                                             {"help", *checked.refusalHelp}});
+  // The remedy of ProgramRefused is to see these.
+  if (std::ranges::any_of(checked.findings, &plan::Finding::blocking))
+    return plan::makeFinding(ProgramRefused,
+                             {{"format", checked.program.format}, {"failed", checked.failed}});
+  return plan::makeFinding(
+      FormatRefused,
+      {{"format", checked.program.format},
+       {"why", checked.failed},
+       {"help",
+        base::Message(
+            "change parameters, process or cell of the plan, or leave this format out"_text)}});
+}
+} // namespace
+
 void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
                  plan::Findings& findings) {
   project::ProgramReport row;
@@ -306,22 +327,8 @@ void tellProgram(const CheckedProgram& checked, bool first, bool decides, projec
   }
   if (first || !checked.passed)
     findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
-  if (checked.refusal)
-    findings.push_back(
-        plan::makeFinding(plan::FindingKind::FormatRefused, {{"format", checked.program.format},
-                                                             {"why", *checked.refusal},
-                                                             {"help", *checked.refusalHelp}}));
-  else if (!checked.passed && std::ranges::any_of(checked.findings, &plan::Finding::blocking))
-    findings.push_back(
-        plan::makeFinding(plan::FindingKind::ProgramRefused,
-                          {{"format", checked.program.format}, {"failed", checked.failed}}));
-  else if (!checked.passed) // no other finding has a remedy
-    findings.push_back(plan::makeFinding(
-        plan::FindingKind::FormatRefused,
-        {{"format", checked.program.format},
-         {"why", checked.failed},
-         {"help",
-          base::Message("leave this format out, or choose another cell or process"_text)}}));
+  if (!checked.passed)
+    findings.push_back(refusalOf(checked));
 }
 
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,

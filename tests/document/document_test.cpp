@@ -293,5 +293,26 @@ TEST(Document, TheRepairedPartReachesEveryEdit) {
   EXPECT_TRUE(document.sourceReady());
 }
 
+// Joint values for another maker's arm are left out with the cell that they were chosen for; undo
+// brings both back.
+TEST(Document, AnotherCellLeavesOutFormatsThatItCannotBeWrittenIn) {
+  Document document;
+  document.openPart(test::boxPart(), {}, true);
+  project::Choices choices = document.choices();
+  choices.item().mode = "flat";
+  choices.cell = "ur5-moving";
+  choices.formats = {"urscript", "urscript-stream", "csv"};
+  document.setChoices(choices, "formats");
+  choices = document.choices();
+  choices.cell = "irb1200-moving";
+  document.setChoices(choices, "cell");
+  EXPECT_EQ(document.choices().formats, (std::vector<std::string>{"urscript", "csv"}));
+  document.undoStack()->undo();
+  EXPECT_EQ(document.choices().formats.size(), 3u);
+  choices.formats = {"urscript-stream"};
+  document.setChoices(choices, "cell");
+  EXPECT_TRUE(document.choices().formats.empty()) << "those of the cell";
+}
+
 } // namespace
 } // namespace voluta::document

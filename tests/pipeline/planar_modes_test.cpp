@@ -14,6 +14,7 @@
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -42,6 +43,12 @@ std::shared_ptr<const LoadedPart> tee() {
                     true, {});
 }
 
+int overhangsIn(const Report& report) {
+  return static_cast<int>(std::ranges::count_if(report.findings, [](const plan::Finding& finding) {
+    return plan::reportId(finding) == "overhang";
+  }));
+}
+
 TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {
   const PlanResult result = planPart(request("flat", Stage::Replay), context());
   const Report& r = result.job.report;
@@ -66,12 +73,10 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_NEAR(d.riskyAreaMm2, 2 * 12 * 8, 1e-6);
   EXPECT_EQ(d.riskyAreaBeforeMm2, d.riskyAreaMm2);
   EXPECT_GT(d.missedVoxels, 1000u);
-  std::size_t overhangs = 0, misses = 0;
-  for (const plan::Finding& f : result.job.report.findings) {
-    overhangs += voluta::plan::reportId(f) == "overhang" ? 1 : 0;
+  std::size_t misses = 0;
+  for (const plan::Finding& f : result.job.report.findings)
     misses += voluta::plan::reportId(f) == "uniformMisses" ? f.count : 0;
-  }
-  EXPECT_EQ(overhangs, 2u);
+  EXPECT_EQ(overhangsIn(result.job.report), 2);
   EXPECT_EQ(misses, d.missedVoxels);
   // On its head it needs nothing.
   flat.choices.item().parameters["orient"] = "leastRisky";
@@ -96,8 +101,25 @@ TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
   EXPECT_EQ(r.replay.collisions, 0u);
   EXPECT_LT(r.replay.unsupportedFraction, 0.005);
   EXPECT_NEAR(r.replay.massRatio, 1.0, 0.03);
-  for (const plan::Finding& finding : r.findings)
-    EXPECT_NE(voluta::plan::reportId(finding), "overhang") << "both are supported";
+  EXPECT_EQ(overhangsIn(r), 0) << "both are supported";
+}
+
+// Overhangs of pieces are supported too. Layers along the user's planes have no supports, and the
+// planes of another mode do not count.
+TEST(PlanarModes, OverhangsAreReportedWhereNoSupportCarriesThem) {
+  const std::string under = R"([{"point": [0, 0, 6], "normal": [0, 0, 1]}])";
+  const auto overhangs = [&](const char* mode, const std::vector<std::string>& parameters) {
+    PlanRequest tees = request(mode);
+    tees.item().loaded = tee();
+    tees.choices.item().platform = project::Platform("fit:15");
+    setParameters(tees.choices, parameters);
+    return overhangsIn(planPart(tees, context()).job.report);
+  };
+  const std::string cut = "cutPlanes=" + under, layers = "layerPlanes=" + under;
+  EXPECT_GT(overhangs("planar", {cut, "supports=none"}), 0);
+  EXPECT_EQ(overhangs("planar", {cut, "supports=auto"}), 0);
+  EXPECT_EQ(overhangs("planar", {cut, "supports=auto", layers}), 0);
+  EXPECT_GT(overhangs("flat", {layers, "supports=auto"}), 0);
 }
 
 TEST(FlatMode, LayersLieWhereTheUserSays) {

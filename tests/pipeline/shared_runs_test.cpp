@@ -338,6 +338,8 @@ TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
   CheckedProgram checked;
   checked.program.format = "urscript-stream";
   checked.failed = {"massRatio 0.5"_text};
+  constexpr const char* kLone =
+      "change parameters, process or cell of the plan, or leave this format out";
   const auto remedy = [&] {
     project::Report report;
     plan::Findings findings;
@@ -346,9 +348,9 @@ TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
     EXPECT_TRUE(findings.back().blocking);
     return plan::englishRemedy(findings.back());
   };
-  EXPECT_EQ(remedy(), "leave this format out, or choose another cell or process");
+  EXPECT_EQ(remedy(), kLone);
   checked.findings = {plan::makeFinding(plan::FindingKind::BondTime, {})};
-  EXPECT_EQ(remedy(), "leave this format out, or choose another cell or process");
+  EXPECT_EQ(remedy(), kLone);
   checked.findings = {
       plan::makeFinding(plan::FindingKind::PathDeviation, {{"distance", base::mm(1.0)}})};
   EXPECT_EQ(remedy(), "see the findings before this one");
