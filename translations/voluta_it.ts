@@ -11666,11 +11666,11 @@ Fai clic per sceglierne un altro</translation>
         <source>contact %1 mm², overhang %2 mm²
 %3 mm high
 %4 of %5 voxels missed in one growth pass
-about %6, estimated from volume and height without supports</source>
+about %6, estimated from size, walls and infill without supports</source>
         <translation>contatto %1 mm², sbalzo %2 mm²
 altezza %3 mm
 %4 voxel mancati su %5 in una passata di crescita
-circa %6, stimato da volume e altezza senza supporti</translation>
+circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 struct Found {
   std::shared_ptr<const modes::LoadStage> placed;
   std::vector<placement::Way> ways;
+  std::vector<double> seconds; // of each, estimated
 
   geometry::Placement placementOf(const placement::Way& way) const {
     return pipeline::standing(way, placed->placement);
@@ -39,12 +40,15 @@ Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) 
   Found found;
   found.placed = pipeline::loadStage(*loaded, choices, process, ctx.sub(0.1, 0.2));
   found.ways = pipeline::partWays(*found.placed, choices, process, ctx.sub(0.2, 1.0));
+  for (const placement::Way& way : found.ways)
+    found.seconds.push_back(pipeline::estimatedSeconds(way, choices, process));
   return found;
 }
 
 Json jsonOf(const Found& found, const std::string& part) {
   Json ways = Json::array();
-  for (const placement::Way& way : found.ways) {
+  for (std::size_t n = 0; n < found.ways.size(); ++n) {
+    const placement::Way& way = found.ways[n];
     const Eigen::Quaterniond turn = found.placementOf(way).rotation;
     const Eigen::Vector3d degrees = project::turnDegrees(turn);
     ways.push_back({{"now", way.now},
@@ -57,7 +61,7 @@ Json jsonOf(const Found& found, const std::string& part) {
                     {"voxelMm", way.voxelMm},
                     {"voxels", way.voxels},
                     {"missedVoxels", way.missed},
-                    {"estimatedS", way.seconds}});
+                    {"estimatedS", found.seconds[n]}});
   }
   return {{"file", part},
           {"scale", found.placed->scale},
@@ -72,12 +76,14 @@ void say(const Found& found) {
   }
   fmt::print("{:<24}{:>13}{:>14}{:>11}{:>22}{:>12}\n", "turn", "contact mm2", "overhang mm2",
              "height mm", "missed of voxels", "about min");
-  for (const placement::Way& way : found.ways)
+  for (std::size_t n = 0; n < found.ways.size(); ++n) {
+    const placement::Way& way = found.ways[n];
     fmt::print("{:<24}{:>13.0f}{:>14.0f}{:>11.1f}{:>22}{:>12.0f}{}\n",
                project::turnText(found.placementOf(way).rotation), way.score.contactMm2,
                way.score.riskyMm2, way.score.heightMm,
-               fmt::format("{} of {}", way.missed, way.voxels), way.seconds / 60.0,
+               fmt::format("{} of {}", way.missed, way.voxels), found.seconds[n] / 60.0,
                way.now ? "  as it lies" : "");
+  }
   if (found.liesBadly())
     fmt::print("poor orientation; to use the first one: plan PART --turn={}\n",
                project::turnText(found.placementOf(found.ways.front()).rotation));

@@ -7,6 +7,9 @@
 #include "pipeline/open_part.h"
 #include "plan/finding_kinds.h"
 #include "project/turn_text.h"
+#include "toolpath/options.h"
+
+#include <algorithm>
 
 namespace voluta::pipeline {
 
@@ -15,7 +18,7 @@ namespace {
 placement::WaysOptions waysOptions(const modes::LoadStage& placed, const project::Choices& choices,
                                    const process::Process& process) {
   placement::WaysOptions options;
-  options.process = process;
+  options.layerHeightMm = process.layerHeightMm;
   options.overhangRad = base::degreesToRadians(parameterValues(choices).number("overhangAngle"));
   options.quarterTurns = placed.voxels != nullptr;
   return options;
@@ -54,13 +57,27 @@ std::vector<placement::Way> partWays(const modes::LoadStage& placed,
   return placement::waysToStand(*placed.part, waysOptions(placed, choices, process), ctx);
 }
 
+double estimatedSeconds(const placement::Way& way, const project::Choices& choices,
+                        const process::Process& process) {
+  const toolpath::ToolpathOptions options = toolpathOptionsOf(parameterValues(choices), process);
+  // A spiral counts its bottom in layers only.
+  const double leastMm = options.spiral ? 0.0 : options.skinMm;
+  const auto skinMm = [&](int layers) { return std::max(leastMm, layers * process.layerHeightMm); };
+  placement::Filling filling;
+  filling.walls = options.walls;
+  filling.density = options.infillDensity;
+  filling.topMm = skinMm(options.topLayers);
+  filling.bottomMm = skinMm(options.bottomLayers);
+  filling.spiral = options.spiral;
+  filling.leastLayerS = options.cooling.leastLayerTimeS;
+  return placement::estimatedSeconds(way.part, filling, process);
+}
+
 std::string partWaysKey(const project::LoadedPart& loaded, double scale,
                         const project::Choices& choices, const process::Process& p) {
   const base::ParameterValues values = parameterValues(choices);
   return base::keyText(loaded.hash, choices.item().repair, scale * unitMm(loaded, choices),
-                       values.number("overhangAngle"), p.layerHeightMm, p.beadWidthMm,
-                       p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2,
-                       process::flowLimit(p), p.primeS) +
+                       values.number("overhangAngle"), p.layerHeightMm) +
          openSurfacesKey(choices, values, p);
 }
 

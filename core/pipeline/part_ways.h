@@ -24,6 +24,10 @@ bool standsFreely(const project::Choices& choices);
 std::vector<placement::Way> partWays(const modes::LoadStage& placed,
                                      const project::Choices& choices,
                                      const process::Process& process, const base::RunContext& ctx);
+// Returns a rough printing time of the part in that orientation [s], with the walls, the infill and
+// the least layer time of the choices (placement::estimatedSeconds). Throws Error{Usage}.
+double estimatedSeconds(const placement::Way& way, const project::Choices& choices,
+                        const process::Process& process);
 // Cache key: all inputs of partWays() except the part's rotation. `scale` is that of the placed
 // part.
 std::string partWaysKey(const project::LoadedPart& loaded, double scale,

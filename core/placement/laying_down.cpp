@@ -3,8 +3,8 @@
 #include "base/units.h"
 #include "curved/convex_hull.h"
 #include "geometry/convex_polygon.h"
-#include "geometry/symmetric_axes.h"
 #include "geometry/measures.h"
+#include "geometry/symmetric_axes.h"
 #include "placement/residual_area.h"
 
 #include <algorithm>

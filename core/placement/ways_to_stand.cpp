@@ -10,7 +10,6 @@
 #include "placement/coarse_growth.h"
 #include "placement/resting_places.h"
 #include "plan/blocking_share.h"
-#include "process/bead_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,12 +89,12 @@ public:
             const base::RunContext& ctx)
       : mesh_(mesh), options_(options), ctx_(ctx),
         // A chamfer of exactly that angle is not an overhang, regardless of rounding.
-        measure_(mesh, options.process.layerHeightMm, options.overhangRad + 1e-3),
+        measure_(mesh, options.layerHeightMm, options.overhangRad + 1e-3),
         area_(geometry::area(mesh)), now_(candidate(-Eigen::Vector3d::UnitZ())) {
     for (Candidate& c : scored())
       add(std::move(c));
-    const double least = std::max(options.process.layerHeightMm,
-                                  kMinCell * geometry::bounds(mesh).diagonal().norm());
+    const double least =
+        std::max(options.layerHeightMm, kMinCell * geometry::bounds(mesh).diagonal().norm());
     widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, least,
                            options.voxels, ctx.sub(0.0, 0.1));
   }
@@ -224,7 +223,8 @@ private:
       way.turn = c.turn();
       way.score = c.score;
       way.voxelMm = widthMm_;
-      way.seconds = estimatedSeconds(volume, c.score.heightMm, foot.acrossMm, options_.process);
+      way.part = {volume, c.score.heightMm, c.score.contactMm2, foot.acrossMm,
+                  standingSurface(mesh_, -c.down)};
       ways.push_back(way);
     }
     const std::vector<CoarseGrowth> growths = coarseGrowths(mesh_, turns, {widthMm_}, ctx);
@@ -253,15 +253,6 @@ void check(const geometry::TriangleMesh& mesh, const WaysOptions& options) {
 
 double Way::missedShare() const {
   return voxels > 0 ? static_cast<double>(missed) / static_cast<double>(voxels) : 0.0;
-}
-
-double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
-                        const process::Process& p) {
-  const double flow = std::min(process::flowLimit(p),
-                               process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
-  const double travel =
-      acrossMm / p.travelSpeedMmPerS + p.travelSpeedMmPerS / p.accelerationMmPerS2;
-  return volumeMm3 / flow + std::ceil(heightMm / p.layerHeightMm - 1e-6) * (p.primeS + travel);
 }
 
 std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptions& options,

@@ -4,7 +4,7 @@
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 #include "placement/orientation_score.h"
-#include "process/process.h"
+#include "placement/printing_time.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -21,26 +21,19 @@ struct Way {
   // voxel size is the same for all orientations of a part.
   double voxelMm = 0.0;
   std::size_t voxels = 0, missed = 0;
-  double seconds = 0.0; // estimatedSeconds()
-  bool now = false;     // the mesh's present orientation
+  StandingPart part; // for estimatedSeconds()
+  bool now = false;  // the mesh's present orientation
 
   double missedShare() const; // share of its voxels
 };
 
 struct WaysOptions {
-  process::Process process;                // its layer height is the contact depth
+  double layerHeightMm = 0.8;              // the contact depth
   double overhangRad = 0.7853981633974483; // facets beyond it are risky
   bool quarterTurns = false;               // true: quarter turns only
   std::size_t voxels = 8000; // approximate size of the grid; voxels are at least a layer high
   std::size_t most = 4;      // number of orientations
 };
-
-// Returns a rough estimate of the printing time: the volume by the flow at the process's bead and
-// speed, plus for each layer up to the part's height a prime, a travel across the part's footprint
-// (its diagonal) and the ramps of that travel. Ignores supports, reach and slow places: it only
-// serves to compare orientations of one part. volumeMm3, heightMm, acrossMm >= 0.
-double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
-                        const process::Process& process);
 
 // Returns the best orientations of the mesh (mm), at most options.most, best first: fewest missed
 // voxels (in steps of plan::kBlockingShare), then minimum risky area per contact, then minimum

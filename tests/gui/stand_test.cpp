@@ -7,9 +7,11 @@
 #include "plan/finding_kinds.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QTest>
@@ -42,11 +44,14 @@ protected:
         return n;
     return -1;
   }
+  static void intoSight(QWidget* widget) {
+    for (QWidget* up = widget; up; up = up->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(up))
+        area->ensureWidgetVisible(widget);
+  }
   // As a hand would: into sight, then clicked.
   void click(QAbstractButton* button) {
-    for (QWidget* up = button; up; up = up->parentWidget())
-      if (auto* area = qobject_cast<QScrollArea*>(up))
-        area->ensureWidgetVisible(button);
+    intoSight(button);
     QTest::mouseClick(button, Qt::LeftButton);
   }
   bool tellsOfLyingBadly() {
@@ -149,6 +154,36 @@ TEST_F(StandTest, ThereAreNoneAroundARod) {
   choices.item().platform = project::Platform("rod:5x200");
   document().setChoices(choices, "lathe");
   EXPECT_FALSE(ways()->isVisible());
+}
+
+// A vase has a wall and a bottom; its card says so as soon as that is chosen.
+TEST_F(StandTest, TheTimeOnACardIsThatOfThePlan) {
+  openStanding(writePart("column.stl", box({0, 0, 0}, {30.0, 30.0, 24.0})));
+  project::Choices choices = document().choices();
+  choices.item().automatic = false;
+  choices.item().mode = "flat";
+  document().setChoices(choices, "flat");
+  ASSERT_TRUE(settled());
+  const auto minutes = [&] {
+    const QRegularExpression about("About (\\d+) min");
+    return about.match(way(marked())->accessibleName()).captured(1).toInt();
+  };
+  const int solid = minutes();
+  EXPECT_GT(solid, 15);
+  find<QTabWidget>("prepareTabs")->setCurrentIndex(0);
+  auto* row = find<QWidget>("parameters")->findChild<QWidget*>("spiral");
+  ASSERT_NE(row, nullptr);
+  auto* spiral = row->findChild<QCheckBox*>("editor");
+  ASSERT_NE(spiral, nullptr);
+  intoSight(spiral);
+  QTest::mouseClick(spiral, Qt::LeftButton, {}, {8, spiral->height() / 2});
+  ASSERT_EQ(document().choices().item().parameters.at("spiral"), "true");
+  ASSERT_TRUE(settled());
+  EXPECT_LT(minutes(), solid / 2);
+  window().planning().plan(Stage::Motion);
+  ASSERT_TRUE(planned(Stage::Motion));
+  EXPECT_NEAR(60.0 * minutes(), document().result(Stage::Motion)->job.report.motion.durationS,
+              60.0);
 }
 
 } // namespace

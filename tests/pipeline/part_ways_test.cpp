@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "helpers/shapes.h"
+#include "pipeline/choices.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
@@ -127,6 +128,36 @@ TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   choices.item().parameters["walls"] = "1";
   choices.item().platform = project::Platform("disc:90");
   EXPECT_EQ(keyOf(1.0, choices, {}), key);
+}
+
+// The estimate of a part as it stands and the time of its plan.
+TEST(PartWays, TheirTimesAreThoseOfThePlans) {
+  constexpr double kRough = 0.15;
+  const auto column = [](double side, double height) {
+    return test::box({0, 0, 0}, {side, side, height});
+  };
+  struct Case {
+    geometry::TriangleMesh part;
+    std::vector<std::string> parameters;
+  };
+  for (const auto& [part, parameters] :
+       {Case{column(20, 16), {}}, Case{column(24, 24), {"infillDensity=0.2"}},
+        Case{column(30, 24), {"spiral=true"}}, Case{column(10, 8), {"minLayerTimeS=30"}}}) {
+    PlanRequest request = requestOf(part);
+    request.choices.item().automatic = false;
+    request.choices.item().mode = "flat";
+    request.until = project::Stage::Motion;
+    pipeline::setParameters(request.choices, parameters);
+    const PlanResult result = pipeline::planPart(request, {});
+    const process::Process& process = result.tooling->first().process;
+    const auto ways = pipeline::partWays(*result.item().placed, request.choices, process, {});
+    const auto now = std::ranges::find_if(ways, &placement::Way::now);
+    ASSERT_NE(now, ways.end());
+    const double estimate = pipeline::estimatedSeconds(*now, request.choices, process);
+    const double planned = result.job.report.motion.durationS;
+    EXPECT_NEAR(estimate, planned, kRough * planned)
+        << (parameters.empty() ? "solid" : parameters.front());
+  }
 }
 
 TEST(TurnText, IsReadAsItIsWritten) {

@@ -9,7 +9,6 @@
 #include "helpers/shapes.h"
 #include "placement/placement_parts.h"
 #include "placement/resting_places.h"
-#include "process/bead_model.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -40,6 +39,10 @@ geometry::TriangleMesh crane() {
 
 std::vector<Way> waysOf(const geometry::TriangleMesh& mesh) {
   return waysToStand(mesh, {}, kQuiet);
+}
+
+double secondsOf(const Way& way) {
+  return estimatedSeconds(way.part, {}, {});
 }
 
 std::vector<double> contactsOf(const std::vector<Way>& ways) {
@@ -73,7 +76,7 @@ TEST(WaysToStand, ABoxHasThree) {
     expectStands(box, ways[n]);
   }
   EXPECT_TRUE(ways[0].turn.isApprox(Eigen::Quaterniond::Identity()));
-  EXPECT_LT(ways[0].seconds, ways[2].seconds) << "fewer layers";
+  EXPECT_LT(secondsOf(ways[0]), secondsOf(ways[2])) << "fewer layers";
   EXPECT_FALSE(betterWay(box, {}, kQuiet));
   EXPECT_EQ(waysOf(test::box({0, 0, 0}, {30, 30, 30})).size(), 1u) << "a cube has one";
 }
@@ -150,7 +153,7 @@ TEST(WaysToStand, DoNotDependOnHowThePartCame) {
       EXPECT_NEAR(ways[w].score.heightMm, wanted[w].score.heightMm, 0.01) << n << ", " << w;
       EXPECT_NEAR(ways[w].score.riskyMm2, wanted[w].score.riskyMm2, 0.5) << n << ", " << w;
       EXPECT_NEAR(ways[w].missedShare(), wanted[w].missedShare(), 0.01) << n << ", " << w;
-      EXPECT_NEAR(ways[w].seconds, wanted[w].seconds, 1.0) << n << ", " << w;
+      EXPECT_NEAR(secondsOf(ways[w]), secondsOf(wanted[w]), 1.0) << n << ", " << w;
     }
     expectStands(came, ways[0]);
   }
@@ -216,7 +219,7 @@ TEST(WaysToStand, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one[n].turn.coeffs(), two[n].turn.coeffs());
     EXPECT_EQ(one[n].score.contactMm2, two[n].score.contactMm2);
     EXPECT_EQ(one[n].missed, two[n].missed);
-    EXPECT_EQ(one[n].seconds, two[n].seconds);
+    EXPECT_EQ(secondsOf(one[n]), secondsOf(two[n]));
   }
 }
 
@@ -241,15 +244,6 @@ TEST(WaysToStand, CanBeCancelledAndTellHowFarTheyAre) {
                 last = fraction;
               }));
   EXPECT_EQ(last, 1.0);
-}
-
-TEST(WaysToStand, TheEstimateIsWhatItSays) {
-  process::Process p;
-  const double flow = process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS;
-  EXPECT_NEAR(estimatedSeconds(flow * 100.0, 8.0, 50.0, p), 100.0 + 10 * (0.2 + 0.5 + 0.2), 1e-9);
-  EXPECT_NEAR(estimatedSeconds(flow * 100.0, 0.0, 50.0, p), 100.0, 1e-9);
-  p.maxFlowMm3PerS = 0.5 * flow;
-  EXPECT_NEAR(estimatedSeconds(flow * 100.0, 0.0, 50.0, p), 200.0, 1e-9);
 }
 
 TEST(WaysToStand, WhatLiesBadlyIsARuleOfTheFigures) {

@@ -35,7 +35,7 @@ void WayCard::retranslate() {
             tr("Missed voxels %1").arg(count(way_.missed)), tr("About %1").arg(way_.time)};
   const QString figures =
       tr("contact %1 mm², overhang %2 mm²\n%3 mm high\n%4 of %5 voxels missed in one "
-         "growth pass\nabout %6, estimated from volume and height without supports")
+         "growth pass\nabout %6, estimated from size, walls and infill without supports")
           .arg(whole(way_.contactMm2), whole(way_.overhangMm2),
                locale.toString(way_.heightMm, 'f', 1), count(way_.missed), count(way_.voxels),
                way_.time);

@@ -34,7 +34,6 @@ panels::ShownWay shownWay(const placement::Way& way, const QImage& picture) {
   shown.heightMm = way.score.heightMm;
   shown.missed = way.missed;
   shown.voxels = way.voxels;
-  shown.time = roughTime(way.seconds);
   return shown;
 }
 } // namespace
@@ -92,15 +91,19 @@ void StandChooser::refresh() {
                             placed->tooling->first().process);
   // A custom orientation is shown beside the others; while the part has one of the computed ones,
   // they stay.
-  if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
+  if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame)) {
+    showTimes();
     showNow();
-  else
+  } else {
     look(key);
+  }
 }
 
 void StandChooser::look(const std::string& key) {
   if (key != key_) {
     downs_.clear();
+    ways_.clear();
+    shown_.clear();
     list_->setWays({});
   }
   key_ = key;
@@ -126,14 +129,31 @@ void StandChooser::look(const std::string& key) {
 
 void StandChooser::take(Found found) {
   downs_.clear();
-  std::vector<panels::ShownWay> shown;
+  shown_.clear();
   for (std::size_t n = 0; n < found.ways.size(); ++n) {
     downs_.push_back((found.ways[n].turn * found.rotation).conjugate() * -Eigen::Vector3d::UnitZ());
-    shown.push_back(shownWay(found.ways[n], found.pictures[n]));
+    shown_.push_back(shownWay(found.ways[n], found.pictures[n]));
   }
+  ways_ = std::move(found.ways);
   list_->setLooking(false);
-  list_->setWays(shown);
+  list_->setWays(shown_);
+  showTimes();
   showNow();
+}
+
+void StandChooser::showTimes() {
+  const auto placed = work_.document.itemResult(Stage::Load);
+  if (!placed || !placed->tooling || work_.document.unusable())
+    return;
+  bool isChanged = false;
+  for (std::size_t n = 0; n < ways_.size(); ++n) {
+    const QString time = roughTime(pipeline::estimatedSeconds(ways_[n], work_.document.choices(),
+                                                              placed->tooling->first().process));
+    isChanged = isChanged || time != shown_[n].time;
+    shown_[n].time = time;
+  }
+  if (isChanged)
+    list_->setWays(shown_);
 }
 
 void StandChooser::showNow() {

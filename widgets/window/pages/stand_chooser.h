@@ -3,6 +3,7 @@
 
 #include "jobs/job_runner.h"
 #include "panels/ways_list.h"
+#include "placement/ways_to_stand.h"
 #include "window/pages/page.h"
 
 #include <Eigen/Core>
@@ -30,6 +31,8 @@ private:
   void refresh();
   void look(const std::string& key);
   void take(Found found);
+  // Shows the orientations again if the choices change their times.
+  void showTimes();
   void showNow();
   // Returns the orientation in which that direction of the file points down; none if there is none.
   std::optional<std::size_t> wayDown(const Eigen::Vector3d& down) const;
@@ -44,7 +47,9 @@ private:
   std::string key_;                    // of the orientations computed last
   Eigen::Vector3d lookedFrom_;         // the direction that pointed down then
   std::vector<Eigen::Vector3d> downs_; // of the shown orientations
-  bool laid_ = false;                  // by a click, and not drawn yet
+  std::vector<placement::Way> ways_;
+  std::vector<panels::ShownWay> shown_;
+  bool laid_ = false; // by a click, and not drawn yet
 };
 
 } // namespace voluta::window
