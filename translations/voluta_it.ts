@@ -10219,6 +10219,14 @@ facce %</translation>
         <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
         <translation>A una sosta il pannello di comando non mostra testo: l&apos;utensile da montare è indicato solo nei commenti del programma.</translation>
     </message>
+    <message>
+        <source>the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its nozzle seems to point away from the part</source>
+        <translation>la testa è larga {tip:.3g} alla punta e {end:.3g} all&apos;altra estremità: il suo ugello sembra puntare lontano dal pezzo</translation>
+    </message>
+    <message>
+        <source>turn the head of process {process} over</source>
+        <translation>capovolgi la testa del processo {process}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -12766,6 +12774,18 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Corrects the sizes of flat layers by those of a printed accuracy plate</source>
         <translation>Corregge le misure degli strati piani con quelle di una piastra stampata</translation>
+    </message>
+    <message>
+        <source>Does the nozzle point up in the drawing?</source>
+        <translation>Nel disegno l&apos;ugello punta verso l&apos;alto?</translation>
+    </message>
+    <message>
+        <source>Turn it over</source>
+        <translation>Capovolgila</translation>
+    </message>
+    <message>
+        <source>Use it as drawn</source>
+        <translation>Usala come disegnata</translation>
     </message>
 </context>
 <context>

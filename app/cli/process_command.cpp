@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "cli/commands.h"
+#include "process/head_shapes.h"
 #include "process/library.h"
 #include "process/measured_sizes.h"
 
@@ -24,8 +25,10 @@ ExitCode processShowCommand(const ProcessOptions& options) {
 }
 
 ExitCode processCheckCommand(const ProcessOptions& options) {
-  fmt::print("{}: no problems\n", process::loadItem(Shelf::Processes, options.process).label());
-  return kDone;
+  const process::LibraryItem item = process::loadItem(Shelf::Processes, options.process);
+  const auto problem = process::upsideDown(item.process()->head);
+  fmt::print("{}: {}\n", item.label(), problem ? base::english(*problem) : "no problems");
+  return problem ? kNotAll : kDone;
 }
 
 ExitCode processImportCommand(const ProcessOptions& options) {

@@ -4,6 +4,7 @@
 #include "cells/reach_map.h"
 #include "collision/cell_collision.h"
 #include "collision/shape_distance.h"
+#include "process/head_shapes.h"
 #include "robot/plate.h"
 #include "robot/pointing_down.h"
 
@@ -39,6 +40,12 @@ Eigen::Isometry3d upright(const Eigen::Vector3d& tip, double turn) {
 
 double headMm(const process::Process& process) {
   return process.head.sections.empty() ? 0.0 : process.head.sections.back().zMm;
+}
+
+void checkHead(const process::Process& process, std::vector<CellFault>& faults) {
+  if (const auto reason = process::upsideDown(process.head))
+    faults.push_back(
+        {*reason, base::message("turn the head of process {process} over"_text, process.id)});
 }
 
 void checkNozzle(const robot::Cell& cell, const process::Process& process, const Frames& frames,
@@ -183,6 +190,7 @@ std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Proces
   const CellCollision collision(cell, process);
   const Frames frames = framesAtRest(cell);
   std::vector<CellFault> faults;
+  checkHead(process, faults);
   checkNozzle(cell, process, frames, faults);
   checkRest(collision, frames, faults);
   checkPlate(cell, process, collision, {}, ctx, faults);

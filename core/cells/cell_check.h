@@ -17,6 +17,7 @@ struct CellFault {
 };
 
 // Returns the faults found, in this order:
+// - the head seems to be upside down (process::upsideDown);
 // - the nozzle's tip, or the middle of its head, is inside a link or an obstacle in the home pose;
 // - two bodies that must keep apart collide in the home pose;
 // - the arm cannot bring the nozzle upright to the first layer anywhere over the plate (25 places,
@@ -30,7 +31,7 @@ struct CellFault {
 std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Process& process,
                                   double partKg, const base::RunContext& ctx);
 
-// Returns only the faults that prevent all printing: the second and the third, with a minimum
+// Returns only the faults that prevent all printing: the third and the fourth, with a minimum
 // distance of bodies of `margins`. Deterministic. Throws Cancelled.
 std::vector<CellFault> printingFaults(const robot::Cell& cell, const process::Process& process,
                                       const collision::Margins& margins,

@@ -28,6 +28,12 @@ void checkPositive(double value, base::Text name) {
     refuse(base::message("{name} must be greater than 0"_text, name));
 }
 
+geometry::TriangleMesh turnedOver(geometry::TriangleMesh mesh) {
+  for (Vector3d& v : mesh.vertices)
+    v = {v.x(), -v.y(), -v.z()};
+  return mesh;
+}
+
 // The mesh with its tip at the origin, heights rounded to multiples of `levelMm`.
 std::vector<Vector3d> aroundAxis(const geometry::TriangleMesh& mesh, double levelMm) {
   Eigen::AlignedBox3d box;
@@ -164,8 +170,10 @@ HeadShape headFromNumbers(const HeadNumbers& n) {
   return {{{0.0, n.tipRadiusMm}, {n.coneHeightMm, top}, {n.coneHeightMm, block}, {end, block}}};
 }
 
-HeadShape headFromMesh(const geometry::TriangleMesh& mesh, double toleranceMm) {
+HeadShape headFromMesh(const geometry::TriangleMesh& given, double toleranceMm,
+                       NozzlePoints nozzle) {
   base::require(toleranceMm > 0.0, "headFromMesh: a tolerance");
+  const geometry::TriangleMesh mesh = nozzle == NozzlePoints::Up ? turnedOver(given) : given;
   if (mesh.empty())
     refuse("the mesh has no triangles"_text);
   const auto [low, high] =
@@ -201,6 +209,18 @@ HeadShape headFromMesh(const geometry::TriangleMesh& mesh, double toleranceMm) {
        mm *= 2.0)
     head = simplified(sections, mm);
   return head;
+}
+
+std::optional<base::Message> upsideDown(const HeadShape& head) {
+  constexpr double kWider = 2.0;
+  if (head.sections.empty())
+    return std::nullopt;
+  const double tip = head.sections.front().radiusMm, end = head.sections.back().radiusMm;
+  if (tip <= kWider * end)
+    return std::nullopt;
+  return base::message("the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its "
+                       "nozzle seems to point away from the part"_text,
+                       base::mm(2.0 * tip), base::mm(2.0 * end));
 }
 
 } // namespace voluta::process

@@ -125,6 +125,16 @@ TEST_F(CellCheck, aLoadBeyondTheRobots) {
   EXPECT_THAT(faults(robot::draftOfCell("ur5-moving"), 100.0), ElementsAre());
 }
 
+TEST_F(CellCheck, aHeadUpsideDownIsTold) {
+  const robot::Cell cell = read(robot::draftOfCell("ur5-moving"));
+  process::Process turned = process();
+  turned.head = {{{0.0, 22.0}, {60.0, 22.0}, {60.0, 0.5}, {70.0, 0.5}}};
+  const std::vector<CellFault> all = cellFaults(cell, turned, 0.0, {});
+  ASSERT_FALSE(all.empty());
+  EXPECT_THAT(base::english(all.front().what), HasSubstr("44 mm wide at its tip and 1 mm"));
+  EXPECT_EQ(base::english(all.front().remedy), "turn the head of process fdm-1.0 over");
+}
+
 TEST_F(CellCheck, theClearestRestIsClear) {
   const CellDraft draft = robot::draftOfCell("ur5-moving");
   const robot::Cell cell = read(draft);

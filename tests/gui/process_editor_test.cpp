@@ -24,6 +24,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace voluta::test {
@@ -235,6 +236,40 @@ TEST_F(ProcessEditorTest, TheHeadIsEditedAsATableFromNumbersAndFromAMesh) {
     EXPECT_EQ(sections().size(), 6u);
     dialog.reject();
   });
+}
+
+// A drawing with the nozzle up: the dialog asks, and a head that is used as drawn stays marked.
+TEST_F(ProcessEditorTest, AHeadDrawnUpsideDownIsAskedFor) {
+  geometry::TriangleMesh drawn = box({-10, -10, 0}, {10, 10, 30});
+  append(drawn, box({-0.5, -0.5, 30}, {0.5, 0.5, 40}));
+  const QString file = writePart("nozzle up.stl", drawn);
+  inLibrary([&](LibraryDialog& dialog) {
+    press(dialog, "libraryDuplicate");
+    const auto tip = [&] {
+      return dialog.shown().at(dialog.current()).draft.process()->head.sections.front().radiusMm;
+    };
+    const double before = tip();
+    const auto import = [&](QMessageBox::ButtonRole answer) {
+      answerFileDialog(file);
+      answerBox("headUpsideDownBox", answer);
+      press(dialog, "headMeshOpen");
+    };
+    import(QMessageBox::RejectRole);
+    EXPECT_EQ(answeredBoxes(), 1);
+    EXPECT_EQ(tip(), before) << "cancelled";
+    import(QMessageBox::AcceptRole);
+    EXPECT_NEAR(tip(), 0.5 * std::sqrt(2.0), 0.02);
+    EXPECT_EQ(state(dialog), "Not saved yet.");
+    import(QMessageBox::DestructiveRole);
+    EXPECT_NEAR(tip(), 10.0 * std::sqrt(2.0), 0.02);
+    EXPECT_TRUE(state(dialog).startsWith("The head is 28.3 mm wide at its tip"))
+        << state(dialog).toStdString();
+    keepPicture(dialog, "library_upside_down");
+    press(dialog, "librarySave");
+    EXPECT_TRUE(state(dialog).contains("point away from the part"));
+    dialog.reject();
+  });
+  EXPECT_EQ(answeredBoxes(), 3);
 }
 
 TEST_F(ProcessEditorTest, OwnItemsAreRenamedExportedImportedAndDeleted) {

@@ -301,6 +301,14 @@ TEST_F(CommandLine, ProcessesAreExportedEditedAndImported) {
   EXPECT_EQ(run({"process", "import", file}).code, 0);
   EXPECT_NE(run({"process", "list"}).out.find("mine"), std::string::npos);
   EXPECT_EQ(run({"process", "check", "mine"}).code, 0);
+  json["head"] = nlohmann::json::parse("[[0, 20], [30, 20], [40, 0.5]]");
+  base::writeFile(file, json.dump());
+  const Ended turned = run({"process", "check", file});
+  EXPECT_EQ(turned.code, 4);
+  EXPECT_NE(turned.out.find("point away from the part"), std::string::npos) << turned.out;
+  const Ended inCell = run({"cell", "check", "ur5-moving", "--process", file});
+  EXPECT_EQ(inCell.code, 4);
+  EXPECT_NE(inCell.out.find("point away from the part"), std::string::npos) << inCell.out;
   const auto shown = nlohmann::json::parse(run({"process", "show", "mine"}).out);
   EXPECT_EQ(shown.at("beadWidthMm").at("default"), 0.5);
   expectOneLine(run({"process", "show", "mime"}), 2, {"mime", "mine"});

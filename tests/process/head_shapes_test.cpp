@@ -5,7 +5,9 @@
 #include "base/units.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -136,6 +138,40 @@ TEST(HeadShapes, fromMeshKeepsFewSections) {
   EXPECT_LE(head.sections.size(), 48u);
   for (const HeadSection& section : profile)
     EXPECT_GE(radiusAt(head, section.zMm), section.radiusMm - 0.02) << section.zMm;
+}
+
+// Drawn with the nozzle up, a head is wide at its lowest point; turned over it is the same head.
+TEST(HeadShapes, aHeadUpsideDownIsFoundAndTurnedOver) {
+  const std::vector<HeadSection> profile{{0.0, 0.5}, {12.0, 6.0}, {12.0, 22.0}, {60.0, 22.0}};
+  geometry::TriangleMesh mesh = revolved(profile, 48);
+  const HeadShape head = headFromMesh(mesh);
+  EXPECT_FALSE(upsideDown(head));
+  for (Vector3d& v : mesh.vertices)
+    v = Vector3d(v.x() + 7.0, 3.0 - v.y(), 100.0 - v.z());
+  const auto reason = upsideDown(headFromMesh(mesh));
+  ASSERT_TRUE(reason);
+  EXPECT_EQ(base::english(*reason), "the head is 44 mm wide at its tip and 1 mm at its other end: "
+                                    "its nozzle seems to point away from the part");
+  const HeadShape turned = headFromMesh(mesh, kHeadToleranceMm, NozzlePoints::Up);
+  ASSERT_EQ(turned.sections.size(), head.sections.size());
+  for (std::size_t i = 0; i < head.sections.size(); ++i) {
+    EXPECT_NEAR(turned.sections[i].zMm, head.sections[i].zMm, 0.02);
+    EXPECT_NEAR(turned.sections[i].radiusMm, head.sections[i].radiusMm, 0.02);
+  }
+  EXPECT_FALSE(upsideDown({})) << "no head";
+}
+
+TEST(HeadShapes, noShippedHeadIsUpsideDown) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  for (const std::string& id : processIds()) {
+    HeadShape head = loadProcess(id).head;
+    EXPECT_FALSE(upsideDown(head)) << id;
+    const double height = head.sections.back().zMm;
+    std::ranges::reverse(head.sections);
+    for (HeadSection& section : head.sections)
+      section.zMm = height - section.zMm;
+    EXPECT_TRUE(upsideDown(head)) << id;
+  }
 }
 
 TEST(HeadShapes, fromMeshRefusesOtherUnits) {

@@ -52,6 +52,12 @@ std::string materialOf(const std::string& jobProcess) {
   }
 }
 
+QString sentence(const base::Message& message) {
+  QString text = language::words(message);
+  text.front() = text.front().toUpper();
+  return text + QLatin1Char('.');
+}
+
 // Returns a file chosen in the folder that was used last; empty: cancelled.
 QString chosenFile(QWidget* parent, const QString& title, const QString& filter) {
   const QString key = QStringLiteral("open/folder");
@@ -291,9 +297,14 @@ void LibraryDialog::showState() {
   form_->setProblem(problem);
   head_->setProblem(problem && problem->key == "head" ? language::words(problem->reason)
                                                       : QString());
+  const process::Process* process = readable ? entry.draft.process() : nullptr;
+  const std::optional<base::Message> isUpsideDown =
+      process && !problem ? process::upsideDown(process->head) : std::nullopt;
   stateIcon_->clear();
   if (!readable || problem)
     stateIcon_->setPixmap(forms::iconBeside(*this, forms::Icon::Blocked));
+  else if (isUpsideDown)
+    stateIcon_->setPixmap(forms::iconBeside(*this, forms::Icon::Warning));
   QString text;
   if (!readable)
     text = entry.unreadable;
@@ -303,6 +314,8 @@ void LibraryDialog::showState() {
                : tr("Cannot be saved: %1 %2")
                      .arg(problem->key == "head" ? tr("Head") : form_->labelOf(problem->key),
                           language::words(problem->reason));
+  else if (isUpsideDown)
+    text = sentence(*isUpsideDown);
   else if (entry.isChanged())
     text = tr("Not saved yet.");
   else if (jobHasAnother(entry))
@@ -505,8 +518,31 @@ void LibraryDialog::headFromMesh() {
   const QString file = chosenFile(
       this, tr("Head from a mesh"),
       tr("Meshes (%1);;All files (*)").arg(forms::filePatterns(project::NamedFiles::Meshes)));
-  if (!file.isEmpty())
-    tried([&] { setHead(process::headFromMesh(geometry::readMesh(file.toStdString()).mesh)); });
+  if (file.isEmpty())
+    return;
+  tried([&] {
+    const geometry::TriangleMesh mesh = geometry::readMesh(file.toStdString()).mesh;
+    const process::HeadShape head = process::headFromMesh(mesh);
+    const auto isUpsideDown = process::upsideDown(head);
+    if (const auto nozzle = isUpsideDown ? askNozzle(*isUpsideDown) : process::NozzlePoints::Down)
+      setHead(*nozzle == process::NozzlePoints::Down
+                  ? head
+                  : process::headFromMesh(mesh, process::kHeadToleranceMm, *nozzle));
+  });
+}
+
+std::optional<process::NozzlePoints> LibraryDialog::askNozzle(const base::Message& reason) {
+  QMessageBox box(QMessageBox::Warning, windowTitle(), sentence(reason), QMessageBox::NoButton,
+                  this);
+  box.setObjectName(QStringLiteral("headUpsideDownBox"));
+  box.setInformativeText(tr("Does the nozzle point up in the drawing?"));
+  const QPushButton* turn = box.addButton(tr("Turn it over"), QMessageBox::AcceptRole);
+  const QPushButton* use = box.addButton(tr("Use it as drawn"), QMessageBox::DestructiveRole);
+  box.addButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == turn)
+    return process::NozzlePoints::Up;
+  return box.clickedButton() == use ? std::optional(process::NozzlePoints::Down) : std::nullopt;
 }
 
 bool LibraryDialog::saveChanged() {

@@ -2,12 +2,14 @@
 // are edited, saved, imported and exported here.
 #pragma once
 
+#include "process/head_shapes.h"
 #include "window/library/library_shelf.h"
 
 #include <QDialog>
 #include <QString>
 #include <array>
 #include <functional>
+#include <optional>
 
 class QLabel;
 class QListWidget;
@@ -72,6 +74,8 @@ private:
   void use();
   void headFromNumbers();
   void headFromMesh();
+  // Asks how a head lies that seems to be upside down; nullopt: cancelled.
+  std::optional<process::NozzlePoints> askNozzle(const base::Message& reason);
   void sizesFromPlate();
   // Runs work that writes files; shows an error in a box. Returns whether it succeeded.
   bool tried(const std::function<void()>& work);
