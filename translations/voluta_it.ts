@@ -10227,6 +10227,10 @@ facce %</translation>
         <source>turn the head of process {process} over</source>
         <translation>capovolgi la testa del processo {process}</translation>
     </message>
+    <message>
+        <source>the plates of machine {one} ({cell}) and machine {two} ({other}) overlap by {depth:.1f} ({area:.0f})</source>
+        <translation>i piani della macchina {one} ({cell}) e della macchina {two} ({other}) si sovrappongono di {depth:.1f} ({area:.0f})</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13678,6 +13682,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Folder for all programs</source>
         <translation>Cartella per tutti i programmi</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
     </message>
 </context>
 <context>

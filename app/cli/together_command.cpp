@@ -76,6 +76,8 @@ ExitCode togetherCommand(const TogetherOptions& options) {
   const auto result = settled(std::move(outcome), staged, options.folder);
   if (!result)
     return kCancelled;
+  for (const base::Message& note : result->notes)
+    fmt::print("note: {}\n", base::english(note));
   if (result->work.order)
     sayOrder(result->work);
   if (result->replay)

@@ -18,6 +18,7 @@
 #include "plan/waypoints.h"
 #include "program/dialect.h"
 #include "together/marks.h"
+#include "together/plate_overlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +98,21 @@ base::Message inWords(const TogetherResult& result, const together::Obstruction&
       "from the border, or the arms at rest further from it"_text,
       layer(one, obstruction.segments[0]), one + 1, layer(other, obstruction.segments[1]),
       other + 1, where);
+}
+
+std::vector<base::Message> overlapNotes(const std::vector<together::Machine>& machines) {
+  std::vector<base::Message> notes;
+  for (std::size_t one = 0; one < machines.size(); ++one)
+    for (std::size_t two = one + 1; two < machines.size(); ++two)
+      if (const auto overlap =
+              together::plateOverlap({machines[one].cell, machines[one].shared_T_world},
+                                     {machines[two].cell, machines[two].shared_T_world}))
+        notes.push_back(base::message(
+            "the plates of machine {one} ({cell}) and machine {two} ({other}) overlap by "
+            "{depth:.1f} ({area:.0f})"_text,
+            one + 1, machines[one].cell.id(), two + 1, machines[two].cell.id(),
+            base::mm(overlap->depthMm), base::mm2(overlap->areaMm2)));
+  return notes;
 }
 
 // Chooses formats that have words for marks; formats that the user chose have to have them.
@@ -200,6 +216,7 @@ TogetherResult planTogether(TogetherRequest request, const base::RunContext& ctx
     owned.push_back(std::make_unique<OwnedMachine>(plan, joined.shared_T_world, ctx));
     machines.push_back(owned.back()->machine);
   }
+  result.notes = overlapNotes(machines);
   result.work = together::planTogether(machines, request.options, ctx.sub(0.05, 0.5));
   if (!result.work.order) {
     result.obstruction = inWords(result, *result.work.obstruction);

@@ -31,6 +31,7 @@ struct TogetherResult {
   std::vector<Eigen::Isometry3d> shared_T_world;
   together::Plan work;
   std::optional<base::Message> obstruction; // why there is no order of work; then no programs
+  std::vector<base::Message> notes;         // plates that overlap, which may be on purpose
   // Of the first program of each; nullopt if one of them was refused or does not state the arm.
   std::optional<replay::SharedRun> replay;
 };

@@ -90,6 +90,9 @@ std::string togetherJson(const TogetherResult& result) {
   for (std::size_t k = 0; k < result.plans.size(); ++k)
     machines.push_back(machineJson(result, k));
   Json json{{"passed", !why}, {"refusal", why ? Json(base::english(*why)) : Json()}};
+  json["notes"] = Json::array();
+  for (const base::Message& note : result.notes)
+    json["notes"].push_back(base::english(note));
   json["machines"] = machines;
   json["start"] = result.work.order ? startJson(*result.work.order) : Json();
   json["order"] = result.work.order ? orderJson(*result.work.order) : Json();

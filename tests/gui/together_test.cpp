@@ -98,6 +98,8 @@ TEST_F(TogetherTest, MachinesTooCloseHaveAReasonAndAPlace) {
   press("togetherFind");
   ASSERT_TRUE(isFound(dialog));
   EXPECT_TRUE(figures().contains("further apart")) << figures().toStdString();
+  EXPECT_TRUE(figures().contains("Note: the plates of machine 1 (ur5-moving) and machine 2"))
+      << figures().toStdString();
   EXPECT_FALSE(find<QPushButton>("togetherSave")->isEnabled());
   keepPicture(dialog, "together_too_close");
   press("togetherRemove");

@@ -93,6 +93,7 @@ TEST(Together, MarksKeepTwoArmsApart) {
   for (const replay::MachineClock& clock : result.replay->clock.machines)
     EXPECT_EQ(clock.meetings().size(), result.work.order->meetings.size());
   EXPECT_GT(unmarked(result).collisions, 0u);
+  EXPECT_TRUE(result.notes.empty()) << "the plates meet at their edges";
 }
 
 TEST(Together, FarApartBothWorkAllTheTime) {
@@ -112,6 +113,11 @@ TEST(Together, MachinesInOnePlaceHaveAReason) {
   EXPECT_FALSE(passed(result));
   ASSERT_TRUE(result.obstruction);
   EXPECT_NE(base::english(*result.obstruction).find("further apart"), std::string::npos);
+  const std::string note = "the plates of machine 1 (ur5-moving) and machine 2 (ur5-moving) "
+                           "overlap by 200.0 mm (40000 mm2)";
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_EQ(base::english(result.notes.front()), note);
+  EXPECT_EQ(nlohmann::json::parse(togetherJson(result)).at("notes"), nlohmann::json{note});
 }
 
 TEST(Together, AMarkedJobIsReadAgain) {
@@ -270,6 +276,7 @@ TEST(Together, FourScarasPrintFourQuartersOfOnePlate) {
   ASSERT_TRUE(result.work.order) << (result.obstruction ? base::english(*result.obstruction) : "");
   ASSERT_TRUE(result.replay);
   EXPECT_FALSE(refusal(result)) << base::english(*refusal(result));
+  EXPECT_EQ(result.notes.size(), 6u) << "one plate, told of each pair; nothing is refused for it";
   EXPECT_EQ(result.replay->collisions, 0u);
   EXPECT_GT(unmarked(result).collisions, 0u);
   EXPECT_GE(result.replay->leastDistanceMm, 10.0);

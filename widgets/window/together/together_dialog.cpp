@@ -310,6 +310,8 @@ void TogetherDialog::showResult() {
   QStringList lines;
   if (refusal)
     lines << language::words(*refusal);
+  for (const base::Message& note : result->notes)
+    lines << tr("Note: %1").arg(language::words(note));
   if (result->replay) {
     double aloneS = 0.0, sumS = 0.0;
     for (const std::vector<double>& seconds : result->work.seconds) {
