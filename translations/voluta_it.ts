@@ -12060,6 +12060,10 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <source>in the robot&apos;s base</source>
         <translation>nella base del robot</translation>
     </message>
+    <message>
+        <source>Place for purges</source>
+        <translation>Punto di spurgo</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::CellEditor</name>
@@ -12230,6 +12234,26 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     <message>
         <source>Discard</source>
         <translation>Scarta</translation>
+    </message>
+    <message>
+        <source>Add place for purges</source>
+        <translation>Aggiungi punto di spurgo</translation>
+    </message>
+    <message>
+        <source>Only a nozzle on the arm goes to a place for purges</source>
+        <translation>Solo un ugello sul braccio va a un punto di spurgo</translation>
+    </message>
+    <message>
+        <source>The cell has a place for purges: select it to move it</source>
+        <translation>La cella ha un punto di spurgo: selezionalo per spostarlo</translation>
+    </message>
+    <message>
+        <source>Where the nozzle&apos;s tip is when tools are changed and nozzles purged, instead of a place that the plan chooses</source>
+        <translation>Dove si trova la punta dell&apos;ugello quando si cambiano utensili e si spurgano ugelli, al posto di un punto scelto dal piano</translation>
+    </message>
+    <message>
+        <source>add the place for purges</source>
+        <translation>aggiungi il punto di spurgo</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 using Kind = DraftBody::Kind;
 
 constexpr const char* kName = "cell.json"; // in error messages
+constexpr const char* kPurgePlace = "purgeMm";
 
 Json parsed(const std::string& text) {
   return Json::parse(text);
@@ -38,6 +39,8 @@ const char* keyOf(Kind kind) {
     return "nozzle";
   case Kind::Platform:
     return "platform";
+  case Kind::PurgePlace:
+    return kPurgePlace;
   case Kind::Axis:
     return "externalAxes";
   case Kind::Obstacle:
@@ -122,6 +125,8 @@ CellDraft::CellDraft(std::string text) : text_(std::move(text)) {
     if (obstacle.has("pose"))
       readPose(obstacle.at("pose"));
   }
+  if (top.has(kPurgePlace))
+    readVector3(top.at(kPurgePlace));
   if (top.has("extruder"))
     top.at("extruder").text();
   for (const char* key : {"carriedKg", "travelAccelerationDegPerS2"})
@@ -164,6 +169,11 @@ std::vector<DraftBody> CellDraft::bodies() const {
     const base::JsonNode node = top.at(keyOf(kind));
     bodies.push_back({kind, 0, {}, readPose(node.at("pose")), node.at("mount").text() == "flange"});
   }
+  if (top.has(kPurgePlace))
+    bodies.push_back({Kind::PurgePlace,
+                      0,
+                      {},
+                      Eigen::Isometry3d(Eigen::Translation3d(readVector3(top.at(kPurgePlace))))});
   const std::vector<base::JsonNode> axes = top.at("externalAxes").items();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     bodies.push_back({Kind::Axis, i, axes[i].at("name").text(), readPose(axes[i].at("pose"))});
@@ -246,7 +256,15 @@ CellDraft CellDraft::withHome(const JointVector& armJoints,
   return CellDraft(textOf(cell));
 }
 
+CellDraft CellDraft::withPurgePlace(const Eigen::Vector3d& worldMm) const {
+  Json cell = parsed(text_);
+  cell[kPurgePlace] = vectorJson(worldMm);
+  return CellDraft(textOf(cell));
+}
+
 CellDraft CellDraft::withPose(const DraftBody& body, const Eigen::Isometry3d& pose) const {
+  if (body.kind == Kind::PurgePlace)
+    return withPurgePlace(pose.translation());
   Json cell = parsed(text_);
   if (body.kind == Kind::Obstacle && !entryOf(cell, body).contains("pose")) {
     std::vector<Shape> shapes = shapesOf(text_, body.index);
@@ -279,11 +297,16 @@ CellDraft CellDraft::withSolids(const std::string& name, const Eigen::Isometry3d
       withObstacle(text_, name, {{"pose", poseJson(pose)}, {"shapes", shapesJson(shapes)}}));
 }
 
-CellDraft CellDraft::without(const DraftBody& obstacle) const {
-  base::require(obstacle.kind == Kind::Obstacle, "an obstacle to take away");
+CellDraft CellDraft::without(const DraftBody& body) const {
+  base::require(body.kind == Kind::Obstacle || body.kind == Kind::PurgePlace,
+                "an obstacle or the place for purges to take away");
   Json cell = parsed(text_);
-  const std::string name = entryOf(cell, obstacle).at("name");
-  cell.at("obstacles").erase(obstacle.index);
+  if (body.kind == Kind::PurgePlace) {
+    cell.erase(kPurgePlace);
+    return CellDraft(textOf(cell));
+  }
+  const std::string name = entryOf(cell, body).at("name");
+  cell.at("obstacles").erase(body.index);
   keepPairs(cell, [&](const std::string& other) { return other != name; });
   return CellDraft(textOf(cell));
 }

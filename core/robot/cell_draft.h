@@ -16,12 +16,13 @@ namespace voluta::robot {
 
 // An item with a frame of its own in a cell's file.
 struct DraftBody {
-  enum class Kind { Nozzle, Platform, Axis, Obstacle };
+  enum class Kind { Nozzle, Platform, PurgePlace, Axis, Obstacle };
   Kind kind = Kind::Nozzle;
   std::size_t index = 0; // among the axes, or the obstacles
   std::string name;      // of an axis or obstacle
   // In the flange (bodies on the arm), the base (fixed bodies), the axis before it, or the last
-  // axis (a platform that axes carry). An obstacle's is its own, or else that of its first shape.
+  // axis (a platform that axes carry). An obstacle's is its own, or else that of its first shape. A
+  // place for purges has no rotation.
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   bool onFlange = false;
   bool underRobot = false; // an axis that carries the robot
@@ -43,7 +44,7 @@ public:
   std::string robot() const;
   std::string extruder() const;            // default "outputs"
   std::optional<double> carriedKg() const; // none: assumed
-  // Returns nozzle, platform, axes from the base on, obstacles.
+  // Returns nozzle, platform, place for purges if there is one, axes from the base on, obstacles.
   std::vector<DraftBody> bodies() const;
 
   CellDraft named(const std::string& id, const std::string& label) const;
@@ -55,7 +56,10 @@ public:
   CellDraft withCarriedKg(double kg) const;
   // rad, mm; one value per joint of the arm.
   CellDraft withHome(const JointVector& armJoints, const std::vector<JointLimits>& limits) const;
-  // Moves the body to the pose; an obstacle with all its shapes.
+  // Adds the place for purges [mm, in the world], or moves it there.
+  CellDraft withPurgePlace(const Eigen::Vector3d& worldMm) const;
+  // Moves the body to the pose; an obstacle with all its shapes, the place for purges without the
+  // rotation.
   CellDraft withPose(const DraftBody& body, const Eigen::Isometry3d& pose) const;
   // Preconditions: an obstacle that is a single box; edges > 0.
   CellDraft withSize(const DraftBody& box, const Eigen::Vector3d& sizeMm) const;
@@ -65,8 +69,9 @@ public:
   // The solids are in the obstacle's own frame. Preconditions: at least one, no prism.
   CellDraft withSolids(const std::string& name, const Eigen::Isometry3d& pose,
                        const std::vector<Shape>& shapes) const;
-  // Removes an obstacle and the pairs that name it. Precondition: an obstacle.
-  CellDraft without(const DraftBody& obstacle) const;
+  // Removes an obstacle and the pairs that name it, or the place for purges. Precondition: one of
+  // them.
+  CellDraft without(const DraftBody& body) const;
 
   friend bool operator==(const CellDraft& a, const CellDraft& b) { return a.text_ == b.text_; }
 

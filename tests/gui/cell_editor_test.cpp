@@ -274,6 +274,63 @@ TEST_F(CellEditorTest, ABodyIsMovedAndTurnedByItsHandles) {
   });
 }
 
+// The place for purges is added, moved by numbers, checked, taken back by the keys, and saved.
+TEST_F(CellEditorTest, ThePlaceForPurgesIsAddedMovedAndSaved) {
+  inEditor([&](window::CellEditor& editor) {
+    EXPECT_FALSE(editor.findChild<QPushButton*>("cellAddPurgePlace")->isEnabled())
+        << "the nozzle is fixed";
+    editor.done(QDialog::Rejected);
+  });
+  project::Choices choices = document().choices();
+  choices.cell = "ur5-moving";
+  document().setChoices(choices, "cell");
+  inEditor([&](window::CellEditor& editor) {
+    auto* port = editor.findChild<viewer::Viewport*>();
+    const auto shown = [&] {
+      EXPECT_TRUE(settled(editor));
+      QTest::qWait(300); // what is swapped in is painted
+      return port->grabFrame().convertToFormat(QImage::Format_RGB32);
+    };
+    const auto place = [&] {
+      return body(editor, robot::DraftBody::Kind::PurgePlace).pose.translation();
+    };
+    const QImage without = shown();
+    press(editor, "cellAddPurgePlace");
+    ASSERT_TRUE(settled(editor));
+    EXPECT_EQ(editor.findChild<QTreeWidget*>("cellBodies")->currentItem()->text(0),
+              "Place for purges");
+    EXPECT_FALSE(editor.findChild<QPushButton*>("cellAddPurgePlace")->isEnabled()) << "one only";
+    EXPECT_FALSE(editor.findChild<QWidget*>("frameTurnX")->isVisible()) << "a point";
+    EXPECT_EQ(port->tool(), viewer::Tool::Move);
+    EXPECT_TRUE(faults(editor).startsWith("No problems")) << faults(editor).toStdString();
+    keepPicture(editor, "purge_place");
+    const Vector3d beside = place();
+    const QImage there = shown();
+    EXPECT_GT(differingShare(without, there), 0.0005);
+    type(editor, "placeX", 5000.0);
+    ASSERT_TRUE(settled(editor));
+    EXPECT_EQ(place(), Vector3d(5000.0, beside.y(), beside.z()));
+    EXPECT_TRUE(faults(editor).contains("does not reach the place for purges"))
+        << faults(editor).toStdString();
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(settled(editor));
+    EXPECT_EQ(place(), beside);
+    press(editor, "cellRemove");
+    ASSERT_TRUE(settled(editor));
+    EXPECT_TRUE(editor.findChild<QPushButton*>("cellAddPurgePlace")->isEnabled());
+    QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(settled(editor));
+    type(editor, "placeZ", 40.0);
+    ASSERT_TRUE(settled(editor));
+    saveAs(editor, "with-purges");
+  });
+  ASSERT_EQ(document().choices().cell, "with-purges");
+  const robot::Cell cell = robot::loadCell("with-purges", process::loadProcess("fdm-1.0"),
+                                           {{-40, -40}, {40, -40}, {40, 40}, {-40, 40}});
+  ASSERT_TRUE(cell.purgePlaceMm());
+  EXPECT_EQ(cell.purgePlaceMm()->z(), 40.0);
+}
+
 // An arm with meshes for the eye looks like them, and like its solids where these are asked for.
 TEST_F(CellEditorTest, AnImportedArmLooksLikeItsMeshes) {
   base::writeFile(path("link.stl").toStdString(),

@@ -88,6 +88,26 @@ TEST_F(Drafts, boxesComeAndGoWithWhatIsSaidOfThem) {
   EXPECT_EQ(draft.withBox("forearm", someTurn(), {1, 1, 1}).bodies().back().name, "forearm 2");
 }
 
+TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
+  const CellDraft draft = draftOfCell("ur5-moving");
+  ASSERT_FALSE(read(draft).purgePlaceMm());
+  EXPECT_TRUE(std::ranges::none_of(
+      draft.bodies(), [](const DraftBody& body) { return body.kind == Kind::PurgePlace; }));
+  const CellDraft added = draft.withPurgePlace({400, -150, 25});
+  EXPECT_EQ(*read(added).purgePlaceMm(), Eigen::Vector3d(400, -150, 25));
+  const DraftBody place = body(added, Kind::PurgePlace);
+  EXPECT_EQ(place.pose.translation(), Eigen::Vector3d(400, -150, 25));
+  EXPECT_FALSE(place.onFlange);
+  const CellDraft moved = added.withPose(place, someTurn());
+  EXPECT_EQ(*read(moved).purgePlaceMm(), someTurn().translation());
+  EXPECT_TRUE(body(moved, Kind::PurgePlace).pose.linear().isIdentity());
+  // Without it the file is as before, but for its layout.
+  EXPECT_EQ(moved.without(place), draft.named(draft.id(), draft.label()));
+  std::string text = added.text();
+  text.replace(text.find("-150"), 4, "true");
+  EXPECT_THROW(CellDraft{text}, base::Error);
+}
+
 // Solids with a frame of their own: it moves, and they go with it.
 TEST_F(Drafts, solidsFromAFileStandInTheirFrame) {
   const std::vector<Shape> solids{Frustum{{0, 0, 0}, {0, 0, 200}, 15, 15},

@@ -79,6 +79,12 @@ void FrameForm::setFrame(const Eigen::Isometry3d& frame) {
   showQuietly(turn_, angles_ * base::radiansToDegrees(1.0));
 }
 
+void FrameForm::setTurnVisible(bool visible) {
+  turnLabel_->setVisible(visible);
+  for (forms::NumberBox* box : turn_)
+    box->setVisible(visible);
+}
+
 void FrameForm::setSizeMm(const std::optional<Eigen::Vector3d>& sizeMm) {
   sizeLabel_->setVisible(sizeMm.has_value());
   for (forms::NumberBox* box : size_)

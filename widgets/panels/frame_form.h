@@ -20,8 +20,10 @@ class FrameForm : public QWidget {
 public:
   explicit FrameForm(QWidget* parent = nullptr);
 
-  // Neither emits. Rotations about the fixed X, then Y, then Z, as in cell files.
+  // None of these emits. Rotations about the fixed X, then Y, then Z, as in cell files.
   void setFrame(const Eigen::Isometry3d& frame);
+  // Whether the rotation is shown: a point has none.
+  void setTurnVisible(bool visible);
   // mm; nullopt: the body is no box, and the numbers are hidden.
   void setSizeMm(const std::optional<Eigen::Vector3d>& sizeMm);
 

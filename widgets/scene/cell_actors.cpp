@@ -16,6 +16,9 @@ void CellActors::setDrawing(const CellDrawing* drawing) {
       renderer_->RemoveActor(actor);
   pieces_.clear();
   solids_.clear();
+  if (purgePlace_)
+    renderer_->RemoveActor(purgePlace_);
+  purgePlace_ = nullptr;
   drawing_ = drawing;
   if (!drawing)
     return;
@@ -30,6 +33,10 @@ void CellActors::setDrawing(const CellDrawing* drawing) {
     solids_.back()->GetProperty()->SetOpacity(kSolidsOpacity);
     solids_.back()->GetProperty()->BackfaceCullingOn();
   }
+  if (drawing->purgePlace) {
+    purgePlace_ = addSolid(renderer_);
+    setData(purgePlace_, drawing->purgePlace);
+  }
   colour();
 }
 
@@ -43,6 +50,8 @@ void CellActors::colour() {
     setColour(pieces_[i], colourOf(drawing_->cell.bodies()[drawing_->pieces[i].body]));
   for (const auto& solid : solids_)
     setColour(solid, theme_.front);
+  if (purgePlace_)
+    setColour(purgePlace_, theme_.front);
 }
 
 const Colour& CellActors::colourOf(const robot::Body& body) const {
@@ -67,6 +76,8 @@ void CellActors::pose(const std::vector<Eigen::Isometry3d>& world_T_frame) {
     setPose(pieces_[i], poseOf(drawing_->pieces[i].frame));
   for (std::size_t i = 0; i < solids_.size(); ++i)
     setPose(solids_[i], poseOf(drawing_->cell.bodies()[i].frame));
+  if (purgePlace_)
+    setPose(purgePlace_, poseOf(drawing_->cell.worldFrame()));
 }
 
 bool CellActors::shows(const ViewState& view, std::size_t body, bool byPlatform) const {
@@ -82,6 +93,8 @@ void CellActors::show(const ViewState& view, bool byPlatform) {
   for (std::size_t i = 0; i < solids_.size(); ++i)
     solids_[i]->SetVisibility(view.collisionSolids && shows(view, i, byPlatform) &&
                               drawing_->cell.bodies()[i].role != robot::BodyRole::Obstacle);
+  if (purgePlace_)
+    purgePlace_->SetVisibility(view.cell);
 }
 
 void CellActors::setSeenThrough(bool on) {

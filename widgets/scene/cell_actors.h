@@ -38,6 +38,7 @@ private:
   const CellDrawing* drawing_ = nullptr;
   std::vector<vtkSmartPointer<vtkActor>> pieces_;
   std::vector<vtkSmartPointer<vtkActor>> solids_; // one per body
+  vtkSmartPointer<vtkActor> purgePlace_;          // null: none
 };
 
 } // namespace voluta::scene

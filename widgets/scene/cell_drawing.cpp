@@ -108,8 +108,18 @@ void addOthers(const robot::Cell& cell, std::vector<CellPiece>& pieces) {
   }
 }
 
+Surface pinAt(const Eigen::Vector3d& place) {
+  constexpr double kConeMm = 30.0, kHeadMm = 12.0, kRadiusMm = 10.0;
+  const Eigen::Vector3d neck = place + kConeMm * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d top = neck + kHeadMm * Eigen::Vector3d::UnitZ();
+  return surfaceOf({robot::Frustum{place, neck, 0.0, kRadiusMm},
+                    robot::Frustum{neck, top, kRadiusMm, kRadiusMm}});
+}
+
 std::shared_ptr<const CellDrawing> drawn(const robot::Cell& cell, std::vector<CellPiece> arm) {
-  auto drawing = std::make_shared<CellDrawing>(CellDrawing{cell, std::move(arm), {}});
+  auto drawing = std::make_shared<CellDrawing>(CellDrawing{cell, std::move(arm), {}, {}});
+  if (cell.purgePlaceMm())
+    drawing->purgePlace = pinAt(*cell.purgePlaceMm());
   addOthers(cell, drawing->pieces);
   for (const Body& body : cell.bodies())
     drawing->solids.push_back(surfaceOf(body.shapes));

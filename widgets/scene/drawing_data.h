@@ -137,6 +137,8 @@ struct CellDrawing {
   robot::Cell cell;
   std::vector<CellPiece> pieces;                    // links first
   std::vector<vtkSmartPointer<vtkPolyData>> solids; // collision solids, one per body
+  // A pin whose tip is the place for purges, in the world; null: the cell has none.
+  vtkSmartPointer<vtkPolyData> purgePlace;
 };
 
 } // namespace voluta::scene

@@ -71,6 +71,8 @@ QString BodyTree::nameOf(const DraftBody& body) {
     return tr("Nozzle");
   case DraftBody::Kind::Platform:
     return tr("Plate");
+  case DraftBody::Kind::PurgePlace:
+    return tr("Place for purges");
   case DraftBody::Kind::Axis:
   case DraftBody::Kind::Obstacle:
     break;
@@ -112,6 +114,7 @@ Eigen::Isometry3d base_T_parent(const DraftBody& body, const robot::Cell& cell) 
     if (body.index > 0 && body.index <= axes) // Identity for axes under the robot, at home
       return at(cell.axisFrame(body.index - 1));
     break;
+  case DraftBody::Kind::PurgePlace:
   case DraftBody::Kind::Obstacle:
     break;
   }

@@ -8,6 +8,7 @@
 #include "language/words.h"
 #include "panels/frame_form.h"
 #include "program/extruder.h"
+#include "robot/plate.h"
 #include "robot/shape/arm_look.h"
 #include "scene/drawing_data.h"
 #include "viewer/viewport.h"
@@ -33,6 +34,7 @@
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace voluta::window {
 
@@ -174,6 +176,8 @@ QWidget* CellEditor::buildBodies() {
   addFile->setObjectName("cellAddFile");
   addFile->setToolTip(
       tr("An obstacle from a drawing: a mesh, approximated by boxes, cylinders and capsules"));
+  addPurgePlace_ = new QPushButton(tr("Add place for purges"), bodies);
+  addPurgePlace_->setObjectName("cellAddPurgePlace");
   measure_ = new QPushButton(tr("Measure…"), bodies);
   measure_->setObjectName("cellMeasure");
   measure_->setToolTip(tr("Computes the body's pose from points touched at the real cell"));
@@ -185,6 +189,7 @@ QWidget* CellEditor::buildBodies() {
       tr("Finds the home pose with the greatest clearance, the nozzle over the plate"));
   connect(addBox, &QPushButton::clicked, this, &CellEditor::addBox);
   connect(addFile, &QPushButton::clicked, importing_, &ObstacleImport::choose);
+  connect(addPurgePlace_, &QPushButton::clicked, this, &CellEditor::addPurgePlace);
   connect(measure_, &QPushButton::clicked, this, &CellEditor::measure);
   connect(remove_, &QPushButton::clicked, this, &CellEditor::removeBody);
   connect(rest_, &QPushButton::clicked, this, &CellEditor::rest);
@@ -209,13 +214,15 @@ QWidget* CellEditor::buildBodies() {
   row->addStretch(1);
   row->addWidget(solids_);
   row->addWidget(rest_);
-  auto* below = new QHBoxLayout;
-  for (QPushButton* button : {addBox, addFile, remove_})
-    below->addWidget(button, 1);
+  auto* below = new QGridLayout;
+  below->addWidget(addBox, 0, 0);
+  below->addWidget(addFile, 0, 1);
+  below->addWidget(addPurgePlace_, 1, 0);
+  below->addWidget(remove_, 1, 1);
   auto* title = new QHBoxLayout;
   title->addWidget(frameOf_, 1);
   title->addWidget(measure_);
-  for (QPushButton* button : {addBox, addFile, measure_, remove_, rest_})
+  for (QPushButton* button : {addBox, addFile, addPurgePlace_, measure_, remove_, rest_})
     button->setAutoDefault(false); // As for the dialog's own buttons
   auto* column = new QVBoxLayout(bodies);
   column->setContentsMargins(0, 0, 0, 0);
@@ -298,12 +305,15 @@ void CellEditor::showDraft() {
 void CellEditor::showBody() {
   const std::optional<DraftBody> body = tree_->chosen();
   frame_->setEnabled(body.has_value());
-  measure_->setEnabled(body && checked_.cell);
-  remove_->setEnabled(body && body->kind == DraftBody::Kind::Obstacle);
+  const bool isPurgePlace = body && body->kind == DraftBody::Kind::PurgePlace;
+  measure_->setEnabled(body && checked_.cell && !isPurgePlace);
+  remove_->setEnabled(body && (isPurgePlace || body->kind == DraftBody::Kind::Obstacle));
+  showPurgeButton();
   frameOf_->setText(
       body ? tr("%1, %2").arg(BodyTree::nameOf(*body), BodyTree::parentOf(*body, draft_))
            : tr("Select a body to move it"));
   frame_->setSizeMm(body ? body->sizeMm : std::nullopt);
+  frame_->setTurnVisible(!isPurgePlace);
   if (body)
     frame_->setFrame(body->pose);
   scene::ViewState view;
@@ -317,7 +327,9 @@ void CellEditor::showBody() {
     view.marker = checked_.cell->base_T_work(checked_.cell->home()).inverse() * frame.translation();
     viewport_->setGizmoCentre(frame.translation(), frame.linear());
   }
-  viewport_->setTool(shown ? viewer::Tool::Frame : viewer::Tool::None);
+  viewport_->setTool(!shown         ? viewer::Tool::None
+                     : isPurgePlace ? viewer::Tool::Move
+                                    : viewer::Tool::Frame);
   viewport_->setView(view);
 }
 
@@ -442,6 +454,38 @@ void CellEditor::addBox() {
   tree_->choose(draft_.bodies().back());
 }
 
+// A cell has one place for purges, and only where its nozzle moves.
+void CellEditor::showPurgeButton() {
+  const std::vector<DraftBody> bodies = draft_.bodies();
+  const auto nozzle = std::ranges::find(bodies, DraftBody::Kind::Nozzle, &DraftBody::kind);
+  const bool moves = nozzle != bodies.end() && nozzle->onFlange;
+  const bool isThere =
+      std::ranges::find(bodies, DraftBody::Kind::PurgePlace, &DraftBody::kind) != bodies.end();
+  addPurgePlace_->setEnabled(moves && !isThere && checked_.cell);
+  addPurgePlace_->setToolTip(
+      !moves    ? tr("Only a nozzle on the arm goes to a place for purges")
+      : isThere ? tr("The cell has a place for purges: select it to move it")
+                : tr("Where the nozzle's tip is when tools are changed and nozzles purged, instead "
+                     "of a place that the plan chooses"));
+}
+
+// Beside the plate and a little above it, on the side of the new boxes.
+void CellEditor::addPurgePlace() {
+  if (!checked_.cell)
+    return;
+  constexpr double kBesideMm = 30.0, kAboveMm = 20.0;
+  double edge = 0.0;
+  if (const robot::Prism* plate = robot::plateOf(*checked_.cell))
+    for (const Eigen::Vector2d& corner : plate->polygon)
+      edge = std::max(edge, corner.y());
+  const Eigen::Vector3d place = checked_.cell->base_T_work(checked_.cell->home()) *
+                                Eigen::Vector3d(0.0, edge + kBesideMm, kAboveMm);
+  edit(draft_.withPurgePlace(place.array().round().matrix()), tr("add the place for purges"));
+  DraftBody added;
+  added.kind = DraftBody::Kind::PurgePlace;
+  tree_->choose(added);
+}
+
 // Keeps the coordinates of the file: they are correct if it was drawn in the cell's frame;
 // otherwise the user moves the solids.
 void CellEditor::addSolids(const QString& name, const std::vector<robot::Shape>& solids) {
@@ -472,7 +516,8 @@ void CellEditor::measure() {
 }
 
 void CellEditor::removeBody() {
-  if (const auto body = tree_->chosen(); body && body->kind == DraftBody::Kind::Obstacle)
+  if (const auto body = tree_->chosen(); body && (body->kind == DraftBody::Kind::Obstacle ||
+                                                  body->kind == DraftBody::Kind::PurgePlace))
     edit(draft_.without(*body), tr("remove %1").arg(BodyTree::nameOf(*body)));
 }
 

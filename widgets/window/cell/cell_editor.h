@@ -71,6 +71,7 @@ private:
   void setDraft(const robot::CellDraft& draft);
   void showDraft();
   void showBody();
+  void showPurgeButton();
   void look();
   void take(Looked&& looked);
   void showFaults();
@@ -78,6 +79,7 @@ private:
   void drag(const viewer::GizmoChange& change, bool finished);
   void preview();
   void addBox();
+  void addPurgePlace();
   void addSolids(const QString& name, const std::vector<robot::Shape>& solids);
   void measure();
   void removeBody();
@@ -108,7 +110,7 @@ private:
   panels::FrameForm* frame_;
   QCheckBox* solids_;
   QLabel *frameOf_, *faultIcon_, *faults_;
-  QPushButton *measure_, *remove_, *rest_, *save_;
+  QPushButton *addPurgePlace_, *measure_, *remove_, *rest_, *save_;
 };
 
 } // namespace voluta::window
