@@ -114,6 +114,31 @@ TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
   EXPECT_TRUE(window().viewport().view().partBeyond);
 }
 
+// On another maker's arm, too: one click, from where no better place is left.
+TEST_F(CellTest, OneClickMovesThePartToTheBestPlaceOfAnotherArm) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {40.0, 40.0, 40.0})));
+  project::Choices choices = document().choices();
+  choices.cell = "kr6-r900-moving";
+  document().setChoices(choices, "cell");
+  find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
+  ASSERT_TRUE(reachKnown());
+  geometry::Placement aside;
+  aside.centreMm = {900.0, 300.0};
+  document().place(aside, "move");
+  ASSERT_TRUE(reachKnown());
+  EXPECT_TRUE(reachText().startsWith("The part is off")) << reachText().toStdString();
+  click(moveButton());
+  ASSERT_TRUE(reachKnown());
+  EXPECT_TRUE(reachText().startsWith("Fully reachable upright")) << reachText().toStdString();
+  EXPECT_FALSE(moveButton()->isEnabled()) << "it is there";
+  EXPECT_LT(document().choices().item().placement.centreMm.norm(), 200.0);
+  EXPECT_FALSE(window().viewport().view().partBeyond);
+  keepPicture(window(), "best_place");
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(reachKnown());
+  EXPECT_EQ(document().choices().item().placement.centreMm, aside.centreMm);
+}
+
 // A post beside the plate, of the user's own: saved, taken, and a body of what is planned.
 TEST_F(CellTest, AnOwnCellWithAnObstacleIsPlannedIn) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));

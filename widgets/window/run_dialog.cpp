@@ -70,6 +70,7 @@ RunDialog::RunDialog(const QString& record, std::shared_ptr<const pipeline::Plan
   figures_->setWordWrap(true);
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   figures_->setText(tr("Comparing the record with the current plan…"));
+  sign_->setObjectName("runSign");
   sign_->setAlignment(Qt::AlignTop);
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
