@@ -7030,10 +7030,6 @@ mm³</translation>
         <translation>{volume:.0f} estrusi prima del primo strato sono omessi</translation>
     </message>
     <message>
-        <source>{volume:.1f} extruded at rest are left out</source>
-        <translation>{volume:.1f} estrusi da fermo sono omessi</translation>
-    </message>
-    <message>
         <source>Open surfaces</source>
         <translation>Superfici aperte</translation>
     </message>
@@ -10230,6 +10226,33 @@ facce %</translation>
     <message>
         <source>the plates of machine {one} ({cell}) and machine {two} ({other}) overlap by {depth:.1f} ({area:.0f})</source>
         <translation>i piani della macchina {one} ({cell}) e della macchina {two} ({other}) si sovrappongono di {depth:.1f} ({area:.0f})</translation>
+    </message>
+    <message>
+        <source>{volume:.1f} extruded at rest are left out, from line {line} on</source>
+        <translation>{volume:.1f} estrusi da fermo sono omessi, dalla riga {line} in poi</translation>
+    </message>
+    <message>
+        <source>{volume:.0f} extruded by the printer&apos;s own code are left out, from line {line} on</source>
+        <translation>{volume:.0f} estrusi dal codice proprio della stampante sono omessi, dalla riga {line} in poi</translation>
+    </message>
+    <message>
+        <source>the file states the filament diameter &apos;{text}&apos;: {diameter} assumed for values that cannot be used; for another one set pathsFlow</source>
+        <translation>il file indica il diametro del filamento «{text}»: {diameter} assunto per i valori inutilizzabili; per un altro impostare pathsFlow</translation>
+    </message>
+    <message>
+        <source>the program ends here, beads that follow in line {line} would not be printed</source>
+        <translation>il programma finisce qui, i cordoni che seguono nella riga {line} non sarebbero stampati</translation>
+    </message>
+    <message>
+        <source>remove the end (M2, M30, M112), or everything that follows it</source>
+        <translation>rimuovere la fine (M2, M30, M112), o tutto ciò che la segue</translation>
+    </message>
+    <message numerus="yes">
+        <source>the job has {count} tools: its first tool prints the file&apos;s beads of {tools}</source>
+        <translation>
+            <numerusform>il lavoro ha {count} utensile: il primo stampa i cordoni del file di {tools}</numerusform>
+            <numerusform>il lavoro ha {count} utensili: il primo stampa i cordoni del file di {tools}</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -39,21 +39,49 @@ std::size_t nextCommand(std::string_view text, std::size_t from, char letter) {
   }
   return std::string_view::npos;
 }
+
+// Returns where the remark that begins at `from` ends, behind its `)`; npos: it is not closed.
+std::size_t endOfRemark(std::string_view line, std::size_t from) {
+  const std::size_t end = line.find(')', from);
+  return end == std::string_view::npos ? end : end + 1;
+}
+
+// Returns the place of the first of the characters outside of remarks in parentheses.
+std::size_t findOutside(std::string_view line, std::string_view characters) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '(')
+      if (const std::size_t end = endOfRemark(line, i); end != std::string_view::npos)
+        i = end - 1;
+    if (characters.find(line[i]) != std::string_view::npos)
+      return i;
+  }
+  return std::string_view::npos;
+}
+
+// Returns the text behind the remarks that it begins with; nothing if one is not closed.
+std::string_view behindRemarks(std::string_view text) {
+  while ((text = program::trimmed(text)).starts_with('(')) {
+    const std::size_t end = endOfRemark(text, 0);
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end);
+  }
+  return text;
+}
 } // namespace
 
 GcodeCommand commandOf(std::string_view line) {
   GcodeCommand command;
-  const std::size_t semicolon = line.find(';');
+  const std::size_t semicolon = findOutside(line, ";");
   if (semicolon != std::string_view::npos)
     command.remark = line.substr(semicolon + 1);
-  std::string_view text = program::trimmed(line.substr(0, std::min(semicolon, line.find('*'))));
-  if (text.empty() || text.front() == '%' || text.front() == '(')
+  std::string_view text =
+      behindRemarks(line.substr(0, std::min(semicolon, findOutside(line, "*"))));
+  if (text.empty() || text.front() == '%')
     return command;
   if (text.front() == 'N' || text.front() == 'n') {
     std::string_view rest = text.substr(1);
     double number = 0.0;
     if (program::takeNumber(rest, number))
-      text = program::trimmed(rest);
+      text = behindRemarks(rest);
   }
   command.text = text;
   if (text.empty())

@@ -13,7 +13,8 @@ struct GcodeCommand {
   std::string_view next;   // the line from its next command on; empty: there is none
 };
 
-// Returns the first command of a line; an empty text if the line has none. Several in one line are
+// Returns the first command of a line; an empty text if the line has none. Remarks in parentheses
+// are no commands, wherever they stand. Several in one line are
 // told apart where none of them can be another's word or text: the modes (G17 to G21, G40, G49,
 // G90 to G94, M82, M83), motions, tools, heat, fans and shares (M220, M221).
 GcodeCommand commandOf(std::string_view line);

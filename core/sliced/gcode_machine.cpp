@@ -116,12 +116,38 @@ private:
   void execute(const GcodeCommand& command) {
     if (command.letter == ' ')
       refuseBareWord(command.text);
+    if (endsProgram(command)) {
+      if (endLine_ == 0)
+        endLine_ = line_;
+      return;
+    }
     const bool isUsed = command.letter == 'T'   ? changeTool(command.number)
                         : command.letter == 'M' ? executeM(command.number, command.text)
                         : command.letter == 'G' ? executeG(command.number, command.text)
                                                 : false;
     if (!isUsed)
       unused_.take(command, line_, layer_, lastBeadLine_ > 0);
+  }
+
+  // M30 with a name deletes a file.
+  static bool endsProgram(const GcodeCommand& command) {
+    if (command.letter != 'M' || command.number != 30.0)
+      return command.letter == 'M' && (command.number == 2.0 || command.number == 112.0);
+    std::string_view name = command.text.substr(1);
+    double number = 0.0;
+    program::takeDecimal(name, number);
+    name = program::trimmed(name);
+    return name.empty() || name.front() == '(';
+  }
+
+  void refuseBeadBehindEnd() const {
+    if (endLine_ > 0)
+      throw Error(ErrorCode::UnreadableFile,
+                  base::message("the program ends here, beads that follow in line {line} would not "
+                                "be printed"_text,
+                                line_),
+                  base::lineOf(name_, static_cast<long long>(endLine_)),
+                  "remove the end (M2, M30, M112), or everything that follows it"_text);
   }
 
   void refuseBareWord(std::string_view text) const {
@@ -159,7 +185,7 @@ private:
     if (m == 82.0 || m == 83.0)
       relativeE_ = m == 83.0;
     else if (m < 200.0)
-      heat(m, w);
+      heat(m, w, text);
     else if (m == 200.0 && w['D'])
       setVolumetric(*w['D'] > 0.0);
     else if (m > 200.0 && w['S'])
@@ -187,13 +213,15 @@ private:
            "export the whole file with lengths of filament, or with volumes"_text);
   }
 
-  // M109 and M190 with R also wait for cooling.
-  void heat(double m, GcodeWords& w) {
+  // M109 and M190 with R also wait for cooling; 0 switches off.
+  void heat(double m, GcodeWords& w, std::string_view text) {
     const std::optional<double> celsius = w['S'] ? w['S'] : w['R'];
     constexpr double kHottest = 1000.0;
-    if (!celsius || !(*celsius > 0.0) || *celsius > kHottest)
+    if (celsius && (*celsius < 0.0 || *celsius > kHottest))
+      unused_.takeNamed(std::string(text.substr(0, 40)), line_);
+    else if (!celsius || *celsius == 0.0)
       return;
-    if (m == 140.0 || m == 190.0)
+    else if (m == 140.0 || m == 190.0)
       file_.bedC = std::max(file_.bedC, static_cast<int>(*celsius));
     else if (const std::optional<int> tool = w['T'] ? toolNumber(*w['T']) : tool_)
       nozzleC_[*tool] = static_cast<int>(*celsius);
@@ -209,7 +237,7 @@ private:
     } else if (g == 28.0) {
       home(text);
     } else if (g == 10.0 || g == 11.0) {
-      endPath(); // By the firmware: what it retracts, it returns
+      return retract(g, text);
     } else if (g == 92.0) {
       GcodeWords w = words(text);
       setCounts(w);
@@ -222,6 +250,21 @@ private:
     } else {
       return false;
     }
+    return true;
+  }
+
+  // By the firmware: what it retracts, it returns. With L or P, G10 sets coordinates, or the
+  // offset and the heat of a tool.
+  bool retract(double g, std::string_view text) {
+    GcodeWords w; // Of a text that is not understood, those before the first odd one
+    program::wordsOf(text, w);
+    for (const char letter : {'L', 'P'})
+      if (g == 10.0 && w[letter]) {
+        if (lastBeadLine_ > 0)
+          unused_.takeNamed("G10 " + (letter + program::fixedText(*w[letter], 2)), line_);
+        return true;
+      }
+    endPath();
     return true;
   }
 
@@ -334,11 +377,12 @@ private:
     if (!std::ranges::all_of(knownBefore, std::identity()))
       fail("a bead from an unknown position"_text,
            "home the axes (G28) or travel to its start first"_text);
-    if (isInStartCode()) {
+    if (isLeftOut()) {
       endPath();
-      file_.inStartCode += extruded;
+      leaveOut(extruded);
       return;
     }
+    refuseBeadBehindEnd();
     lastBeadLine_ = line_;
     if (!joins())
       beginPath(from, fromDirection);
@@ -366,13 +410,27 @@ private:
   }
 
   void extrudeAtRest(double extruded) {
-    if (isInStartCode())
-      file_.inStartCode += extruded;
-    else
+    if (isLeftOut()) {
+      leaveOut(extruded);
+    } else if (extruded > 0.0) {
       file_.atRest += extruded;
+      if (file_.restLine == 0)
+        file_.restLine = line_;
+    }
   }
 
-  bool isInStartCode() const {
+  void leaveOut(double extruded) {
+    if (lastBeadLine_ == 0) {
+      file_.inStartCode += extruded;
+    } else if (extruded > 0.0) {
+      file_.inOwnCode += extruded;
+      if (file_.ownLine == 0)
+        file_.ownLine = line_;
+    }
+  }
+
+  // Code of the printer's own, before the first layer or marked by a comment.
+  bool isLeftOut() const {
     return (feature_ && feature_->custom) || (file_.header.hasLayers && layer_ < 0) ||
            (!file_.header.hasLayers && file_.header.hasKinds && !feature_);
   }
@@ -438,6 +496,7 @@ private:
   const base::RunContext& ctx_;
   SlicedFile file_;
   std::size_t line_ = 0, points_ = 0, lastBeadLine_ = 0; // 0: no bead yet
+  std::size_t endLine_ = 0;                              // Of the program; 0: not yet
 
   Vector3d position_ = Vector3d::Zero(), shift_ = Vector3d::Zero(); // shift_: by G92
   Vector3d direction_ = Vector3d::UnitZ(), stated_ = Vector3d::UnitZ();

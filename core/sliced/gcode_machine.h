@@ -28,8 +28,9 @@ namespace voluta::sliced {
 // - Purge lines beside the part are left out.
 //
 // Throws Error{UnreadableFile} with the line for a motion that is not understood, a position beyond
-// a kilometre, a bead from an unknown position, an M200 between beads; Error{UnusableInput} for too
-// many points; Cancelled. `name`: of the file, for errors.
+// a kilometre, a bead from an unknown position, a bead behind the end of the program, an M200
+// between beads; Error{UnusableInput} for too many points; Cancelled. `name`: of the file, for
+// errors.
 SlicedFile followGcode(std::string_view text, const std::string& name, const base::RunContext& ctx);
 
 } // namespace voluta::sliced

@@ -37,6 +37,7 @@ struct SlicedPath {
 // What comments state anywhere in the file; 0: nothing.
 struct SlicedHeader {
   double filamentMm = 0.0;         // Diameter, of the first tool
+  std::string oddDiameters;        // A statement of diameters of which one cannot be used
   std::vector<double> filamentsMm; // Diameters by tool; empty: all as the first
   bool volumetric = false;         // Amounts are volumes, by a setting
   bool ultiGcode = false;          // They are, by the language
@@ -57,10 +58,10 @@ struct SlicedFile {
   SlicedHeader header;
   std::vector<SlicedPath> paths;
   bool volumetric = false; // Amounts are volumes
-  // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer; as purge
-  // lines beside the part
-  double atRest = 0.0, inStartCode = 0.0, purged = 0.0;
-  std::size_t purgeLine = 0;  // The first line with a purge line; 0: none
+  // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer; by the
+  // printer's own code behind beads; as purge lines beside the part
+  double atRest = 0.0, inStartCode = 0.0, inOwnCode = 0.0, purged = 0.0;
+  std::size_t restLine = 0, ownLine = 0, purgeLine = 0; // The first line of each; 0: none
   std::map<int, int> nozzleC; // By tool: the temperature at which most material is printed [°C]
   int bedC = 0;               // The highest that is set [°C]; 0: none
   std::vector<base::Message> unused; // Commands that are not acted on, a sentence each

@@ -36,16 +36,26 @@ std::string heatOf(const SlicedFile& file) {
 
 std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
-  if (!file.volumetric && file.header.filamentMm <= 0.0)
+  if (!file.volumetric && !file.header.oddDiameters.empty())
+    notes.push_back(base::message(
+        "the file states the filament diameter '{text}': {diameter} assumed for values that cannot be used; for another one set pathsFlow"_text,
+        file.header.oddDiameters,
+        base::mm(file.header.filamentMm > 0.0 ? file.header.filamentMm : kUsualFilamentMm)));
+  else if (!file.volumetric && file.header.filamentMm <= 0.0)
     notes.push_back(base::message(
         "the file states no filament diameter: {diameter} assumed; for another one set pathsFlow"_text,
         base::mm(kUsualFilamentMm)));
   if (file.inStartCode > 0.0)
     notes.push_back(base::message("{volume:.0f} extruded before the first layer are left out"_text,
                                   base::mm3(file.inStartCode * filamentMm2)));
+  if (file.inOwnCode > 0.0)
+    notes.push_back(base::message(
+        "{volume:.0f} extruded by the printer's own code are left out, from line {line} on"_text,
+        base::mm3(file.inOwnCode * filamentMm2), file.ownLine));
   if (file.atRest > 0.0)
-    notes.push_back(base::message("{volume:.1f} extruded at rest are left out"_text,
-                                  base::mm3(file.atRest * filamentMm2)));
+    notes.push_back(
+        base::message("{volume:.1f} extruded at rest are left out, from line {line} on"_text,
+                      base::mm3(file.atRest * filamentMm2), file.restLine));
   if (file.purged > 0.0)
     notes.push_back(base::message(
         "purge lines beside the part are left out: {volume:.0f} from line {line} on"_text,
@@ -75,7 +85,8 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
 std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3, double statedMm3,
                                        double filamentMm2) {
   constexpr double kSameShare = 0.002, kSameMm3 = 1.0;
-  const double readMm3 = beadsMm3 + filamentMm2 * (file.atRest + file.inStartCode + file.purged);
+  const double readMm3 =
+      beadsMm3 + filamentMm2 * (file.atRest + file.inStartCode + file.inOwnCode + file.purged);
   if (std::abs(readMm3 - statedMm3) <= kSameMm3 + kSameShare * statedMm3)
     return {};
   return {base::message(

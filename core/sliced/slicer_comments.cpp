@@ -94,14 +94,21 @@ void take(double& value, std::optional<double> found) {
 
 // Takes diameters by tool, "1.75,2.85".
 void takeDiameters(SlicedHeader& header, std::string_view text) {
+  constexpr std::size_t kShown = 40;
   std::vector<double> all;
+  const std::string_view stated = text.substr(0, kShown);
   double value = 0.0;
-  while (program::takeNumber(text, value) && value >= kLeastMm && value <= kMostMm) {
+  bool goesOn = !text.empty() && text.front() != '_'; // otherwise a setting of another name
+  while (goesOn) {
+    if (!program::takeNumber(text, value) || !(value >= kLeastMm && value <= kMostMm)) {
+      header.oddDiameters = stated;
+      break;
+    }
     all.push_back(value);
     text = trimmed(text);
-    if (!text.starts_with(','))
-      break;
-    text = trimmed(text.substr(1));
+    goesOn = text.starts_with(',');
+    text = trimmed(text.substr(goesOn ? 1 : 0));
+    goesOn = goesOn && !text.empty();
   }
   if (all.empty())
     return;

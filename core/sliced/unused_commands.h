@@ -19,7 +19,7 @@ public:
   // `hasBeads`: a bead came before it; commands before the first bead prepare a printer, and only
   // stops are kept of them.
   void take(const GcodeCommand& command, std::size_t line, int layer, bool hasBeads);
-  // Takes one that is executed in part.
+  // Takes one under that name.
   void takeNamed(const std::string& name, std::size_t line);
 
   // Returns a sentence for all stops, and one for each other command that is used at or before

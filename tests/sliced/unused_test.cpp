@@ -144,6 +144,67 @@ TEST(SlicedWords, AByteOrderMarkHidesNoSetting) {
   EXPECT_DOUBLE_EQ(readIn("\xEF\xBB\xBF" + body).volumeMm3, readIn(body).volumeMm3);
 }
 
+std::string refusalOf(const std::string& text) {
+  try {
+    readIn(text);
+  } catch (const base::Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// What follows would not be printed by the machine of the file.
+TEST(SlicedWords, BeadsBehindTheEndOfTheProgramAreRefused) {
+  const std::string first = kHead + layer(0) + square(0, 0, 0.8);
+  const std::string second = layer(1) + square(0, 0, 1.6);
+  for (const std::string end : {"M2", "M30", "M112", "m02", "M2 (end)", "N7 M30*55"}) {
+    EXPECT_THAT(refusalOf(first + end + "\n" + second),
+                AllOf(HasSubstr("line 13: the program ends here"), HasSubstr("in line 17 would")))
+        << end;
+    EXPECT_EQ(notesOf(first + second + end + "\n"), notesOf(first + second)) << end;
+  }
+  // Deletes a file
+  EXPECT_EQ(notesOf(first + "M30 /old.gco\n" + second).size(), 1u);
+}
+
+TEST(SlicedWords, ARemarkInParenthesesHidesNoCommand) {
+  std::string text = kHead + layer(0) + square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6);
+  const double mm3 = readIn(text).volumeMm3;
+  for (const std::string before : {"(a wall) ", "(a; b*c)(d)", "N10 (x) "}) {
+    std::string marked = text;
+    for (std::size_t at = marked.find("G1 X"); at != std::string::npos;
+         at = marked.find("G1 X", at + before.size() + 1))
+      marked.insert(at, before);
+    EXPECT_DOUBLE_EQ(readIn(marked).volumeMm3, mm3) << before;
+  }
+  EXPECT_THAT(notesOf(text + "(only a remark)\n(not closed\n;(\n" + layer(2) + square(0, 0, 2.4)),
+              ElementsAre());
+}
+
+TEST(SlicedWords, MaterialOfThePrintersOwnCodeIsNamedWhereItIs) {
+  const std::string own = ";TYPE:Custom\nG1 X200 Y0 E9 F600\nG1 X200 Y50 E9\n";
+  const std::string beads = layer(0) + ";TYPE:Perimeter\n" + square(0, 0, 0.8) + layer(1) +
+                            ";TYPE:Perimeter\n" + square(0, 0, 1.6);
+  EXPECT_THAT(notesOf(kHead + own + beads),
+              ElementsAre(HasSubstr("43 mm3 extruded before the first layer are left out")));
+  EXPECT_THAT(notesOf(kHead + beads + own),
+              ElementsAre(AllOf(HasSubstr("43 mm3 extruded by the printer's own code"),
+                                HasSubstr("from line 23 on"))));
+  EXPECT_THAT(notesOf(kHead + beads + "G1 E3\nG1 E3\n" + layer(2) + square(0, 0, 2.4)),
+              ElementsAre(AllOf(HasSubstr("extruded at rest"), HasSubstr("from line 22 on"))));
+}
+
+TEST(SlicedWords, DiametersThatCannotBeUsedAreQuoted) {
+  const std::string body = "G21\nG90\nM83\nG28\n" + layer(0) + square(0, 0, 0.8);
+  for (const std::string text : {"nan", "0", "-1.75", "1.75,nan", "1750"})
+    EXPECT_THAT(notesOf("; filament_diameter = " + text + "\n" + body),
+                ElementsAre(HasSubstr("states the filament diameter '" + text + "': 1.75 mm")))
+        << text;
+  EXPECT_THAT(notesOf(body), ElementsAre(HasSubstr("states no filament diameter")));
+  for (const std::string text : {"1.75", "1.75,2.85", "1.75,"})
+    EXPECT_THAT(notesOf("; filament_diameter = " + text + "\n" + body), ElementsAre()) << text;
+}
+
 TEST(SlicedWords, StopsAreNamedWithTheirLines) {
   std::string text = kHead;
   for (int k = 0; k < 5; ++k) {
@@ -253,11 +314,27 @@ TEST(SlicedWords, WhatIsNotActedOnIsNamedOnce) {
     const std::string n = std::to_string(random() % 900 + 10);
     // Each with its name in the notes
     const std::vector<std::pair<std::string, std::string>> all{
-        {"M106 S" + n, "M106"},         {"G4 P" + n, "G4 "},     {"M600 ; " + n, "(M600)"},
-        {"M0 look " + n, "look " + n},  {"M42 P4 S" + n, "M42"}, {"M280 P0 S" + n, "M280"},
-        {"M141 S" + n, "M141"},         {"M3 S" + n, "M3 "},     {"MACRO_" + n, "MACRO_" + n},
-        {"SET_LED RED=1", "SET_LED"},   {"G54", "G54"},          {"G68 R10", "G68"},
-        {"M226 P2 S1", "(M226 P2 S1)"}, {"@pause", "(@pause)"},  {"M98 P\"x" + n + ".g\"", "M98"}};
+        {"M106 S" + n, "M106"},
+        {"G4 P" + n, "G4 "},
+        {"M600 ; " + n, "(M600)"},
+        {"M0 look " + n, "look " + n},
+        {"M42 P4 S" + n, "M42"},
+        {"M280 P0 S" + n, "M280"},
+        {"M141 S" + n, "M141"},
+        {"M3 S" + n, "M3 "},
+        {"MACRO_" + n, "MACRO_" + n},
+        {"SET_LED RED=1", "SET_LED"},
+        {"G54", "G54"},
+        {"G68 R10", "G68"},
+        {"M92 E" + n, "M92 "},
+        {"M206 X" + n, "M206 "},
+        {"M290 Z" + n, "M290 "},
+        {"G10 L2 P1 X" + n, "G10 L2"},
+        {"G10 P0 S" + n, "G10 P0"},
+        {"M104 S9" + n + "00", "M104 S9" + n},
+        {"M226 P2 S1", "(M226 P2 S1)"},
+        {"@pause", "(@pause)"},
+        {"M98 P\"x" + n + ".g\"", "M98"}};
     std::string text = kHead;
     std::vector<std::string> needles;
     std::vector<std::string> lines;
