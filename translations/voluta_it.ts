@@ -10026,10 +10026,6 @@ facce %</translation>
         </translation>
     </message>
     <message>
-        <source>not used: {count} strips of triangles (element &apos;tristrips&apos;)</source>
-        <translation>non usate: {count} strisce di triangoli (elemento «tristrips»)</translation>
-    </message>
-    <message>
         <source>&apos;{word}&apos; is not followed by a joint motion: it changes the speed of a later travel</source>
         <translation>dopo &apos;{word}&apos; non segue un moto dei giunti: cambia la velocità di uno spostamento successivo</translation>
     </message>
@@ -10252,6 +10248,20 @@ facce %</translation>
         <translation>
             <numerusform>il lavoro ha {count} utensile: il primo stampa i cordoni del file di {tools}</numerusform>
             <numerusform>il lavoro ha {count} utensili: il primo stampa i cordoni del file di {tools}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} entries of the element &apos;{name}&apos;</source>
+        <translation>
+            <numerusform>non usato: {count} elemento «{name}»</numerusform>
+            <numerusform>non usati: {count} elementi «{name}»</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>divided into triangles: {count} facets of more than three vertices, the first in line {line}</source>
+        <translation>
+            <numerusform>divisa in triangoli: {count} faccetta con più di tre vertici, nella riga {line}</numerusform>
+            <numerusform>divise in triangoli: {count} faccette con più di tre vertici, la prima nella riga {line}</numerusform>
         </translation>
     </message>
 </context>

@@ -139,15 +139,47 @@ TEST(Readers, ShapesThatAreNotReadAreNamed) {
     ASSERT_EQ(notes.size(), 1u) << word;
     EXPECT_EQ(notes[0], "not used: 2 statements '" + word + "', the first in line 5");
   }
-  const auto strips = base::english(
+  const auto edges = base::english(
       readMesh("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-               "element tristrips 1\nproperty list uchar int vertex_indices\nend_header\n"
-               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n",
+               "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0 1\n1 2\n",
                "p.ply")
           .repairs);
-  ASSERT_EQ(strips.size(), 1u);
-  EXPECT_NE(strips[0].find("1 strips of triangles"), std::string::npos);
+  EXPECT_EQ(edges, std::vector<std::string>{"not used: 2 entries of the element 'edge'"});
+}
+
+// Negative numbers separate the strips of one list; repeated vertices join strips.
+TEST(Readers, StripsOfTrianglesAreRead) {
+  const auto file =
+      readMesh("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+               "property float z\nelement tristrips 1\n"
+               "property list int int vertex_indices\nend_header\n"
+               "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 0\n3 1 0\n"
+               "9 0 1 2 3 -1 1 4 3 5\n",
+               "p.ply");
+  EXPECT_TRUE(file.repairs.empty());
+  ASSERT_EQ(file.mesh.triangles.size(), 4u);
+  EXPECT_NEAR(geometry::area(file.mesh), 3.0, 1e-12);
+  for (std::size_t t = 0; t < 4; ++t)
+    EXPECT_GT((file.mesh.corner(t, 1) - file.mesh.corner(t, 0))
+                  .cross(file.mesh.corner(t, 2) - file.mesh.corner(t, 0))
+                  .z(),
+              0.0)
+        << t;
+}
+
+TEST(Readers, FacetsOfMoreVerticesInAnStlAreNamed) {
+  const std::string triangle = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\n"
+                               "vertex 2 1 0\nendloop\nendfacet\n";
+  std::string polygon = triangle;
+  polygon.insert(polygon.find("endloop"), "vertex 1 0.2 0\nvertex 0 1 0\n");
+  EXPECT_TRUE(readMesh("solid a\n" + triangle + "endsolid\n", "a.stl").repairs.empty());
+  const auto file = readMesh("solid a\n" + triangle + polygon + "endsolid\n", "a.stl");
+  EXPECT_NEAR(geometry::area(file.mesh), 1.0 + 1.2, 1e-12);
+  EXPECT_EQ(base::english(file.repairs),
+            std::vector<std::string>{"divided into triangles: 1 facet of more than three vertices, "
+                                     "in line 16"});
 }
 
 TEST(Readers, BinaryHeaderMayBeginWithSolid) {

@@ -185,6 +185,21 @@ Header readHeader(std::string_view bytes, const std::string& name) {
   return header;
 }
 
+// Adds the triangles of strips, which negative numbers separate: each vertex makes one with the two
+// before it, every other one turned over.
+void addStrips(const std::vector<double>& list, std::vector<std::vector<double>>& polygons) {
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i] < 0.0)
+      from = i + 1;
+    if (i < from + 2)
+      continue;
+    const bool isTurned = (i - from) % 2 == 1;
+    const double a = list[i - (isTurned ? 1 : 2)], b = list[i - (isTurned ? 2 : 1)], c = list[i];
+    if (a != b && b != c && c != a)
+      polygons.push_back({a, b, c});
+  }
+}
 } // namespace
 
 FacetSoup readPly(std::string_view bytes, const std::string& name) {
@@ -195,9 +210,12 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
   std::vector<Vector3d> points, polygon;
   std::vector<std::vector<double>> polygons;
   for (const Element& element : header.elements) {
-    if (element.name == "tristrips" && element.count > 0)
-      soup.repairs.push_back(base::message(
-          "not used: {count} strips of triangles (element 'tristrips')"_text, element.count));
+    const bool isStrip = element.name == "tristrips";
+    if (element.count > 0 && element.name != "vertex" && element.name != "face" && !isStrip)
+      soup.repairs.push_back(
+          base::message("not used: {count} entry of the element '{name}'|"
+                        "not used: {count} entries of the element '{name}'"_plural,
+                        element.count, element.name));
     // Elements without properties have no data, regardless of their count.
     for (long long i = 0; i < element.count && !element.properties.empty(); ++i) {
       Vector3d point = Vector3d::Zero();
@@ -211,9 +229,12 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
         std::vector<double> list(body.nextCount(*property.listCount));
         for (double& value : list)
           value = body.next(property.type);
-        if (element.name == "face" &&
-            (property.name == "vertex_indices" || property.name == "vertex_index"))
+        if (property.name != "vertex_indices" && property.name != "vertex_index")
+          continue;
+        if (element.name == "face")
           polygons.push_back(std::move(list));
+        else if (isStrip)
+          addStrips(list, polygons);
       }
       if (element.name == "vertex")
         points.push_back(point);

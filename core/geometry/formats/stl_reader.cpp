@@ -78,6 +78,8 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
   Words words(bytes);
   std::vector<Vector3d> loop;
   bool ended = false;
+  std::size_t polygons = 0;
+  long long firstPolygon = 0; // its line
   const auto fail = [&](const base::Message& what) {
     throw Error(ErrorCode::UnreadableFile, base::message("damaged STL: {what}"_text, what),
                 base::lineOf(name, words.line()));
@@ -103,8 +105,9 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
     } else if (word == "endloop") {
       if (loop.size() < 3)
         fail("a facet with fewer than three vertices"_text);
-      for (std::size_t k = 2; k < loop.size(); ++k)
-        soup.facets.push_back({loop[0], loop[k - 1], loop[k]});
+      if (loop.size() > 3 && polygons++ == 0)
+        firstPolygon = words.line();
+      addPolygon(loop, soup.facets);
       loop.clear();
     } else if (word == "facet") {
       words.skipLine(); // the normal follows from the vertices
@@ -114,6 +117,11 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
   }
   if (!loop.empty())
     fail("truncated within a facet"_text);
+  if (polygons > 0)
+    soup.repairs.emplace_back(
+        "divided into triangles: {count} facet of more than three vertices, in line {line}|"
+        "divided into triangles: {count} facets of more than three vertices, the first in line {line}"_plural,
+        std::vector<base::Value>{polygons, firstPolygon});
   if (!ended)
     soup.repairs.push_back("the file ends without \"endsolid\": it may be truncated"_text);
   return soup;
