@@ -10264,6 +10264,14 @@ facce %</translation>
             <numerusform>divise in triangoli: {count} faccette con più di tre vertici, la prima nella riga {line}</numerusform>
         </translation>
     </message>
+    <message>
+        <source>two joints are named &apos;{joint}&apos;</source>
+        <translation>due giunti hanno il nome «{joint}»</translation>
+    </message>
+    <message>
+        <source>joint &apos;{joint}&apos;: the limits of its safety controller leave no room</source>
+        <translation>giunto «{joint}»: i limiti del suo controllore di sicurezza non lasciano spazio</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

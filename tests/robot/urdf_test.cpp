@@ -184,13 +184,50 @@ TEST_F(Urdf, SaysWhatIsAssumedOfLimits) {
     return robot.model.assumed;
   };
   const auto zero = assumedWith(R"(<limit lower="0" upper="0" velocity="0"/>)");
-  EXPECT_THAT(zero,
-              Contains(HasSubstr("'wrist_3_joint' turns +-360 deg: the description has zero or "
-                                 "endless limits")));
+  EXPECT_THAT(zero, Contains(HasSubstr("'wrist_3_joint' turns +-360 deg: the description has zero "
+                                       "limits")));
   EXPECT_THAT(zero, Contains(HasSubstr("'wrist_3_joint' turns at 180 deg/s")));
   EXPECT_THAT(assumedWith(""), Contains(HasSubstr("has no limits")));
   EXPECT_THAT(complaint(test::ur5Urdf("", R"(<limit lower="1" upper="-1" velocity="1"/>)")),
               HasSubstr("'wrist_3_joint': the lower limit is not below the upper one"));
+}
+
+TEST_F(Urdf, SafetyControllersTightenLimits) {
+  const auto lastOf = [&](const std::string& safety) {
+    return read(test::ur5Urdf("", R"(<limit lower="-6" upper="6" velocity="3"/>)" + safety)).model;
+  };
+  const RobotModel tight =
+      lastOf(R"(<safety_controller soft_lower_limit="-1" soft_upper_limit="9" k_velocity="1"/>)");
+  EXPECT_DOUBLE_EQ(tight.limits[5].min, -1.0);
+  EXPECT_DOUBLE_EQ(tight.limits[5].max, 6.0);
+  EXPECT_THAT(tight.assumed, Contains(HasSubstr("'wrist_3_joint' turns from -57.3 to 343.8 deg")));
+  // Without effect on positions, or beyond the joint's own
+  for (const char* safety :
+       {R"(<safety_controller k_velocity="1"/>)",
+        R"(<safety_controller soft_lower_limit="-7" soft_upper_limit="7" k_velocity="1"/>)"}) {
+    const RobotModel same = lastOf(safety);
+    EXPECT_DOUBLE_EQ(same.limits[5].min, -6.0);
+    EXPECT_DOUBLE_EQ(same.limits[5].max, 6.0);
+    EXPECT_EQ(same.assumed, lastOf("").assumed);
+  }
+  EXPECT_THAT(complaint(test::ur5Urdf("", R"(<limit lower="-1" upper="1" velocity="1"/>
+                          <safety_controller soft_lower_limit="2" soft_upper_limit="3"/>)")),
+              HasSubstr("'wrist_3_joint': the limits of its safety controller leave no room"));
+}
+
+TEST_F(Urdf, NamesSolidsThatItLeavesOut) {
+  const std::string ur5 = test::ur5Urdf();
+  const auto assumedOf = [&](const std::string& forearm) {
+    return read(with(ur5, R"(<box size="0.36 0.07 0.07"/>)", forearm)).model.assumed;
+  };
+  EXPECT_THAT(assumedOf(R"(<sphere radius="-0.05"/>)"),
+              Contains(HasSubstr("link 'forearm': a sphere of radius -50 mm is left out")));
+  EXPECT_THAT(assumedOf(R"(<cylinder radius="0.1" length="-1"/>)"),
+              Contains(HasSubstr("a cylinder of radius 100 mm and length -1000 mm is left out")));
+  EXPECT_THAT(assumedOf(R"(<box size="0.1 -0.2 0.1"/>)"),
+              Contains(HasSubstr("a box of 100 x -200 x 100 mm is left out")));
+  EXPECT_THAT(assumedOf(R"(<capsule radius="0.1" length="1"/>)"),
+              Contains(HasSubstr("a solid of unknown shape 'capsule' is left out")));
 }
 
 TEST_F(Urdf, RefusesInOneLineWhatItCannotTake) {
@@ -216,6 +253,8 @@ TEST_F(Urdf, RefusesInOneLineWhatItCannotTake) {
               HasSubstr("is part of a loop"));
   EXPECT_THAT(complaint(test::ur5Urdf("<link name=\"table\"/>")),
               HasSubstr("two bases, 'world' and 'table'"));
+  EXPECT_THAT(complaint(with(ur5, R"(<joint name="lift")", R"(<joint name="pan")")),
+              HasSubstr("two joints are named 'pan'"));
   EXPECT_THAT(complaint(R"(<robot name="r"><link name="a"/></robot>)"), HasSubstr("has no tip"));
   EXPECT_THAT(complaint(R"(<robot name="r"></robot>)"), HasSubstr("has no links"));
   EXPECT_THAT(complaint(ur5, {.tip = "tool1", .base = {}, .id = {}}),
@@ -355,6 +394,14 @@ TEST_F(Urdf, NumbersBeyondMeasureAreSaidOrPassedOver) {
       read(test::ur5Urdf("", R"(<limit lower="-1e9" upper="1e9" velocity="1e12"/>)"));
   EXPECT_NEAR(endless.model.limits[5].max, 2 * kPi, 1e-12);
   EXPECT_THAT(endless.model.assumed, Contains(HasSubstr("no usable velocity")));
+  EXPECT_THAT(endless.model.assumed, Contains(HasSubstr("-1e+09 and 1e+09 rad, are more than")));
+  // In degrees
+  const UrdfRobot degrees =
+      read(test::ur5Urdf("", R"(<limit lower="-90" upper="170" velocity="3"/>)"));
+  EXPECT_NEAR(degrees.model.limits[5].min, -2 * kPi, 1e-12);
+  EXPECT_THAT(degrees.model.assumed,
+              Contains(HasSubstr("'wrist_3_joint' turns +-360 deg: the description's limits, -90 "
+                                 "and 170 rad, are more than four turns (limits are in radians")));
   // Cut off in the middle.
   EXPECT_THAT(complaint(ur5.substr(0, ur5.size() / 2)), HasSubstr("arm.urdf"));
   EXPECT_THAT(complaint(""), HasSubstr("arm.urdf"));

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace voluta::robot {
 
@@ -25,6 +26,10 @@ public:
     for (std::size_t i = 0; i < tree.links.size(); ++i)
       if (!byName_.emplace(tree.links[i].name, i).second)
         fail(message("two links are named '{link}'"_text, tree.links[i].name));
+    std::set<std::string_view> names;
+    for (const UrdfJoint& joint : tree.joints)
+      if (!names.insert(joint.name).second)
+        fail(message("two joints are named '{joint}'"_text, joint.name));
     over_.resize(tree.links.size());
     under_.resize(tree.links.size());
     for (std::size_t j = 0; j < tree.joints.size(); ++j)

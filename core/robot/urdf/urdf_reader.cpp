@@ -6,6 +6,7 @@
 #include "robot/urdf/urdf_chain.h"
 #include "robot/urdf/urdf_shapes.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
@@ -28,20 +29,46 @@ std::string idOf(const std::string& name) {
   return id.empty() ? "robot" : id;
 }
 
+// Moves the limits to those of the joint's safety controller where these are tighter.
+void tighten(JointLimits& limits, const UrdfJoint& joint, const std::string& where,
+             std::vector<std::string>& assumed) {
+  if (!joint.softLimit)
+    return;
+  const double min = std::max(limits.min, joint.softLimit->lower);
+  const double max = std::min(limits.max, joint.softLimit->upper);
+  if (!(min < max))
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message("joint '{joint}': the limits of its safety controller leave no room"_text,
+                      joint.name),
+        where);
+  if (min > limits.min || max < limits.max)
+    assumed.push_back(fmt::format("joint '{}' turns from {:.4g} to {:.4g} deg, as its safety "
+                                  "controller limits it",
+                                  joint.name, base::radiansToDegrees(min),
+                                  base::radiansToDegrees(max)));
+  limits.min = min;
+  limits.max = max;
+}
+
 JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
                      std::vector<std::string>& assumed) {
   const auto radians = [](double degrees) { return base::degreesToRadians(degrees); };
   JointLimits limits{-radians(kTurnDeg), radians(kTurnDeg), radians(kVelocityDegPerS),
                      radians(kAccelerationDegPerS2)};
-  // Values of many turns, or faster than any joint, are placeholders.
-  constexpr double kMaxRad = 100.0, kMaxRadPerS = 100.0;
+  // Values of many turns, or faster than any joint, are placeholders, or in degrees.
+  constexpr double kMaxRad = 8.0 * base::kPi, kMaxRadPerS = 100.0;
   UrdfLimit given = joint.limit.value_or(UrdfLimit{});
-  if (!(std::abs(given.lower) < kMaxRad && std::abs(given.upper) < kMaxRad))
-    given.lower = given.upper = 0.0;
+  const bool isFar = !(std::abs(given.lower) < kMaxRad && std::abs(given.upper) < kMaxRad);
   if (!(given.velocity < kMaxRadPerS))
     given.velocity = 0.0;
   const bool none = given.lower == 0.0 && given.upper == 0.0;
-  if (joint.type == "revolute" && !none) {
+  if (joint.type == "revolute" && isFar) {
+    assumed.push_back(fmt::format("joint '{}' turns +-{} deg: the description's limits, {:g} and "
+                                  "{:g} rad, are more than four turns (limits are in radians, not "
+                                  "in degrees)",
+                                  joint.name, kTurnDeg, given.lower, given.upper));
+  } else if (joint.type == "revolute" && !none) {
     if (!(given.lower < given.upper))
       throw base::Error(
           base::ErrorCode::UnusableInput,
@@ -52,11 +79,12 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
     limits.max = given.upper;
   } else if (joint.type == "revolute") {
     assumed.push_back(fmt::format("joint '{}' turns +-{} deg: the description has {} limits",
-                                  joint.name, kTurnDeg, joint.limit ? "zero or endless" : "no"));
+                                  joint.name, kTurnDeg, joint.limit ? "zero" : "no"));
   } else {
     assumed.push_back(fmt::format("joint '{}', which turns without end, is kept within +-{} deg",
                                   joint.name, kTurnDeg));
   }
+  tighten(limits, joint, where, assumed);
   if (given.velocity > 0.0)
     limits.velocity = given.velocity;
   else

@@ -29,13 +29,14 @@ struct UrdfRobot {
   std::string source;    // Origin of the data, for the robot's file
 };
 
-// Reads the robot. Data missing in the description is assumed and listed in model.assumed. Meshes
-// may be STL, OBJ and other formats of geometry/formats; each is enclosed by capsules. A mesh that
-// is missing or unreadable is replaced by a capsule along its link, and listed too.
+// Reads the robot. Data missing in the description is assumed and listed in model.assumed, as are
+// solids without a volume and limits of safety controllers, which tighten those of their joints.
+// Meshes may be STL, OBJ and other formats of geometry/formats; each is enclosed by capsules. A
+// mesh that is missing or unreadable is replaced by a capsule along its link, and listed too.
 //
 // Throws Error{UnreadableFile} as readUrdfTree, and Error{UnusableInput} naming link or joint: two
 // bases, a loop, no tip or several, an unknown name, not exactly six axes, a joint that slides,
-// floats, moves in a plane or mimics another, or limits in the wrong order.
+// floats, moves in a plane or mimics another, two joints of one name, or limits that leave no room.
 UrdfRobot readUrdf(const std::filesystem::path& file, const UrdfOptions& options);
 
 } // namespace voluta::robot

@@ -66,14 +66,22 @@ private:
   }
 };
 
-bool hasSize(const UrdfSolid& solid) {
+// Returns a description of a solid that has no volume; empty: it has one, or is a mesh.
+std::string withoutVolume(const UrdfSolid& solid) {
   if (const auto* box = std::get_if<UrdfBox>(&solid.shape))
-    return box->sizeMm.minCoeff() > 0.0;
+    return box->sizeMm.minCoeff() > 0.0
+               ? ""
+               : fmt::format("a box of {:g} x {:g} x {:g} mm", box->sizeMm.x(), box->sizeMm.y(),
+                             box->sizeMm.z());
   if (const auto* sphere = std::get_if<UrdfSphere>(&solid.shape))
-    return sphere->radiusMm > 0.0;
+    return sphere->radiusMm > 0.0 ? ""
+                                  : fmt::format("a sphere of radius {:g} mm", sphere->radiusMm);
   if (const auto* cylinder = std::get_if<UrdfCylinder>(&solid.shape))
-    return cylinder->radiusMm > 0.0 && cylinder->lengthMm > 0.0;
-  return true;
+    return cylinder->radiusMm > 0.0 && cylinder->lengthMm > 0.0
+               ? ""
+               : fmt::format("a cylinder of radius {:g} mm and length {:g} mm", cylinder->radiusMm,
+                             cylinder->lengthMm);
+  return "";
 }
 
 } // namespace
@@ -101,13 +109,20 @@ std::vector<Body> urdfBodies(const UrdfTree& tree, const UrdfChain& chain, const
       if (body.name.empty())
         body.name = link.name;
       const Solids solids{file, link.name, fixed.frame_T_link, toNext, assumed, body, replaced};
-      for (const UrdfSolid& solid : link.collision.empty() ? link.visual : link.collision)
-        if (hasSize(solid))
+      for (const UrdfSolid& solid : link.collision.empty() ? link.visual : link.collision) {
+        const std::string flat = withoutVolume(solid);
+        if (flat.empty())
           solids.add(solid);
+        else
+          assumed.push_back(fmt::format("link '{}': {} is left out", link.name, flat));
+      }
+      for (const std::string& shape : link.unknownShapes)
+        assumed.push_back(
+            fmt::format("link '{}': a solid of unknown shape '{}' is left out", link.name, shape));
     }
     if (body.shapes.empty() && !replaced)
-      assumed.push_back(
-          fmt::format("link '{}' is a capsule along it: the description has no solid", body.name));
+      assumed.push_back(fmt::format(
+          "link '{}' is a capsule along it: the description has no usable solid", body.name));
     if (body.shapes.empty() || replaced)
       body.shapes.push_back(Capsule{Vector3d::Zero(), toNext, std::max(1.0, kThickness * length)});
     bodies.push_back(std::move(body));

@@ -75,7 +75,7 @@ public:
     if (path_ == "/robot")
       tree.name = attributes.text("name");
     else if (path_ == "/robot/link")
-      tree.links.push_back({nameIn(attributes, "name"), {}, {}});
+      tree.links.push_back({nameIn(attributes, "name"), {}, {}, {}});
     else if (path_.starts_with("/robot/link/collision"))
       solid(path_.substr(std::string_view("/robot/link/collision").size()), attributes);
     else if (path_.starts_with("/robot/link/visual"))
@@ -86,6 +86,7 @@ public:
                              .parent = {},
                              .child = {},
                              .limit = {},
+                             .softLimit = {},
                              .follows = {}});
     else if (path_.starts_with("/robot/joint/"))
       joint(path_.substr(std::string_view("/robot/joint/").size()), attributes, tree.joints.back());
@@ -118,6 +119,9 @@ private:
     else if (at == "/geometry/mesh")
       shape_ =
           UrdfMesh{nameIn(attributes, "filename"), vectorOf(attributes, "scale", Vector3d::Ones())};
+    else if (constexpr std::string_view kShape = "/geometry/";
+             at.starts_with(kShape) && at.find('/', kShape.size()) == std::string::npos)
+      tree.links.back().unknownShapes.push_back(at.substr(kShape.size()));
   }
   static void joint(const std::string& at, const XmlAttributes& attributes, UrdfJoint& joint) {
     if (at == "origin")
@@ -131,6 +135,10 @@ private:
     else if (at == "limit")
       joint.limit = UrdfLimit{attributes.numberOr("lower", 0.0), attributes.numberOr("upper", 0.0),
                               attributes.numberOr("velocity", 0.0)};
+    else if (at == "safety_controller" &&
+             (attributes.has("soft_lower_limit") || attributes.has("soft_upper_limit")))
+      joint.softLimit = UrdfSoftLimit{attributes.numberOr("soft_lower_limit", 0.0),
+                                      attributes.numberOr("soft_upper_limit", 0.0)};
     else if (at == "mimic")
       joint.follows = nameIn(attributes, "joint");
   }

@@ -31,15 +31,20 @@ struct UrdfSolid {
 struct UrdfLink {
   std::string name;
   std::vector<UrdfSolid> collision, visual;
+  std::vector<std::string> unknownShapes; // Names of solids that are not read
 };
 struct UrdfLimit { // [rad], [rad/s]
   double lower = 0.0, upper = 0.0, velocity = 0.0;
+};
+struct UrdfSoftLimit { // [rad], of a safety controller
+  double lower = 0.0, upper = 0.0;
 };
 struct UrdfJoint {
   std::string name, type, parent, child;
   Eigen::Isometry3d parent_T_joint = Eigen::Isometry3d::Identity(); // [mm]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                  // As written
   std::optional<UrdfLimit> limit;
+  std::optional<UrdfSoftLimit> softLimit;
   std::string follows; // The joint that it mimics
 };
 struct UrdfTree {
