@@ -10272,6 +10272,14 @@ facce %</translation>
         <source>joint &apos;{joint}&apos;: the limits of its safety controller leave no room</source>
         <translation>giunto «{joint}»: i limiti del suo controllore di sicurezza non lasciano spazio</translation>
     </message>
+    <message>
+        <source>the time runs backwards, from {before:.3f} to {after:.3f} after the first row</source>
+        <translation>il tempo va all&apos;indietro, da {before:.3f} a {after:.3f} dopo la prima riga</translation>
+    </message>
+    <message>
+        <source>record one run in one file</source>
+        <translation>registrare una sola esecuzione per file</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -17,6 +17,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kMmPerM = 1000.0;
+constexpr double kDisorderS = 0.1; // Samples may come in another order than they were taken
 
 [[noreturn]] void refuse(const base::Message& why, const Table& table,
                          const base::Message& remedy) {
@@ -193,6 +194,13 @@ RecordedRun readRecord(std::string_view text, std::string_view source,
   double mm3 = 0.0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const double timeS = unit * table.at(row, *time) - firstS;
+    if (!run.timeS.empty() && timeS < run.timeS.back() - kDisorderS)
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          base::message("the time runs backwards, from {before:.3f} to {after:.3f} after the first "
+                        "row"_text,
+                        base::seconds(run.timeS.back()), base::seconds(timeS)),
+          base::lineOf(table.source, table.lines[row]), "record one run in one file"_text);
     if (!run.timeS.empty() && timeS <= run.timeS.back())
       continue;
     if (extruder) {

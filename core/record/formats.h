@@ -39,8 +39,8 @@ struct RecordFormat {
 std::span<const RecordFormat> recordFormats();
 
 // Reads a record of any format. Rows whose time does not increase are left out: recorders repeat
-// samples. Throws Error{UnusableInput} if no format matches, a column is missing, or fewer than two
-// rows are left.
+// samples. Throws Error{UnusableInput} if no format matches, a column is missing, the time runs
+// backwards, or fewer than two rows are left.
 RecordedRun readRecord(std::string_view text, std::string_view source,
                        const RecordContext& context);
 

@@ -154,6 +154,9 @@ TEST(RecordFormats, BadInputIsRefusedInOneLine) {
            {"a b c\n1 2 3\n", "no joints and no pose"},
            {head + row, "fewer than two samples"},
            {head + row + row, "fewer than two samples"},
+           {head + row + "1.1 0 0 0 0 0 0\n0.4 0 0 0 0 0 0\n",
+            "record.csv, line 4: the time runs backwards, "
+            "from 1.000 s to 0.300 s"},
            {head + row + "0.2 0 0\n0.3 0 0 0 0 0 0\n", "line 3"},
            {head + row + "0.2 0 x 0 0 0 0\n", "'actual_q_1'"},
            {"actual_q_0 actual_q_1 actual_q_2 actual_q_3 actual_q_4 actual_q_5\n0 0 0 0 0 0\n",
@@ -164,6 +167,15 @@ TEST(RecordFormats, BadInputIsRefusedInOneLine) {
   EXPECT_NE(refusal("timestamp,X,Y,Z,A,B,C\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n", "lathe")
                 .find("external axes"),
             std::string::npos);
+}
+
+// Samples in another order than they were taken are left out, as repeated ones.
+TEST(RecordFormats, SamplesOutOfOrderAreLeftOut) {
+  const robot::Cell cell = cellNamed("ur5-fixed");
+  const std::string text = "timestamp actual_q_0 actual_q_1 actual_q_2 actual_q_3 actual_q_4 "
+                           "actual_q_5\n0 0 0 0 0 0 0\n0.1 0 0 0 0 0 0\n0.092 1 0 0 0 0 0\n"
+                           "0.1 1 0 0 0 0 0\n0.2 0 0 0 0 0 0\n";
+  EXPECT_EQ(readRecord(text, "r", {cell}).timeS.size(), 3u);
 }
 
 TEST(RecordFormats, ARowCutShortAtTheEndIsLeftOut) {
