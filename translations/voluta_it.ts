@@ -10280,6 +10280,22 @@ facce %</translation>
         <source>record one run in one file</source>
         <translation>registrare una sola esecuzione per file</translation>
     </message>
+    <message>
+        <source>not used: the material or colour of objects and triangles, from line {line} of {where}</source>
+        <translation>non usato: il materiale o il colore di oggetti e triangoli, dalla riga {line} di {where}</translation>
+    </message>
+    <message>
+        <source>not used: the recommended extension &apos;{name}&apos; ({where})</source>
+        <translation>non usata: l&apos;estensione consigliata «{name}» ({where})</translation>
+    </message>
+    <message>
+        <source>not used: the unit {unit} of {where}: its lengths are taken in {main}, the unit of the main model</source>
+        <translation>non usata: l&apos;unità {unit} di {where}: le sue lunghezze sono prese in {main}, l&apos;unità del modello principale</translation>
+    </message>
+    <message>
+        <source>not used: the layer &apos;{path}&apos;, which is not in the list of layers</source>
+        <translation>non usato: lo strato «{path}», che non è nell&apos;elenco degli strati</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

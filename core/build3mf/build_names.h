@@ -15,9 +15,6 @@ inline constexpr std::string_view kProductionSpace =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 inline constexpr std::string_view kToolpathSpace =
     "http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03";
-// Chapter 3.2.
-inline constexpr std::string_view kLayerRelation =
-    "http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03/layer";
 inline constexpr std::string_view kModelRelation =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 

@@ -218,26 +218,6 @@ std::string layerMember(const std::string& path, const std::string& where) {
   return geometry::memberOf(path);
 }
 
-// Returns the targets of the model's relations to layers, as absolute paths.
-std::set<std::string> relatedLayers(const geometry::ZipPackage& package, const std::string& model,
-                                    const std::string& name) {
-  const std::size_t slash = model.rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : model.substr(0, slash + 1);
-  const std::string member = folder + "_rels/" + model.substr(folder.size()) + ".rels";
-  std::set<std::string> targets;
-  if (!package.has(member))
-    return targets;
-  geometry::XmlHandler handler;
-  handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
-    if (element.word != "Relationship" || attributes.text("Type") != kLayerRelation)
-      return;
-    const std::string target(attributes.text("Target"));
-    targets.insert(target.starts_with('/') ? target : "/" + folder + target);
-  };
-  geometry::scanXml(package.member(member), name + ", " + member, handler);
-  return targets;
-}
-
 // Returns whether the directions point against the growth of the material. Tool frames with z into
 // the part are as common as those with z out of it; the extension does not specify it.
 bool looksInward(const plan::ToolPlan& plan) {
@@ -309,7 +289,7 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
   const PathAxes axes = axesOf(resource, where);
   read.workFrame = resource.workFrame;
   read.hasObject = model.items;
-  const std::set<std::string> related = relatedLayers(package, member, name);
+  const std::set<std::string> related = geometry::toolpathLayers(package, member, name);
   std::set<std::string> seen;
   long long below = resource.bottom;
   for (const auto& [path, top] : resource.layers) {
@@ -333,6 +313,11 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
     }
     readLayer(package.member(layer), name + ", " + layer, frame, read);
   }
+  for (const std::string& path : related)
+    if (!seen.contains(geometry::memberOf(path)))
+      read.notes.push_back(base::message("not used: the layer '{path}', which is not in the list "
+                                         "of layers"_text,
+                                         path));
   if (read.plan.paths.empty())
     throw Error(ErrorCode::UnusableInput, "contains no tool-paths"_text, where);
   const auto waits = [](const auto& entry) { return entry.second.waits; };

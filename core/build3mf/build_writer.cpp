@@ -4,6 +4,7 @@
 #include "base/markup.h"
 #include "base/run_context.h"
 #include "build3mf/build_names.h"
+#include "geometry/formats/threemf_package.h"
 #include "geometry/formats/zip_writer.h"
 
 #include <Eigen/Geometry>
@@ -300,7 +301,7 @@ void addRelations(geometry::ZipWriter& zip, const std::vector<LayerPart>& layers
   fmt::format_to(Text(ofModel), "<Relationships xmlns=\"{}relationships\">\n", kSpace);
   for (const LayerPart& layer : layers)
     fmt::format_to(Text(ofModel), "<Relationship Target=\"/{}\" Id=\"rel{}\" Type=\"{}\"/>\n",
-                   layer.member(), layer.number, kLayerRelation);
+                   layer.member(), layer.number, geometry::kToolpathLayerRelation);
   ofModel += "</Relationships>\n";
   zip.add("3D/_rels/3dmodel.model.rels", ofModel);
 }

@@ -37,6 +37,18 @@ TEST(ForeignBuild, UnitsAreTurnedIntoMillimetres) {
   EXPECT_EQ(got.plan.paths[0].kind, plan::PathKind::Wall);
 }
 
+TEST(ForeignBuild, ALayerThatIsNotListedIsNamed) {
+  test::ForeignBuild file;
+  file.layers = {
+      foreignLayer(foreignSegment("polyline6d", point6d(0, 0, 500) + point6d(2000, 0, 500)))};
+  EXPECT_TRUE(read(file).notes.empty());
+  file.moreRelations = "<Relationship Target=\"/Slices/L7.xml\" Id=\"l7\" "
+                       "Type=\"http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03/layer\"/>";
+  EXPECT_EQ(base::english(read(file).notes),
+            std::vector<std::string>{
+                "not used: the layer '/Slices/L7.xml', which is not in the list of layers"});
+}
+
 TEST(ForeignBuild, ThreeAxesStandUpright) {
   test::ForeignBuild file;
   file.type = "3axis";

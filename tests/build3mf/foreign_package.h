@@ -19,6 +19,7 @@ struct ForeignBuild {
   std::vector<std::string> layers;     // whole layer parts
   std::vector<int> tops;               // ztop of the first of them
   std::string layerPath = "/Slices/L"; // and the number, and .xml
+  std::string moreRelations;           // of the model
   bool related = true;
 
   std::string bytes() const {
@@ -42,7 +43,7 @@ struct ForeignBuild {
       zip.add("Model/_rels/it.model.rels",
               "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
               "relationships\">" +
-                  relations + "</Relationships>");
+                  relations + moreRelations + "</Relationships>");
     zip.add("Model/it.model",
             "<?xml version=\"1.0\"?><model unit=\"" + unit +
                 "\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "

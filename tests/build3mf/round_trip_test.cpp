@@ -54,6 +54,7 @@ TEST(RoundTrip, RandomBeadsComeBack) {
     EXPECT_TRUE(read.workFrame);
     EXPECT_TRUE(read.hasObject);
     EXPECT_TRUE(read.notes.empty());
+    EXPECT_TRUE(geometry::readMesh(bytes, "a.build.3mf").repairs.empty());
     expectSame(plan, read.plan);
   }
 }

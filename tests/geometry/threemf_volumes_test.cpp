@@ -308,7 +308,9 @@ std::vector<Statement> allStatements(std::mt19937& random) {
       {.onTriangle = " x:paint" + n + "=\"4\"", .needle = "paint" + n},
       {.onTriangle = " slic3rpe:custom_supports=\"4\"", .needle = "custom_supports"},
       {.onTriangle = " paint_color=\"4\"", .needle = "paint_color"},
-      {.onTriangle = " pid=\"9\" p1=\"1\"", .needle = "materials and colours"},
+      {.onObject = " pid=\"9\" pindex=\"0\"",
+       .onTriangle = " pid=\"9\" p1=\"1\"",
+       .needle = "materials and colours"},
       {.afterObject = "<x:volume" + n + "><x:inner/></x:volume" + n + "><x:volume" + n + "/>",
        .needle = "volume" + n},
       {.afterObject = "<curve" + n + "/>", .needle = "curve" + n},
@@ -357,7 +359,7 @@ std::string packageOf(const std::vector<Statement>& statements) {
                                                               "</config>");
   return packageOf(
       modelOf("<basematerials id=\"9\"><base name=\"a\"/><base name=\"b\"/></basematerials>"
-              "<object id=\"1\" pid=\"9\" pindex=\"0\"" +
+              "<object id=\"1\"" +
                   onObject + ">" + inObject + mesh + "</object>" + afterObject,
               "<item objectid=\"1\"/><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 99 0 0\"/>",
               " xmlns:x=\"http://example.com/volumes\" "
@@ -374,6 +376,67 @@ std::size_t countOf(const std::vector<std::string>& notes, const std::string& ne
          at = note.find(needle, at + needle.size()))
       ++count;
   return count;
+}
+
+// One material in all is named as well as several.
+TEST(ThreeMfVolumes, TheMaterialOfAnObjectIsNamed) {
+  const auto notesWith = [](const std::string& onObject, const std::string& onTriangle) {
+    std::string mesh = meshOf({kBody});
+    mesh.insert(mesh.find("<triangle ") + 9, onTriangle);
+    return notesOf(packageOf(
+        modelOf("<basematerials id=\"9\"><base name=\"a\"/></basematerials>\n<object id=\"1\"" +
+                    onObject + ">" + mesh + "</object>",
+                "<item objectid=\"1\"/>")));
+  };
+  EXPECT_THAT(notesWith("", ""), IsEmpty());
+  for (const auto& notes :
+       {notesWith(" pid=\"9\" pindex=\"0\"", ""), notesWith("", " pid=\"9\" p1=\"0\"")})
+    EXPECT_THAT(notes, ElementsAre(HasSubstr("not used: the material or colour of objects and "
+                                             "triangles, from line 2 of 3D/3dmodel.model")));
+}
+
+TEST(ThreeMfVolumes, RecommendedExtensionsThatAreNotReadAreNamed) {
+  const auto notesWith = [](const std::string& recommended) {
+    return notesOf(packageOf(
+        modelOf("<object id=\"1\">" + meshOf({kBody}) + "</object>", "<item objectid=\"1\"/>",
+                " xmlns:zz=\"http://example.com/zz\" "
+                "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+                "recommendedextensions=\"" +
+                    recommended + "\"")));
+  };
+  EXPECT_THAT(notesWith("p"), IsEmpty());
+  EXPECT_THAT(notesWith("p zz"),
+              ElementsAre(HasSubstr("the recommended extension 'http://example.com/zz'")));
+}
+
+TEST(ThreeMfVolumes, TheHeightOfCurasObjectsIsNamedWhereItCounts) {
+  const auto notesWith = [](const std::string& value) {
+    return notesOf(
+        packageOf(modelOf("<object id=\"1\" name=\"nut\"><metadatagroup><metadata "
+                          "name=\"cura:drop_to_buildplate\">" +
+                              value + "</metadata></metadatagroup>" + meshOf({kBody}) + "</object>",
+                          "<item objectid=\"1\"/>")));
+  };
+  EXPECT_THAT(notesWith("True"), IsEmpty());
+  EXPECT_THAT(notesWith("False"), ElementsAre(HasSubstr("'nut' (3D/3dmodel.model): "
+                                                        "'drop_to_buildplate'")));
+}
+
+TEST(ThreeMfVolumes, AnotherUnitOfAFurtherModelIsNamed) {
+  const auto notesWith = [](const std::string& unit) {
+    std::string further = modelOf("<object id=\"1\">" + meshOf({kBody}) + "</object>", "");
+    further.replace(further.find("millimeter"), 10, unit);
+    return notesOf(packageOf(
+        modelOf("<object id=\"2\"><components><component objectid=\"1\" "
+                "p:path=\"/3D/Objects/o.model\"/></components></object>",
+                "<item objectid=\"2\"/>",
+                " xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\""),
+        {{"3D/Objects/o.model", further}}));
+  };
+  EXPECT_THAT(notesWith("millimeter"), IsEmpty());
+  EXPECT_THAT(notesWith("centimeter"),
+              ElementsAre(HasSubstr("not used: the unit centimeter of 3D/Objects/o.model: its "
+                                    "lengths are taken in millimeter")));
 }
 
 TEST(ThreeMfVolumes, WhatIsNotActedOnIsNamedOnce) {

@@ -76,8 +76,8 @@ void noteSettings(const ThreemfObjectSettings& object, const std::string& otherN
 // Places everything that is built, each object at every use.
 class Unfolding {
 public:
-  Unfolding(const ZipPackage& package, const std::string& name)
-      : package_(package), name_(name), settings_(slicerSettings(package)) {}
+  Unfolding(const ZipPackage& package, const std::string& model, const std::string& name)
+      : package_(package), name_(name), settings_(slicerSettings(package, model)) {}
 
   const ThreemfModel& model(const std::string& member) {
     const auto known = models_.find(member);
@@ -86,8 +86,15 @@ public:
     ThreemfModel& read =
         models_.emplace(member, parseThreemfModel(package_.member(member), name_, member))
             .first->second;
-    if (models_.size() == 1) // the main model
+    if (models_.size() == 1) { // the main model
       addSlicerNames(read);
+      unit_ = read.unit;
+    } else if (read.unit != unit_) {
+      said_.push_back(base::message(
+          "not used: the unit {unit} of {where}: its lengths are taken in {main}, the unit of the "
+          "main model"_text,
+          read.unit, member, unit_));
+    }
     return read;
   }
 
@@ -310,6 +317,7 @@ private:
   ThreemfSettings settings_;
   std::vector<ThreemfPiece> pieces_;
   std::map<std::string, ThreemfModel> models_;
+  std::string unit_; // of the main model
   // Of the item being unfolded; itemSettings_ may be null
   std::string itemId_, itemName_;
   const ThreemfObjectSettings* itemSettings_ = nullptr;
@@ -347,7 +355,7 @@ ThreemfBuild read3mfBuild(std::string_view bytes, const std::string& name) {
   if (!namesModel(package, name))
     refuseSliced(package, name);
   const std::string member = mainModel(package, name);
-  Unfolding unfolding(package, name);
+  Unfolding unfolding(package, member, name);
   const ThreemfModel& model = unfolding.model(member);
   ThreemfBuild build;
   const std::optional<double> scale = threemfUnitMm(model.unit);

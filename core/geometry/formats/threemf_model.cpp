@@ -18,14 +18,15 @@ namespace {
 constexpr std::string_view kCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 constexpr std::string_view kCuraSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
 // Extensions that are read here, or that do not change an object's shape.
-constexpr std::array<std::string_view, 7> kKnownSpaces{
+constexpr std::array<std::string_view, 8> kKnownSpaces{
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07",
     "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02",
     "http://schemas.microsoft.com/3dmanufacturing/beamlattice/balls/2020/07",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
-    "http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03"};
+    "http://schemas.3mf.io/3dmanufacturing/toolpath/2026/03",
+    "urn:voluta:toolpath:2026"};
 
 constexpr std::array<std::string_view, 16> kCoreWords{
     "model",      "metadata",  "metadatagroup", "resources", "basematerials", "base",
@@ -131,6 +132,10 @@ public:
         text_ += more;
     };
     scanXml(text, name_ + ", " + notes_.member(), handler);
+    if (!material_.empty() && !hasMaterials_)
+      notes_.add(base::message("not used: the material or colour of objects and triangles, from "
+                               "line {line} of {where}"_text,
+                               materialLine_, notes_.member()));
     model_.notes = notes_.sentences();
     return std::move(model_);
   }
@@ -144,6 +149,9 @@ private:
       if (const std::string_view unit = attributes.text("unit"); !unit.empty())
         model_.unit = unit;
       requireKnown(attributes.text("requiredextensions"));
+      for (const std::string& extension : unknownOf(attributes.text("recommendedextensions")))
+        notes_.add(base::message("not used: the recommended extension '{name}' ({where})"_text,
+                                 extension, notes_.member()));
     } else if (isCore && name.word == "object") {
       beginObject(attributes);
     } else if (isCore && name.word == "item") {
@@ -205,17 +213,19 @@ private:
     });
   }
 
-  // Names the materials of objects and triangles once there are two of them.
+  // Names the materials of objects and triangles, once, and whether there are several.
   void noteMaterial(std::string material, long long line) {
     if (material.empty())
       return;
-    if (material_.empty())
+    if (material_.empty()) {
       material_ = std::move(material);
-    else if (material_ != material && !std::exchange(hasMaterials_, true))
+      materialLine_ = line;
+    } else if (material_ != material && !std::exchange(hasMaterials_, true)) {
       notes_.add(base::message(
           "not used: materials and colours of objects and triangles, more than one from line "
           "{line} of {where}"_text,
           line, notes_.member()));
+    }
   }
 
   // `name`: with the prefix of its namespace.
@@ -242,16 +252,24 @@ private:
     }
   }
 
-  // `prefixes`: of the extensions that the model requires for its shape.
-  void requireKnown(std::string_view prefixes) const {
+  // Returns the extensions of these prefixes that are not read here.
+  std::vector<std::string> unknownOf(std::string_view prefixes) const {
     std::vector<std::string_view> words;
     LineScanner(prefixes).nextLine(words);
+    std::vector<std::string> unknown;
     for (const std::string_view prefix : words) {
       const auto declared = spaces_.find(std::string(prefix));
       const std::string extension(declared == spaces_.end() ? prefix : declared->second);
       if (std::ranges::find(kKnownSpaces, extension) == kKnownSpaces.end())
-        fail(base::message("requires the unknown extension '{name}'"_text, extension));
+        unknown.push_back(extension);
     }
+    return unknown;
+  }
+
+  // `prefixes`: of the extensions that the model requires for its shape.
+  void requireKnown(std::string_view prefixes) const {
+    if (const std::vector<std::string> unknown = unknownOf(prefixes); !unknown.empty())
+      fail(base::message("requires the unknown extension '{name}'"_text, unknown.front()));
   }
 
   void beginObject(const XmlAttributes& attributes) {
@@ -379,6 +397,7 @@ private:
   std::string text_, metadata_;                   // being read
   std::string objectMaterial_, objectMaterialAt_; // of the object being read
   std::string material_;                          // the first one of the model
+  long long materialLine_ = 0;                    // where it is
   bool hasMaterials_ = false;                     // further ones
   ThreemfObject* object_ = nullptr;               // being read
   Lattice lattice_;                               // being read

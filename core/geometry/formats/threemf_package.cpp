@@ -46,6 +46,25 @@ std::string mainModel(const ZipPackage& package, const std::string& name) {
   return member;
 }
 
+std::set<std::string> toolpathLayers(const ZipPackage& package, const std::string& model,
+                                     const std::string& name) {
+  const std::size_t slash = model.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : model.substr(0, slash + 1);
+  const std::string member = folder + "_rels/" + model.substr(folder.size()) + ".rels";
+  std::set<std::string> targets;
+  if (!package.has(member))
+    return targets;
+  XmlHandler handler;
+  handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
+    if (element.word != "Relationship" || attributes.text("Type") != kToolpathLayerRelation)
+      return;
+    const std::string target(attributes.text("Target"));
+    targets.insert(target.starts_with('/') ? target : "/" + folder + target);
+  };
+  scanXml(package.member(member), name + ", " + member, handler);
+  return targets;
+}
+
 std::optional<double> threemfUnitMm(const std::string& unit) {
   static const std::map<std::string, double> kUnits{{"micron", 1e-3},     {"millimeter", 1.0},
                                                     {"centimeter", 10.0}, {"inch", 25.4},

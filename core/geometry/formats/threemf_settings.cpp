@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/lower_case.h"
 #include "geometry/formats/text_scanner.h"
+#include "geometry/formats/threemf_package.h"
 #include "geometry/formats/xml_scan.h"
 
 #include <algorithm>
@@ -220,13 +221,24 @@ bool isPicture(const std::string& member) {
   return std::ranges::any_of(kEndings, [&](std::string_view e) { return small.ends_with(e); });
 }
 
+// Returns the layers of tool-paths, as paths; none if the relations to them are damaged.
+std::set<std::string> layersOf(const ZipPackage& package, const std::string& model) {
+  try {
+    return toolpathLayers(package, model, {});
+  } catch (const base::Error&) {
+    return {}; // Reported by the reader of tool-paths
+  }
+}
+
 // Names the members that are not acted on; unknown ones as well.
-void noteMembers(const ZipPackage& package, std::vector<base::Message>& notes) {
+void noteMembers(const ZipPackage& package, const std::string& model,
+                 std::vector<base::Message>& notes) {
+  const std::set<std::string> layers = layersOf(package, model);
   constexpr std::size_t kMostNamed = 20;
   std::vector<std::string> unknown;
   for (const std::string& member : package.names()) {
     if (std::ranges::find(kObjectSettings, member) != kObjectSettings.end() ||
-        member.ends_with('/') || isPicture(member))
+        member.ends_with('/') || isPicture(member) || layers.contains("/" + member))
       continue;
     const auto* row = std::ranges::find_if(
         kMembers, [&](const MemberRow& r) { return member.starts_with(r.begin); });
@@ -264,7 +276,7 @@ std::string inQuotes(const std::vector<std::string>& names) {
   return all;
 }
 
-ThreemfSettings slicerSettings(const ZipPackage& package) {
+ThreemfSettings slicerSettings(const ZipPackage& package, const std::string& model) {
   ThreemfSettings settings;
   for (const std::string_view name : kObjectSettings) {
     const std::string member(name);
@@ -280,7 +292,7 @@ ThreemfSettings slicerSettings(const ZipPackage& package) {
                         member, e.message()));
     }
   }
-  noteMembers(package, settings.notes);
+  noteMembers(package, model, settings.notes);
   return settings;
 }
 
@@ -296,7 +308,7 @@ curaSettings(const std::vector<std::pair<std::string, std::string>>& settings) {
       const std::optional<long long> number = integerOf(value);
       object.extruder =
           number && *number >= 0 && *number < 1000 ? static_cast<int>(*number) + 1 : 0;
-    } else if (key != "drop_to_buildplate") {
+    } else if (key != "drop_to_buildplate" || !isTrue(value)) {
       addKey(object.settings, key);
     }
   }

@@ -44,7 +44,8 @@ struct ThreemfSettings {
 // Returns the names in quotes, "'a', 'b'".
 std::string inQuotes(const std::vector<std::string>& names);
 
-ThreemfSettings slicerSettings(const ZipPackage& package);
+// `model`: the main model, whose tool-paths are read by others.
+ThreemfSettings slicerSettings(const ZipPackage& package, const std::string& model);
 
 // Returns the settings of Cura, keys with values, that the model states with an object itself. An
 // object that is a modifier or a support as a whole is one volume of no name.
