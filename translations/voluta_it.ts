@@ -10296,6 +10296,14 @@ facce %</translation>
         <source>not used: the layer &apos;{path}&apos;, which is not in the list of layers</source>
         <translation>non usato: lo strato «{path}», che non è nell&apos;elenco degli strati</translation>
     </message>
+    <message>
+        <source>the name of the folder is empty</source>
+        <translation>il nome della cartella è vuoto</translation>
+    </message>
+    <message>
+        <source>name a folder for the results</source>
+        <translation>indicare una cartella per i risultati</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

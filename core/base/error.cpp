@@ -7,8 +7,12 @@ namespace voluta::base {
 
 namespace {
 std::string inOneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  // Texts of damaged files may have any characters, and NUL ends a line for its readers.
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\t')
+      c = ' ';
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      c = '?';
   return text;
 }
 } // namespace

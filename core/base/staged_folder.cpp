@@ -176,7 +176,11 @@ void carryOut(const fs::path& staging, const fs::path& target,
 
 } // namespace
 
-StagedFolder::StagedFolder(fs::path target) : target_(wholePath(target)) {
+StagedFolder::StagedFolder(fs::path target) {
+  if (target.empty())
+    throw Error(ErrorCode::CannotWrite, "the name of the folder is empty"_text, {},
+                "name a folder for the results"_text);
+  target_ = wholePath(target);
   std::error_code status;
   if (fs::is_directory(target_, status) && ::access(target_.c_str(), W_OK | X_OK) != 0)
     throw cannotWrite(target_, std::string(std::strerror(errno)));

@@ -21,8 +21,8 @@ namespace voluta::base {
 // (kUnfinishedNote) is in the target, and the next call of finishStaged moves the rest.
 class StagedFolder {
 public:
-  // First finishes an earlier interrupted commit. Throws Error{CannotWrite} if the target is a
-  // file, or cannot be created or written.
+  // First finishes an earlier interrupted commit. Throws Error{CannotWrite} if the target has no
+  // name, is a file, or cannot be created or written.
   explicit StagedFolder(std::filesystem::path target);
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;

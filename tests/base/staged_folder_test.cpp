@@ -136,6 +136,7 @@ TEST_F(StagedFolders, DiscardedWhileAThreadWritesNothingIsLeft) {
 
 TEST_F(StagedFolders, RefuseAFile) {
   writeFile(folder_ / "file", "x");
+  EXPECT_EQ(codeOf([&] { StagedFolder staged(""); }), ErrorCode::CannotWrite);
   EXPECT_EQ(codeOf([&] { StagedFolder staged(folder_ / "file"); }), ErrorCode::CannotWrite);
   EXPECT_EQ(codeOf([&] { StagedFolder staged(folder_ / "file" / "under"); }),
             ErrorCode::CannotWrite);

@@ -93,6 +93,11 @@ TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {
   EXPECT_STREQ(error.what(), "file.stl, line 12000: 'a b' is no number (give a number)");
   EXPECT_EQ(inWords(error.whole(), Other()),
             "file.stl, line 12000: 'a\nb' is no number (give a number)");
+  // NUL and escape characters of a damaged file cut no line off and colour no terminal.
+  EXPECT_STREQ(base::Error(base::ErrorCode::Usage,
+                           message("'{text}' is no number"_text, std::string("G1\0X\x1b[3\x7f", 8)))
+                   .what(),
+               "'G1?X?[3?' is no number");
   EXPECT_STREQ(base::Error(base::ErrorCode::Usage, "wrong"_text).what(), "wrong");
   EXPECT_STREQ(base::Error(base::ErrorCode::Usage, "wrong"_text, {}, "mend it"_text).what(),
                "wrong (mend it)");
