@@ -10304,6 +10304,14 @@ facce %</translation>
         <source>name a folder for the results</source>
         <translation>indicare una cartella per i risultati</translation>
     </message>
+    <message>
+        <source>beads of {least} to {most} do not fit a nozzle of {nozzle}</source>
+        <translation>cordoni da {least} a {most} non sono adatti a un ugello di {nozzle}</translation>
+    </message>
+    <message>
+        <source>check nozzleDiameterMm and beadWidthMm</source>
+        <translation>controllare nozzleDiameterMm e beadWidthMm</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -1,5 +1,6 @@
 #include "base/data_files.h"
 #include "cli/commands.h"
+#include "process/library.h"
 #include "process/own_materials.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ ExitCode materialShowCommand(const MaterialOptions& options) {
 
 ExitCode materialCheckCommand(const MaterialOptions& options) {
   const process::Material material = process::chosenMaterial(options.material);
+  process::checkItem({material, {}}, options.material);
   fmt::print("{}: no problems\n", material.label);
   return kDone;
 }

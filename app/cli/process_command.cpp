@@ -26,6 +26,7 @@ ExitCode processShowCommand(const ProcessOptions& options) {
 
 ExitCode processCheckCommand(const ProcessOptions& options) {
   const process::LibraryItem item = process::loadItem(Shelf::Processes, options.process);
+  process::checkItem(item, options.process);
   const auto problem = process::upsideDown(item.process()->head);
   fmt::print("{}: {}\n", item.label(), problem ? base::english(*problem) : "no problems");
   return problem ? kNotAll : kDone;

@@ -39,6 +39,12 @@ bool isFileName(const std::string& id) {
   return !id.empty() && id.front() != '.' && id.find_first_not_of(kAllowed) == std::string::npos;
 }
 
+void requireFileName(Shelf shelf, const std::string& id, const std::string& where) {
+  if (!isFileName(id))
+    throw base::Error(base::ErrorCode::UnusableInput, base::message(rowOf(shelf).noId, id), where,
+                      "use small letters, digits, '-', '_' and '.'"_text);
+}
+
 std::string basedOnOf(const std::string& text) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   const auto at = json.is_object() ? json.find(kBasedOn) : json.end();
@@ -116,10 +122,23 @@ std::string labelOrProblem(Shelf shelf, const std::string& id) {
   }
 }
 
+void checkItem(const LibraryItem& item, const std::string& where) {
+  requireFileName(item.shelf(), item.id(), where);
+  const Process* p = item.process();
+  if (!p || p->tape)
+    return;
+  constexpr double kNarrowest = 0.5, kWidest = 10.0; // Shares of the nozzle; of welded wire 7
+  const double nozzle = p->nozzleDiameterMm;
+  if (p->beadWidthMaxMm < kNarrowest * nozzle || p->beadWidthMinMm > kWidest * nozzle)
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message("beads of {least} to {most} do not fit a nozzle of {nozzle}"_text,
+                      base::mm(p->beadWidthMinMm), base::mm(p->beadWidthMaxMm), base::mm(nozzle)),
+        where, "check nozzleDiameterMm and beadWidthMm"_text);
+}
+
 void checkOwnId(Shelf shelf, const std::string& id, const std::string& where) {
-  if (!isFileName(id))
-    throw base::Error(base::ErrorCode::UnusableInput, base::message(rowOf(shelf).noId, id), where,
-                      "use small letters, digits, '-', '_' and '.'"_text);
+  requireFileName(shelf, id, where);
   if (comesWithProgram(shelf, id))
     throw base::Error(base::ErrorCode::UnusableInput, base::message(rowOf(shelf).taken, id), where,
                       "choose another id"_text);
@@ -138,6 +157,7 @@ std::filesystem::path saveOwn(const LibraryItem& item) {
 
 std::filesystem::path importItem(Shelf shelf, const std::filesystem::path& file) {
   const LibraryItem item = readItem(shelf, base::readFile(file), file.string());
+  checkItem(item, file.string());
   checkOwnId(shelf, item.id(), file.string());
   return saveOwn(item);
 }

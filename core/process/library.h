@@ -44,13 +44,17 @@ std::string labelOrProblem(Shelf shelf, const std::string& id);
 // Error{UnusableInput} if the id is no file name or that of an item that comes with the program, or
 // if the item cannot be read back; Error{CannotWrite}.
 std::filesystem::path saveOwn(const LibraryItem& item);
-// Checks a file and saves it as own item. Throws as readItem() and saveOwn().
+// Checks a file and saves it as own item. Throws as readItem(), checkItem() and saveOwn().
 std::filesystem::path importItem(Shelf shelf, const std::filesystem::path& file);
 // Deletes the file of an own item. Throws Error{UnusableInput} for one that comes with the program,
 // Error{CannotWrite} if it cannot be deleted.
 void removeOwn(Shelf shelf, const std::string& id);
 // Throws Error{UnusableInput} if saveOwn() would refuse the id. `where` names its place in errors.
 void checkOwnId(Shelf shelf, const std::string& id, const std::string& where);
+
+// Throws Error{UnusableInput} if the id is no file name, or if the beads of a process do not fit
+// its nozzle: all narrower than half of it, or all wider than ten times it. `where` names the item.
+void checkItem(const LibraryItem& item, const std::string& where);
 
 // Returns a copy with an id that is free, based on the item.
 LibraryItem duplicateOf(const LibraryItem& item);

@@ -348,6 +348,31 @@ TEST_F(Library, anOwnProcessIsDuplicatedSavedListedAndRemoved) {
   EXPECT_THROW(removeOwn(Shelf::Processes, "fdm-1.0"), base::Error);
 }
 
+TEST_F(Library, idsAreFileNamesAndBeadsFitTheirNozzle) {
+  const auto check = [](LibraryItem item) {
+    try {
+      checkItem(item, "own.json");
+    } catch (const base::Error& error) {
+      EXPECT_EQ(std::string(error.what()).find("own.json: "), 0u);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const Shelf shelf : {Shelf::Processes, Shelf::Materials})
+    for (const std::string& id : libraryIds(shelf)) {
+      const LibraryItem item = loadItem(shelf, id);
+      EXPECT_EQ(check(item), "") << id;
+      for (const char* wrong : {"", "../../x", "a b", ".x"})
+        EXPECT_NE(check(item.named(wrong, "own")).find("cannot be a"), std::string::npos) << wrong;
+    }
+  Process process = loadProcess("fdm-1.0");
+  for (const auto& [nozzle, fits] : {std::pair(0.05, false), std::pair(0.5, true),
+                                     std::pair(3.0, true), std::pair(50.0, false)}) {
+    process.nozzleDiameterMm = nozzle;
+    EXPECT_EQ(check({process, {}}).empty(), fits) << nozzle;
+  }
+}
+
 TEST_F(Library, filesAreImportedAndThoseOfTheProgramKept) {
   const std::string text =
       base::readFile(std::string(VOLUTA_SOURCE_DIR) + "/resources/processes/fdm-1.0.json");
