@@ -1125,10 +1125,6 @@ mm³</translation>
         <translation>il file scalda a {heat}: i programmi scaldano come indica il materiale, scegline uno adatto</translation>
     </message>
     <message>
-        <source>the file prints with tools up to T{number}: the job&apos;s first tool prints the beads of tools that the job does not have</source>
-        <translation>il file stampa con utensili fino a T{number}: il primo utensile del lavoro stampa i cordoni di quelli che il lavoro non ha</translation>
-    </message>
-    <message>
         <source>the three points of an arc are on a line</source>
         <translation>i tre punti di un arco sono allineati</translation>
     </message>

@@ -248,6 +248,24 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
   return placement;
 }
 
+std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
+                                            const process::Tooling& tooling) {
+  const std::size_t count = tooling.tools().size();
+  std::set<int> missing;
+  for (const plan::ToolPath& path : given.paths)
+    if (path.tool >= static_cast<int>(count))
+      missing.insert(path.tool);
+  std::string names;
+  for (const int tool : missing)
+    names += (names.empty() ? "T" : ", T") + std::to_string(tool);
+  if (names.empty())
+    return {};
+  return {base::Message(
+      "the job has {count} tool: its first tool prints the file's beads of {tools}|"
+      "the job has {count} tools: its first tool prints the file's beads of {tools}"_plural,
+      std::vector<base::Value>{count, names})};
+}
+
 plan::Findings withRemediesForGiven(plan::Findings findings) {
   using enum plan::FindingKind;
   constexpr std::array<std::pair<plan::FindingKind, plan::FindingKind>, 5> kKinds{

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "base/text.h"
 #include "geometry/placement.h"
 #include "plan/finding.h"
 #include "project/choices.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace voluta::base {
 class RunContext;
@@ -46,6 +48,10 @@ project::Choices choicesForGivenPaths(project::Choices choices);
 // Returns the default placement of such a part: that of the file if it is in the work frame;
 // nullopt if the part is placed as others are.
 std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loaded);
+
+// Returns a sentence about tools of the file that the job does not have; empty: it has all.
+std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
+                                            const process::Tooling& tooling);
 
 // Returns findings of the replay with remedies for tool-paths that were not planned: turning the
 // part or choosing another way of building does not change them.

@@ -20,6 +20,7 @@
 #include "toolpath/plan_toolpaths.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -126,12 +127,15 @@ project::ChosenReport ItemStages::chosenReport() const {
           .layerHeightMm = process_.layerHeightMm};
 }
 
-// Repairs made when the part was loaded and then to close it, each once.
+// Repairs made when the part was loaded and then to close it, and what the job does not take from
+// its file, each once.
 std::vector<base::Message> ItemStages::allRepairs() const {
   std::vector<base::Message> all = loaded_->notes;
   for (const base::Message& repair : placed_->report.repairs)
     if (std::ranges::find(all, repair) == all.end())
       all.push_back(repair);
+  if (hasGivenPaths_)
+    std::ranges::copy(missingToolNotes(*loaded_->toolPaths, tooling_), std::back_inserter(all));
   return all;
 }
 

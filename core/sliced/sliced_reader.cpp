@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace voluta::sliced {
 
@@ -65,13 +64,6 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   else if (file.header.volumetric && file.volumetric)
     notes.push_back(
         "amounts are taken as volumes, as the setting use_volumetric_e of the file says"_text);
-  std::set<int> tools;
-  for (const SlicedPath& path : file.paths)
-    tools.insert(path.tool);
-  if (!tools.empty() && *tools.rbegin() > 0)
-    notes.push_back(base::message("the file prints with tools up to T{number}: the job's first "
-                                  "tool prints the beads of tools that the job does not have"_text,
-                                  *tools.rbegin()));
   const std::string heat = heatOf(file);
   if (!heat.empty())
     notes.push_back(base::message(
