@@ -10308,6 +10308,18 @@ facce %</translation>
         <source>check nozzleDiameterMm and beadWidthMm</source>
         <translation>controllare nozzleDiameterMm e beadWidthMm</translation>
     </message>
+    <message>
+        <source>&apos;{text}&apos; is no pair x,radius</source>
+        <translation>«{text}» non è una coppia x,raggio</translation>
+    </message>
+    <message>
+        <source>contains no points</source>
+        <translation>non contiene punti</translation>
+    </message>
+    <message>
+        <source>give numbers in mm, separated by commas: x,y,z</source>
+        <translation>indicare numeri in mm, separati da virgole: x,y,z</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -1,7 +1,7 @@
 #include "modes/planar_modes.h"
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/filled_file.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
@@ -357,7 +357,11 @@ std::string planesText(const std::string& value) {
   if (value.empty())
     return value;
   const std::size_t first = value.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && value[first] == '[' ? value : base::readFile(value);
+  if (first != std::string::npos && value[first] == '[')
+    return value;
+  std::string text = base::readFilledFile(value);
+  planar::readUserPlanes(text, value); // Names the file in errors
+  return text;
 }
 
 } // namespace voluta::modes

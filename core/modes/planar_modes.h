@@ -20,7 +20,8 @@ base::ParameterTable planarModeParameters();
 planar::RiskRule riskRule(const ModeChoices& in);
 
 // Returns the JSON text of `layerPlanes` or `cutPlanes`: the value itself if it is empty or JSON,
-// otherwise the content of the file it names. Throws Error{UnreadableFile}.
+// otherwise the content of the file it names. Throws Error{UnreadableFile, UnusableInput} with the
+// file's name if it is no such text.
 std::string planesText(const std::string& value);
 
 } // namespace voluta::modes

@@ -1,7 +1,7 @@
 #include "modes/rod_profile.h"
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/filled_file.h"
 #include "base/number_list.h"
 
 #include <filesystem>
@@ -24,10 +24,15 @@ std::string rodProfileText(const std::string& value) {
   Eigen::Vector2d pair;
   if (!(words >> first) || readPair(first, pair) || !std::filesystem::exists(value))
     return value;
-  std::istringstream read(base::readFile(value));
+  std::istringstream read(base::readFilledFile(value));
   std::string text, word;
-  while (read >> word)
+  while (read >> word) {
+    if (!readPair(word, pair))
+      throw base::Error(base::ErrorCode::UnreadableFile,
+                        base::message("'{text}' is no pair x,radius"_text, word.substr(0, 40)),
+                        value, "write pairs such as -20,2.5 0,2.5 0,3.5 20,3.5 in mm"_text);
     text += (text.empty() ? "" : " ") + word;
+  }
   return text;
 }
 

@@ -15,6 +15,7 @@
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -141,6 +142,32 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
   EXPECT_THROW(planPart(wrong, context()), base::Error);
   wrong.choices.item().parameters["layerPlanes"] = "[{}]";
   EXPECT_THROW(planPart(wrong, context()), base::Error);
+}
+
+// A file that states nothing usable is refused by its name, not taken for a text that was not
+// given.
+TEST(FlatMode, FilesOfParametersThatSayNothingAreRefused) {
+  const test::TemporaryFolder folder;
+  const auto refusalOf = [&](const std::string& key, const std::string& content) {
+    base::writeFile(folder / "values.txt", content);
+    project::Choices choices = request("flat").choices;
+    try {
+      setParameters(choices, {key + "=" + (folder / "values.txt").string()});
+    } catch (const base::Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  for (const std::string key :
+       {"layerPlanes", "cutPlanes", "rodProfile", "fibreCurves", "fibreField"}) {
+    for (const std::string content : {"", " \n"})
+      EXPECT_THAT(refusalOf(key, content), ::testing::HasSubstr("values.txt: the file is empty"))
+          << key;
+    EXPECT_THAT(refusalOf(key, "hello"), ::testing::StartsWith((folder / "values.txt").string()))
+        << key;
+  }
+  EXPECT_THAT(refusalOf("layerPlanes", "{}"), ::testing::HasSubstr("not a JSON list"));
+  EXPECT_EQ(refusalOf("layerPlanes", R"([{"point": [0, 0, 1], "normal": [0, 0, 1]}])"), "");
 }
 
 TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {

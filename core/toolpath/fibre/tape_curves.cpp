@@ -1,7 +1,7 @@
 #include "toolpath/fibre/tape_curves.h"
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/filled_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -85,7 +85,13 @@ std::vector<FieldSample> tapeField(const std::string& text) {
 
 std::string tapeText(const std::string& text) {
   const bool isData = text.empty() || text.find(',') != std::string::npos;
-  return isData ? text : base::readFile(text);
+  if (isData)
+    return text;
+  std::string read = base::readFilledFile(text);
+  if (read.find(',') == std::string::npos)
+    throw base::Error(base::ErrorCode::UnreadableFile, "contains no points"_text, text,
+                      "give numbers in mm, separated by commas: x,y,z"_text);
+  return read;
 }
 
 } // namespace voluta::toolpath

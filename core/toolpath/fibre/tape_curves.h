@@ -22,7 +22,7 @@ struct FieldSample {
 std::vector<FieldSample> tapeField(const std::string& text);
 
 // Returns the content of the file if the text is a file's name, else the text. Throws
-// Error{UnreadableFile}.
+// Error{UnreadableFile} if the file cannot be read or contains no points.
 std::string tapeText(const std::string& text);
 
 } // namespace voluta::toolpath
