@@ -10320,6 +10320,14 @@ facce %</translation>
         <source>give numbers in mm, separated by commas: x,y,z</source>
         <translation>indicare numeri in mm, separati da virgole: x,y,z</translation>
     </message>
+    <message>
+        <source>is no result of this kind of job, and would be replaced</source>
+        <translation>non è un risultato di questo tipo di lavoro, e sarebbe sostituito</translation>
+    </message>
+    <message>
+        <source>choose another folder, or give --replace</source>
+        <translation>scegliere un&apos;altra cartella, o indicare --replace</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

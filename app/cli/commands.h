@@ -27,6 +27,7 @@ struct PlanOptions {
   pipeline::PlanRequest request; // its item has the choices common to all parts
   PlateOptions plate;
   std::filesystem::path folder;
+  bool replace = false; // files of the folder that are not of such a job
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;
 };
@@ -45,6 +46,7 @@ struct CompareCommandOptions {
   pipeline::CompareOptions compared;
   pipeline::Weights weights;
   std::filesystem::path folder;
+  bool replace = false; // files of the folder that are not of such a job
   bool pictures = true;
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;
@@ -73,6 +75,7 @@ ExitCode compareRunCommand(const CompareRunOptions& options);
 struct ResumeOptions {
   pipeline::ResumeRequest request;
   std::filesystem::path folder;
+  bool replace = false; // files of the folder that are not of such a job
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;
 };

@@ -7,6 +7,7 @@
 #include "pictures/job_picture.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"
+#include "pipeline/own_folder.h"
 #include "planar/decomposition.h"
 
 #include <algorithm>
@@ -197,6 +198,8 @@ ExitCode exitCodeOf(const std::vector<CompareRow>& rows) {
 } // namespace
 
 ExitCode compareCommand(const CompareCommandOptions& options) {
+  if (!options.replace)
+    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Comparison);
   base::StagedFolder staged(options.folder);
   const std::filesystem::path folder = staged.path();
   struct Done {

@@ -7,6 +7,7 @@
 #include "cli/mill_command.h"
 #include "cli/pith_command.h"
 #include "cli/render_command.h"
+#include "cli/replace_help.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
 #include "curved/growth_scheme.h"
@@ -188,6 +189,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   addPlateOptions(*plan, request.choices, values->options.plate);
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
+  plan->add_flag("--replace", values->options.replace, kReplaceHelp);
   request.choices.item().automatic = true;
   plan->add_option_function<std::string>(
       "--mode",
@@ -233,6 +235,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       ->add_option("-o", values->options.folder,
                    "folder for compare.json and, for each row, report, programs and pictures")
       ->required();
+  compare->add_flag("--replace", values->options.replace, kReplaceHelp);
   compare->add_option("--modes", compared.modes, "M,...: ways of building; default all")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -312,6 +315,7 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
                      "is a single file)");
   resume->add_option("-o", values->options.folder, "folder for job, report and programs")
       ->required();
+  resume->add_flag("--replace", values->options.replace, kReplaceHelp);
   resume->add_option("--format", request.formats, "program format (default: those of the job)")
       ->allow_extra_args(false);
   addRunOptions(*resume, values->options.threads, values->progress);

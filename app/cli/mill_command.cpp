@@ -2,9 +2,11 @@
 
 #include "base/files.h"
 #include "base/staged_folder.h"
+#include "cli/replace_help.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/mill_job.h"
 #include "pipeline/mill_part.h"
+#include "pipeline/own_folder.h"
 #include "project/loaded_part.h"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +23,7 @@ struct MillOptions {
   std::string part, material = "soft-plastic";
   pipeline::MillOrder order;
   std::filesystem::path folder;
+  bool replace = false; // files of the folder that are not of such a job
   int threads = 1;
 };
 
@@ -31,7 +34,18 @@ std::string materialIds() {
   return ids;
 }
 
-Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled) {
+// The part's notes of its reader and its repair, and defects that remain, a sentence each.
+std::vector<std::string> notesOf(const project::LoadedPart& part) {
+  std::vector<std::string> notes = base::english(part.notes);
+  for (const base::Message& defect : part.remains)
+    notes.push_back(base::english(defect));
+  if (part.open)
+    notes.push_back(base::english(part.open->sentence()));
+  return notes;
+}
+
+Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled,
+              const std::vector<std::string>& notes) {
   const milling::MillVerdict& v = milled.verdict;
   const milling::MillRule& rule = options.order.rule;
   const Eigen::Vector3d size = milled.plan.block.sizes();
@@ -39,7 +53,7 @@ Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled) {
   Json refusals = Json::array();
   for (const milling::MillDefect& d : v.refusals)
     refusals.push_back({{"line", d.line}, {"reason", base::english(d.reason)}});
-  Json report{{"part", options.part}, {"material", rule.data.id}};
+  Json report{{"part", options.part}, {"notes", notes}, {"material", rule.data.id}};
   if (options.order.layDown)
     report["laidDown"] = {{"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
                           {"rounds", milled.laid.rounds},
@@ -65,17 +79,24 @@ Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled) {
   return report;
 }
 
-pipeline::MilledPart mill(MillOptions options, const std::filesystem::path& folder,
-                          const base::RunContext& ctx) {
+struct Milled {
+  pipeline::MilledPart part;
+  std::vector<std::string> notes; // about the part
+};
+
+Milled mill(MillOptions options, const std::filesystem::path& folder, const base::RunContext& ctx) {
   const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.1));
   options.order.name = loaded->name;
   pipeline::MilledPart milled = pipeline::millPart(*loaded->mesh, options.order, ctx.sub(0.1, 1.0));
-  base::writeFile(folder / "report.json", reportOf(options, milled).dump(2) + "\n");
+  std::vector<std::string> notes = notesOf(*loaded);
+  base::writeFile(
+      folder / "report.json",
+      reportOf(options, milled, notes).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   base::writeFile(folder / pipeline::kMillJobFile,
                   pipeline::writeMillJob(milled.part, options.order));
   if (milled.verdict.passed)
     base::writeFile(folder / "mill.nc", milled.program);
-  return milled;
+  return {std::move(milled), std::move(notes)};
 }
 
 } // namespace
@@ -103,6 +124,8 @@ ExitCode millCommand(MillOptions options) {
                       base::message("unknown material '{id}'"_text, options.material), {},
                       base::message("give one of {ids}"_text, materialIds()));
   options.order.rule.data = *data;
+  if (!options.replace)
+    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Milling);
   base::StagedFolder staged(options.folder);
   const auto milled =
       settled(runInterruptibly(
@@ -111,10 +134,12 @@ ExitCode millCommand(MillOptions options) {
               staged, options.folder);
   if (!milled)
     return kCancelled;
-  const milling::MillVerdict& v = milled->verdict;
+  for (const std::string& note : milled->notes)
+    fmt::print("note: {}\n", note);
+  const milling::MillVerdict& v = milled->part.verdict;
   fmt::print("{} moves, {:.0f} min, {:.0f} mm3 removed; deepest {:.3f} mm, residue {:.3f} mm, "
              "{:.0f} mm3 in corners and between lines\n",
-             milled->motions, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm,
+             milled->part.motions, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm,
              v.left.cornersMm3);
   return millExitCode(v);
 }
@@ -129,6 +154,7 @@ void addMill(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   mill->add_option("PART", options->part, "mesh file, in mm")->required();
   mill->add_option("-o,--output", options->folder, "folder for the program and the report")
       ->required();
+  mill->add_flag("--replace", options->replace, kReplaceHelp);
   mill->add_option("--cut", options->material, "material of the block: " + materialIds());
   mill->add_option("--cutter", rule.cutter.diameterMm, "diameter of the round cutter [mm]");
   mill->add_option("--teeth", rule.cutter.teeth, "teeth of the cutter");

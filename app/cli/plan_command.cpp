@@ -3,6 +3,7 @@
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
+#include "pipeline/own_folder.h"
 #include "pipeline/plan_verdict.h"
 #include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
@@ -23,6 +24,15 @@ std::string partOf(const plan::Finding& finding, const project::Report& report) 
                           : report.item(static_cast<std::size_t>(finding.item)).model.file + ": ";
 }
 
+// Prints programs that were asked for and are not written although the plan may pass.
+void sayMissingPrograms(const plan::Findings& findings) {
+  using enum plan::FindingKind;
+  for (const plan::Finding& f : findings)
+    if (!f.blocking &&
+        (f.kind == ForeignRefused || f.kind == FormatRefused || f.kind == ProgramRefused))
+      fmt::print("not written: {} ({})\n", plan::englishReason(f), plan::englishRemedy(f));
+}
+
 // Prints the most severe finding as the one-line reason why the plan is not complete.
 void sayFindings(const project::Report& report) {
   const plan::Findings& findings = report.findings;
@@ -31,6 +41,7 @@ void sayFindings(const project::Report& report) {
   for (const plan::Finding& f : findings)
     if (f.blocking && blocking++ == 0)
       first = &f;
+  sayMissingPrograms(findings);
   if (!first)
     return;
   const std::string where = first->where
@@ -107,6 +118,8 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
 }
 
 ExitCode planCommand(const PlanOptions& options) {
+  if (!options.replace)
+    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Plan);
   const auto trying = std::make_shared<base::Message>();
   return reportingCommand(
       [options, trying](const std::filesystem::path& folder, const base::RunContext& ctx) {

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
+#include "pipeline/own_folder.h"
 #include "plan/tool_plan.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,8 @@
 namespace voluta::cli {
 
 ExitCode resumeCommand(const ResumeOptions& options) {
+  if (!options.replace)
+    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Plan);
   return reportingCommand(
       [request = options.request](const std::filesystem::path& folder,
                                   const base::RunContext& ctx) {

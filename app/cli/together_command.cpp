@@ -2,6 +2,7 @@
 #include "base/staged_folder.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
+#include "pipeline/own_folder.h"
 #include "pipeline/together_check.h"
 #include "plan/finding_kinds.h"
 
@@ -57,6 +58,8 @@ void requireUsable(const TogetherOptions& options) {
 
 ExitCode togetherCommand(const TogetherOptions& options) {
   requireUsable(options);
+  if (!options.replace)
+    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Together);
   base::StagedFolder staged(options.folder);
   auto outcome = runInterruptibly(
       [options, inside = staged.path()](const base::RunContext& ctx) {

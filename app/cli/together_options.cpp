@@ -1,5 +1,7 @@
 #include "cli/together_options.h"
 
+#include "cli/replace_help.h"
+
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
@@ -40,6 +42,7 @@ void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads) {
           ->check(CLI::Range(0.1, 1e6));
   CLI::Option* folder =
       together->add_option("-o", values->options.folder, "folder for all jobs and together.json");
+  together->add_flag("--replace", values->options.replace, kReplaceHelp);
   together
       ->add_option("--verify", values->options.verified,
                    "folder written before: reads its programs and replays them in one time")

@@ -20,6 +20,7 @@ struct TogetherOptions {
   std::vector<Eigen::Isometry3d> places; // of the second job and the following ones
   together::Options limits;
   std::filesystem::path folder;
+  bool replace = false;           // files of the folder that are not of such a job
   std::filesystem::path verified; // a folder that was written before: verified instead
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;

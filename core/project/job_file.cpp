@@ -8,6 +8,7 @@
 #include "project/content_hash.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
+#include "project/job_magic.h"
 #include "project/loaded_part.h"
 #include "project/message_json.h"
 #include "project/report_fields.h"
@@ -22,7 +23,6 @@ namespace voluta::project {
 namespace {
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kMagic = "VOLUTA ";
 constexpr int kFormat = 3;
 constexpr int kScopeless = 2; // settings of the job are stored with each item
 
@@ -379,9 +379,9 @@ struct Frame {
 };
 
 Frame frameOf(std::string_view bytes, const std::string& where) {
-  if (!bytes.starts_with(kMagic))
+  if (!bytes.starts_with(kJobMagic))
     throw unreadable("not a Voluta job"_text, where);
-  std::string_view rest = bytes.substr(kMagic.size());
+  std::string_view rest = bytes.substr(kJobMagic.size());
   std::size_t format = 0, length = 0, crc = 0;
   if (!takeNumber(rest, '\n', format) || format < kScopeless)
     throw unreadable("the first line of the job file is damaged or truncated"_text, where);
@@ -541,8 +541,8 @@ void JobFile::add(const Job& job) {
   if (job.resumedAt > 0)
     header["resumedAt"] = job.resumedAt;
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
-  head_ = std::string(kMagic) + std::to_string(kFormat) + "\n" + std::to_string(text.size()) + " " +
-          std::to_string(crcOf(text)) + "\n" + text;
+  head_ = std::string(kJobMagic) + std::to_string(kFormat) + "\n" + std::to_string(text.size()) +
+          " " + std::to_string(crcOf(text)) + "\n" + text;
 }
 } // namespace
 

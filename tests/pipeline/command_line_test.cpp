@@ -148,6 +148,19 @@ TEST_F(CommandLine, AMilledPartIsVerifiedFromItsFolder) {
   EXPECT_EQ(run({"verify", program, "--job", job}).code, 4);
 }
 
+// What the reader leaves out and holes that stay are said of a part to be milled, too.
+TEST_F(CommandLine, AMilledPartHasTheNotesOfItsReader) {
+  geometry::TriangleMesh mesh = test::box({-10, -9, 0}, {10, 9, 8});
+  mesh.triangles.resize(10); // A side is missing
+  const std::string file = stl("hole.stl", mesh);
+  base::writeFile(file, base::readFile(file) + "behind");
+  const fs::path out = folder_ / "out";
+  const Ended ended = run({"mill", file, "-o", out.string(), "--pitch", "0.2"});
+  EXPECT_NE(ended.out.find("note: not used: 6 bytes behind"), std::string::npos) << ended.out;
+  const auto notes = nlohmann::json::parse(base::readFile(out / "report.json")).at("notes");
+  EXPECT_GE(notes.size(), 2u) << notes;
+}
+
 TEST_F(CommandLine, AMilledPartWithANarrowSlotIsNotComplete) {
   geometry::TriangleMesh mesh = test::box({-10, -9, 0}, {10, 9, 3});
   test::append(mesh, test::box({-10, -9, 3}, {10, -1, 8}));
@@ -270,6 +283,36 @@ TEST_F(CommandLine, AFolderThatCannotBeWrittenIsSaidFirst) {
   expectOneLine(run({"plan", part, "-o", (folder_ / "file").string()}), 2, {"file"});
   expectOneLine(run({"plan", part, "-o", (folder_ / "file" / "below").string()}), 2, {"file"});
   expectOneLine(run({"plan", part, "-o", "/proc/voluta"}), 2, {"/proc/voluta"});
+  expectOneLine(run({"plan", part, "-o", ""}), 2, {"name of the folder is empty"});
+}
+
+// Files of others are kept unless they may be replaced; results of the same kind of job always are.
+TEST_F(CommandLine, FilesOfOthersAreReplacedOnRequestOnly) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  const std::vector<std::string> plan{"plan",   part,   "-o",      out,
+                                      "--mode", "flat", "--until", "layers"};
+  const std::vector<std::string> mill{"mill", part, "-o", out, "--pitch", "0.2"};
+  const auto replacing = [](std::vector<std::string> words) {
+    words.emplace_back("--replace");
+    return words;
+  };
+  for (const char* name : {"job.voluta", "report.json"}) {
+    fs::remove_all(out);
+    fs::create_directory(out);
+    base::writeFile(fs::path(out) / name, "mine");
+    expectOneLine(run(plan), 2, {name, "would be replaced", "--replace"});
+    EXPECT_EQ(base::readFile(fs::path(out) / name), "mine");
+    EXPECT_EQ(run(replacing(plan)).code, 0);
+    EXPECT_EQ(run(plan).code, 0) << "the second run";
+  }
+  base::writeFile(fs::path(out) / "notes.txt", "mine");
+  EXPECT_EQ(run(plan).code, 0);
+  EXPECT_EQ(base::readFile(fs::path(out) / "notes.txt"), "mine");
+  // Of another kind of job
+  expectOneLine(run(mill), 2, {"report.json", "would be replaced"});
+  EXPECT_EQ(run(replacing(mill)).code, 0);
+  EXPECT_EQ(run(mill).code, 0) << "the second run";
+  expectOneLine(run(plan), 2, {"report.json", "would be replaced"});
 }
 
 TEST_F(CommandLine, ListsAnswerInTextAndJson) {
@@ -414,7 +457,7 @@ TEST_F(CommandLine, CancelLeavesTheFolderAsItWas) {
   for (int trial = 0; trial < 10; ++trial) {
     base::writeFile(folder_ / "out" / "report.json", "kept");
     const auto before = entries(), inside = names(folder_ / "out");
-    const pid_t child = start({"plan", part, "-o", (folder_ / "out").string()});
+    const pid_t child = start({"plan", part, "-o", (folder_ / "out").string(), "--replace"});
     std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 1500));
     ::kill(child, SIGINT);
     const Ended ended = finish(child);
