@@ -6,8 +6,8 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_advice.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include <cmath>
 #include <fmt/format.h>

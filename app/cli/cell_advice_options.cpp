@@ -2,7 +2,7 @@
 
 #include "cli/commands.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "project/turn_text.h"
 
 #include <memory>

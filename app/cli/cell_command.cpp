@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "base/number_list.h"
 #include "cli/commands.h"
-#include "pipeline/cell_check.h"
+#include "pipeline/cell_file_check.h"
 #include "robot/measured/measured_json.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"
 #include "pipeline/own_folder.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "modes/mode_table.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/library.h"
 #include "program/dialect.h"
 #include "project/choices.h"

@@ -1,8 +1,8 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "project/turn_text.h"
 

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/number_list.h"
 #include "base/units.h"
-#include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
+#include "pipeline/stage_options.h"
 #include "project/file_parts.h"
 
 #include <charconv>

@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_reach.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <algorithm>
 #include <cmath>

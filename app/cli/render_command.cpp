@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "project/job.h"
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress.h"
-#include "pipeline/together.h"
+#include "pipeline/joined_jobs.h"
 
 #include <filesystem>
 #include <functional>

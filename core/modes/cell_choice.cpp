@@ -1,6 +1,6 @@
 #include "modes/cell_choice.h"
 
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 
 namespace voluta::modes {
 

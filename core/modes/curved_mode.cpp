@@ -4,11 +4,11 @@
 #include "curved/decompose.h"
 #include "curved/forward_growth.h"
 #include "curved/grow.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/voxel_graph.h"
 #include "modes/curved_supports.h"
+#include "modes/growth_plate.h"
 #include "modes/part_voxels.h"
-#include "modes/plate.h"
 #include "plan/finding_kinds.h"
 #include "support/supports.h"
 

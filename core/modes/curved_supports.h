@@ -6,7 +6,7 @@
 #include "curved/decompose.h"
 #include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "support/supports.h"
 #include "voxel/solid_voxels.h"
 

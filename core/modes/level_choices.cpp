@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "process/process.h"
 #include "project/report.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "base/stopwatch.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "plan/finding_kinds.h"
 #include "voxel/voxel_demand.h"
 #include "voxel/wall_thickness.h"

@@ -4,7 +4,7 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include <Eigen/Core>
 #include <optional>

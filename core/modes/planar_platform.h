@@ -1,7 +1,7 @@
 // The platform of planar mode: the chosen plate and the bodies that carry it in the cell.
 #pragma once
 
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 #include "process/process.h"
 #include "project/choices.h"
 

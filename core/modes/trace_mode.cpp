@@ -7,13 +7,13 @@
 #include "geometry/convex_polygon.h"
 #include "layers/layer_checks.h"
 #include "layers/order.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "platform/platform_solid.h"
 #include "process/bead_model.h"
 #include "process/process.h"
 #include "project/choices.h"
 #include "substrate/bead_strip.h"
-#include "substrate/seam.h"
+#include "substrate/trace_seam.h"
 
 #include <utility>
 

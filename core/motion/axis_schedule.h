@@ -2,8 +2,8 @@
 // They are chosen before the arm's motion, which takes them as given (path_ladder.h).
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_scene.h"
-#include "motion/run.h"
 
 #include <cstddef>
 #include <vector>

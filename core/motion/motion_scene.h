@@ -1,7 +1,7 @@
 // Inputs shared by the planners of one job, and how finely their moves are divided.
 #pragma once
 
-#include "motion/run.h"
+#include "motion/bead_run.h"
 #include "robot/cell.h"
 #include "robot/kinematics/arm_twists.h"
 

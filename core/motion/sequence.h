@@ -2,10 +2,10 @@
 // again.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/ladder/path_planner.h"
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
-#include "motion/run.h"
 #include "motion/transfers/known_transfers.h"
 #include "motion/transfers/transfer.h"
 

@@ -1,8 +1,8 @@
 // Shots into pockets in a trajectory.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_options.h"
-#include "motion/run.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"

@@ -1,7 +1,7 @@
 // Input of timesOf() (timing.h) for runs and for the transfers between them.
 #pragma once
 
-#include "motion/run.h"
+#include "motion/bead_run.h"
 #include "motion/timing.h"
 #include "motion/transfers/transfer.h"
 #include "robot/cell.h"

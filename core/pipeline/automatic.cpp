@@ -5,7 +5,7 @@
 #include "base/parameters.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "support/supports.h"
 
 #include <algorithm>

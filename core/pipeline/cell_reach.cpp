@@ -1,12 +1,12 @@
 #include "pipeline/cell_reach.h"
 
 #include "base/key_text.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/measures.h"
 #include "modes/cell_choice.h"
 #include "motion/motion_options.h"
 #include "pipeline/cell_text.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include "pipeline/slow_spans.h"
 #include "plan/finding.h"
 #include "plan/program.h"
+#include "project/job_stage.h"
 #include "project/report.h"
-#include "project/stage.h"
 #include "replay/worst_places.h"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "project/loaded_part.h"
 #include "project/platform_kinds.h"

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/staged_folder.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/tooling.h"
 #include "robot/cell.h"
 

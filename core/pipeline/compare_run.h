@@ -1,9 +1,9 @@
-// A recorded run beside the plan of a job (record/comparison.h).
+// A recorded run beside the plan of a job (record/run_comparison.h).
 #pragma once
 
 #include "base/run_context.h"
 #include "project/job.h"
-#include "record/comparison.h"
+#include "record/run_comparison.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "pipeline/judged_part.h"
 
 #include "geometry/append_mesh.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "planar/slicing/corrected_mesh.h"
 #include "process/process.h"
 #include "process/tooling.h"

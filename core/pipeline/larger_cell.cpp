@@ -6,7 +6,7 @@
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "pipeline/cell_plate.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <Eigen/Geometry>
 #include <tuple>

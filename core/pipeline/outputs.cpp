@@ -16,7 +16,7 @@
 #include "pipeline/proof.h"
 #include "pipeline/replay_stage.h"
 #include "planar/given_cuts.h"
-#include "toolpath/vtp_writer.h"
+#include "toolpath/path_vtp_writer.h"
 
 #include <algorithm>
 

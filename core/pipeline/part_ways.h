@@ -3,13 +3,13 @@
 
 #include "base/run_context.h"
 #include "geometry/placement.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "placement/ways_to_stand.h"
 #include "plan/finding.h"
 #include "process/process.h"
 #include "project/choices.h"
+#include "project/job_stage.h"
 #include "project/loaded_part.h"
-#include "project/stage.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "process/tooling.h"
 #include "project/job.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <cstddef>
 #include <functional>

@@ -7,15 +7,15 @@
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
-#include "motion/margins.h"
+#include "motion/joint_margins.h"
 #include "motion/motion_options.h"
-#include "motion/resume.h"
+#include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
-#include "pipeline/choices.h"
 #include "pipeline/printed_mesh.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/stage_options.h"
 #include "project/version.h"
-#include "replay/layer_times.h"
+#include "replay/covering_times.h"
 
 #include <algorithm>
 #include <cmath>

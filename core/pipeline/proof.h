@@ -73,7 +73,7 @@ struct Proof {
     ProofValue speed;    // maximum share of its limit
   };
   std::vector<Joint> joints;
-  ProofValue isotropy; // motion/margins.h; 0: singular
+  ProofValue isotropy; // motion/joint_margins.h; 0: singular
   // Worst places of the replay's figures (replay/worst_places.h).
   ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError,
       layerTime;

@@ -3,7 +3,7 @@
 #include "base/shown_number.h"
 #include "base/stopwatch.h"
 #include "motion/motion_options.h"
-#include "motion/resume.h"
+#include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"

@@ -33,13 +33,13 @@ struct ResumeResult {
 };
 
 // Plans and writes the rest of a print, with the part as printed so far. The arm approaches from
-// home clear of that part (motion/resume.h); after that the rest is as planned before. Its programs
-// are written, read back and replayed after the motions printed before, so that the verdict covers
-// the whole part. If no collision-free way leads to the place, the result has a finding and no
-// programs. Throws Error{UnreadableFile} for the job or the program; Error{UnusableInput} if the
-// job has no motion or has marks for another machine, the program is not the job's or nothing is
-// left to print; Error{Usage} if there is no such bead or line, the line may be of several files or
-// a format is unknown; Cancelled.
+// home clear of that part (motion/resumed_motion.h); after that the rest is as planned before. Its
+// programs are written, read back and replayed after the motions printed before, so that the
+// verdict covers the whole part. If no collision-free way leads to the place, the result has a
+// finding and no programs. Throws Error{UnreadableFile} for the job or the program;
+// Error{UnusableInput} if the job has no motion or has marks for another machine, the program is
+// not the job's or nothing is left to print; Error{Usage} if there is no such bead or line, the
+// line may be of several files or a format is unknown; Cancelled.
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx);
 // Same for a job in memory, from a point of its trajectory (motion::resumePoint).
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,

@@ -5,8 +5,8 @@
 #include "pipeline/plan_result.h"
 #include "pipeline/stage_cache.h"
 #include "project/job.h"
+#include "project/job_stage.h"
 #include "project/report.h"
-#include "project/stage.h"
 
 #include <filesystem>
 #include <string>

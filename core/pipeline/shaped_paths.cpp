@@ -3,9 +3,9 @@
 #include "base/error.h"
 #include "modes/platform_body.h"
 #include "pipeline/cell_plate.h"
-#include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 
 #include <utility>

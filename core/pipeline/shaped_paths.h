@@ -6,7 +6,7 @@
 #include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "process/process.h"
 #include "project/choices.h"
 #include "project/loaded_part.h"

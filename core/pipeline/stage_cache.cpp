@@ -1,11 +1,11 @@
 #include "pipeline/stage_cache.h"
 
 #include "layers/layer_stack.h"
+#include "modes/mode_stages.h"
 #include "modes/mode_table.h"
-#include "modes/stages.h"
 #include "pipeline/automatic.h"
 #include "pipeline/cell_plate.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
 #include "project/loaded_part.h"

@@ -1,7 +1,7 @@
 // Cache of stage results, keyed by the text of their inputs.
 #pragma once
 
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "pipeline/plan_result.h"
 #include "pipeline/stage_cache.h"
 #include "pipeline/trial.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // Cache keys of the stages: their inputs as text (docs/design.md, Stages: cached by what went in).
 #pragma once
 
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <span>
 #include <string>

@@ -6,8 +6,8 @@
 #include "motion/too_large.h"
 #include "plan/finding.h"
 #include "plan/statistics.h"
+#include "project/job_stage.h"
 #include "project/report.h"
-#include "project/stage.h"
 
 #include <memory>
 #include <optional>

@@ -8,9 +8,9 @@
 #include "motion/motion_options.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_reach.h"
-#include "pipeline/choices.h"
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "robot/cell.h"
 

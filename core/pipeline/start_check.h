@@ -3,11 +3,11 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "plan/finding.h"
 #include "process/process.h"
 #include "project/choices.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <memory>
 #include <string>

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/units.h"
-#include "pipeline/choices.h"
 #include "pipeline/program_files.h"
+#include "pipeline/stage_options.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
 

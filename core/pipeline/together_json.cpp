@@ -1,5 +1,5 @@
 #include "pipeline/checked_program.h"
-#include "pipeline/together.h"
+#include "pipeline/joined_jobs.h"
 #include "plan/marks.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plan/finding.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <optional>
 

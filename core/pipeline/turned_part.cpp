@@ -1,11 +1,11 @@
 #include "pipeline/turned_part.h"
 #include "base/error.h"
-#include "modes/plate.h"
+#include "modes/growth_plate.h"
 
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/simplify.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "placement/orient.h"
 #include "plan/finding_kinds.h"
 

@@ -1,7 +1,7 @@
 #include "placement/coarse_growth.h"
 
 #include "base/parallel.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/reverse_growth.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"

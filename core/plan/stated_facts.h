@@ -1,6 +1,6 @@
 // Statements of a program besides its motions and its flow: the machine's setup and operator stops.
 // Readers collect them; the replay compares them with the facts that the plan needs
-// (replay/stated_facts.h).
+// (replay/required_facts.h).
 #pragma once
 
 #include <cstddef>

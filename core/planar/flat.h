@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include <string>
 

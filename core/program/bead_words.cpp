@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "plan/finding_kinds.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "program/bead_words.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_files.h"
 #include "program/extruder.h"
 #include "program/full_flow.h"

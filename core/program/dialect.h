@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "plan/program.h"
 #include "plan/stated_facts.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/merged_points.h"
 #include "program/program_input.h"
 

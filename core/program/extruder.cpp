@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/filament.h"
 #include "program/gcode/castelli_serial.h"
 #include "program/gcode/extruder_axis.h"

@@ -1,6 +1,6 @@
 #include "program/full_flow.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/job_head.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "plan/marks.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/extruder.h"
 #include "program/stream/extruder_stream.h"
 

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/number_list.h"
+#include "program/common/program_text.h"
 #include "program/common/rotation_vector.h"
-#include "program/common/text.h"
 
 #include <cmath>
 #include <optional>
@@ -45,18 +45,16 @@ private:
     if ((!isSigned && !word.starts_with(kAxis)) ||
         !base::readNumbers(word.substr((isSigned ? kSigned : kAxis).size()), ',', {&value}))
       throw base::Error(base::ErrorCode::Usage,
-                        base::message("beadWords: '{word}' is not a word for a force"_text,
-                                      word),
-                        {},
-                        "write {pressFrame}, {pressSpace}, {press 5} or {pressAxis 20}"_text);
+                        base::message("beadWords: '{word}' is not a word for a force"_text, word),
+                        {}, "write {pressFrame}, {pressSpace}, {press 5} or {pressAxis 20}"_text);
     return components(value, isSigned);
   }
 
   std::string fixedFrame() const {
     // Turned about x by half a turn, the nozzle's frame has z from the part towards the nozzle.
     const Eigen::Isometry3d& nozzle = cell_.base_T_fixed();
-    const Eigen::Quaterniond turn = Eigen::Quaterniond(nozzle.linear()) *
-                                    Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(nozzle.linear()) * Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
     const Vector3d vector = rotationVector(turn);
     std::string text = "p[";
     for (int k = 0; k < 3; ++k)

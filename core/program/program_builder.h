@@ -6,7 +6,7 @@
 #include "process/tooling.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/known_words.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/filament.h"
 
 #include <Eigen/Geometry>

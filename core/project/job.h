@@ -5,9 +5,9 @@
 #include "geometry/placement.h"
 #include "platform/platform_solid.h"
 #include "project/choices.h"
+#include "project/job_stage.h"
 #include "project/mode_result.h"
 #include "project/report.h"
-#include "project/stage.h"
 
 #include <array>
 #include <filesystem>

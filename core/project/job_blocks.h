@@ -7,7 +7,7 @@
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 #include "project/block_file.h"
 #include "project/job.h"
 

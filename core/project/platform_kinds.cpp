@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/convex_polygon.h"
 
 #include <algorithm>

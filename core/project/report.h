@@ -75,7 +75,7 @@ struct ReplayReport {
   // Time between a bead and the one that covers it, at the controller's own speeds
   double shortestLayerTimeS = 0.0, meanLayerTimeS = 0.0, longestLayerTimeS = 0.0;
   double tapeMm3 = 0.0;             // of continuous fibre, apart from the mass
-  std::vector<double> layerTimesMm; // bead length by that time (replay/layer_times.h)
+  std::vector<double> layerTimesMm; // bead length by that time (replay/covering_times.h)
   ThresholdsReport thresholds;
   std::vector<ItemReplayReport> items; // empty: the job has one item
 };

@@ -6,8 +6,8 @@
 #include "plan/trajectory.h"
 #include "replay/depositor.h"
 #include "replay/executed_path.h"
-#include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/replay_ground.h"
 
 #include <Eigen/Core>
 #include <cstddef>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "replay/depositor.h"
-#include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/replay_ground.h"
 
 #include <Eigen/Core>
 #include <cstdint>

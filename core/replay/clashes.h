@@ -5,8 +5,8 @@
 #include "replay/beads.h"
 #include "replay/distances.h"
 #include "replay/executed_path.h"
-#include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/replay_ground.h"
 #include "replay/underside.h"
 #include "robot/cell.h"
 

@@ -4,7 +4,6 @@
 #include "plan/finding_kinds.h"
 #include "replay/alignment.h"
 #include "replay/approach.h"
-#include "replay/bead_words.h"
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
 #include "replay/controller_time.h"
@@ -14,9 +13,10 @@
 #include "replay/limit_findings.h"
 #include "replay/planned_events.h"
 #include "replay/purge_drops.h"
+#include "replay/replay_steps.h"
+#include "replay/required_bead_words.h"
+#include "replay/required_facts.h"
 #include "replay/section_errors.h"
-#include "replay/stated_facts.h"
-#include "replay/steps.h"
 #include "replay/verdict_findings.h"
 
 #include <algorithm>

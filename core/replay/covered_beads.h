@@ -2,8 +2,8 @@
 #pragma once
 
 #include "plan/layer_times.h"
-#include "replay/layer_times.h"
-#include "replay/run.h"
+#include "replay/covering_times.h"
+#include "replay/program_run.h"
 
 #include <Eigen/Core>
 #include <cstddef>

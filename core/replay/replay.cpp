@@ -1,8 +1,8 @@
 #include "base/memory.h"
 #include "base/run_context.h"
 #include "plan/finding_kinds.h"
-#include "replay/run.h"
-#include "replay/steps.h"
+#include "replay/program_run.h"
+#include "replay/replay_steps.h"
 #include "replay/verdict_findings.h"
 #include "replay/verification.h"
 

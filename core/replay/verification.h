@@ -9,7 +9,7 @@
 #include "plan/trajectory.h"
 #include "platform/platform_solid.h"
 #include "process/tooling.h"
-#include "replay/layer_times.h"
+#include "replay/covering_times.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 

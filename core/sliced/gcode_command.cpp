@@ -1,6 +1,6 @@
 #include "sliced/gcode_command.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <array>

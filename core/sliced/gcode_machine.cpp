@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/gcode/gcode_line.h"
 #include "sliced/gcode_arc.h"
 #include "sliced/gcode_command.h"

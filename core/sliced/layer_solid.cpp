@@ -5,10 +5,10 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "process/bead_model.h"
-#include "sliced/bead_sections.h"
 #include "sliced/layer_mask.h"
 #include "sliced/layer_slabs.h"
 #include "sliced/layer_surface.h"
+#include "sliced/sliced_sections.h"
 #include "voxel/voxel_object.h"
 
 #include <Eigen/Geometry>

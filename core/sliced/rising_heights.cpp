@@ -1,7 +1,7 @@
 #include "sliced/rising_heights.h"
 
 #include "base/error.h"
-#include "sliced/layer_heights.h"
+#include "sliced/sliced_heights.h"
 
 #include <algorithm>
 #include <cmath>

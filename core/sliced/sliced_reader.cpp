@@ -4,9 +4,9 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "build3mf/bead_cells.h"
-#include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
+#include "sliced/sliced_sections.h"
 #include "sliced/stated_amount.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "sliced/stated_amount.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/gcode/gcode_line.h"
 #include "sliced/gcode_command.h"
 

@@ -1,7 +1,7 @@
 #include "sliced/table_axes.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/gcode/gcode_bc.h"
 
 #include <cmath>

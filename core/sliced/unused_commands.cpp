@@ -1,7 +1,7 @@
 #include "sliced/unused_commands.h"
 
 #include "base/lower_case.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
-#include "substrate/seam.h"
+#include "substrate/trace_seam.h"
 
 namespace voluta::substrate {
 

@@ -4,8 +4,8 @@
 
 #include "together/conflicts.h"
 #include "together/machine.h"
-#include "together/order.h"
 #include "together/segments.h"
+#include "together/work_order.h"
 
 #include <Eigen/Core>
 #include <array>

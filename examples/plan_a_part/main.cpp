@@ -2,9 +2,9 @@
 #include <base/error.h>
 #include <filesystem>
 #include <iostream>
-#include <pipeline/choices.h>
 #include <pipeline/outputs.h>
 #include <pipeline/road.h>
+#include <pipeline/stage_options.h>
 
 int main(int argc, char** argv) {
   using namespace voluta;

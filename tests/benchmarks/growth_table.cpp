@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/stopwatch.h"
 #include "curved/grow.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/voxel_width.h"

@@ -18,11 +18,11 @@
 #include "indicator/contact_samples.h"
 #include "indicator/contact_space.h"
 #include "motion/motion_options.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -27,11 +27,11 @@
 #include "motion/smoothing/even_turns.h"
 #include "motion/smoothing/smooth_turns.h"
 #include "motion/timed_points.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <algorithm>
 #include <cmath>

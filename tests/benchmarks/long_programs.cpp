@@ -8,7 +8,7 @@
 #include "helpers/lathe_parts.h"
 #include "process/bead_model.h"
 #include "program/dialect.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/verification.h"
 
 #include <cmath>

@@ -17,11 +17,11 @@
 #include "collision/growing_part.h"
 #include "motion/motion.h"
 #include "motion/motion_options.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/job.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <cstdio>
 #include <ctime>

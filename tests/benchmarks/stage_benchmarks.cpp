@@ -4,7 +4,7 @@
 #include "collision/random_shapes.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/least_turn.h"
 #include "geometry/mesh_query.h"
 #include "geometry/placement.h"

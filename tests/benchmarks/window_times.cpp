@@ -4,7 +4,7 @@
 #include "curved/front_surface.h"
 #include "curved/peeling_field.h"
 #include "gui/window_fixture.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 

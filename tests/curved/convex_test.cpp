@@ -4,7 +4,7 @@
 #include "curved/cut_voxels.h"
 #include "curved/flood.h"
 #include "curved/grid_solver.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/reverse_growth.h"
 #include "curved/support_order.h"
 #include "curved/voxel_shapes.h"

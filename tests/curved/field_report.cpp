@@ -2,7 +2,7 @@
 // STL... Prints what growth and field do on real parts, judged by the tests' own checkers.
 #include "base/stopwatch.h"
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/rank_checker.h"
 #include "curved/vti_writer.h"
 #include "geometry/formats/mesh_reader.h"

@@ -7,7 +7,7 @@
 #include "curved/layer_order.h"
 #include "curved/peeling_field.h"
 #include "curved/plain_growth.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/rank_checker.h"
 #include "curved/voxel_shapes.h"
 

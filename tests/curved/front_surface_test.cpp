@@ -5,7 +5,7 @@
 #include "curved/convex_front.h"
 #include "curved/grow.h"
 #include "curved/peeling_field.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/voxel_shapes.h"
 
 #include <Eigen/Geometry>

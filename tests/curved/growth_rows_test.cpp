@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "curved/grow.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/rank_checker.h"
 #include "curved/voxel_shapes.h"
 

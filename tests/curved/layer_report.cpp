@@ -4,7 +4,7 @@
 #include "base/stopwatch.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "helpers/voxel_width.h"

@@ -2,7 +2,7 @@
 #include "curved/nozzle_reach.h"
 
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/voxel_shapes.h"
 
 #include <Eigen/Cholesky>

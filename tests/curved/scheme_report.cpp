@@ -4,7 +4,7 @@
 #include "base/stopwatch.h"
 #include "curved/forward_growth.h"
 #include "curved/peeling_field.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/rank_checker.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"

@@ -4,7 +4,7 @@
 #include "document/parts.h"
 #include "document/planning.h"
 #include "document/saving.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "project/job.h"
 
 #include <QDir>

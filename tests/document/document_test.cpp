@@ -7,7 +7,7 @@
 #include "document/parts.h"
 #include "helpers/other_text.h"
 #include "helpers/temporary_folder.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "document/autosave.h"
 #include "document/parts.h"
 #include "helpers/all_seeds.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "project/job.h"
 
 #include <QDir>

@@ -5,7 +5,7 @@
 #include "document/document.h"
 #include "document/parts.h"
 #include "document/planning.h"
-#include "motion/resume.h"
+#include "motion/resumed_motion.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -10,7 +10,7 @@
 #include "document/shown_names.h"
 #include "helpers/boxes_3mf.h"
 #include "helpers/package_3mf.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

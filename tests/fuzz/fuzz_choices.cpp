@@ -2,8 +2,8 @@
 #include "fuzz_target.h"
 
 #include "helpers/given_parameters.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // program that writes projects may be wrong too.
 #include "fuzz_target.h"
 
-#include "pipeline/choices.h"
 #include "pipeline/sample_job.h"
+#include "pipeline/stage_options.h"
 #include "project/block_file.h"
 #include "project/report.h"
 

@@ -3,10 +3,10 @@
 #include "sound_tool_plan.h"
 
 #include "base/run_context.h"
-#include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/path_shape.h"
 #include "sliced/sliced_reader.h"
+#include "sliced/sliced_sections.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 #include "window/language.h"
-#include "window/theme.h"
+#include "window/window_theme.h"
 
 #include <QElapsedTimer>
 #include <QFile>

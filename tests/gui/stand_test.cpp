@@ -177,7 +177,7 @@ TEST_F(StandTest, TheTimeOnACardIsThatOfThePlan) {
   ASSERT_NE(spiral, nullptr);
   intoSight(spiral);
   QTest::mouseClick(spiral, Qt::LeftButton, {}, {8, spiral->height() / 2});
-  ASSERT_EQ(document().choices().item().parameters.at("spiral"), "true");
+  ASSERT_EQ(document().choices().parameters.at("spiral"), "true");
   ASSERT_TRUE(settled());
   EXPECT_LT(minutes(), solid / 2);
   window().planning().plan(Stage::Motion);

@@ -1,7 +1,7 @@
 // Parameters for the choices of a test, as text.
 #pragma once
 
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "project/choices.h"
 
 #include <map>

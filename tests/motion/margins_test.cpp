@@ -1,5 +1,5 @@
 // Margins against Jacobians of the published link lengths, by hand.
-#include "motion/margins.h"
+#include "motion/joint_margins.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "motion/run.h"
+#include "motion/bead_run.h"
 #include "motion/smoothing/smooth_turns.h"
 #include "robot/cell.h"
 

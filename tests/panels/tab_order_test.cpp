@@ -4,7 +4,7 @@
 #include "forms/parameter_form.h"
 #include "panels/findings_panel.h"
 #include "panels/placement_panel.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 
 #include <QLabel>

@@ -9,8 +9,8 @@
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
 #include "panels/verdict_table.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

@@ -8,9 +8,9 @@
 #include "helpers/shapes.h"
 #include "modes/mode_table.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
 #include "pipeline/search_texts.h"
+#include "pipeline/stage_options.h"
 #include "pipeline/stage_runner.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "collision/growing_part.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/placement.h"
 #include "geometry/repair/repair.h"

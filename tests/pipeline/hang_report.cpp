@@ -10,14 +10,14 @@
 #include "collision/growing_part.h"
 #include "geometry/mesh_query.h"
 #include "helpers/laid_beads.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/waypoints.h"
+#include "replay/bead_coverage.h"
 #include "replay/beads.h"
 #include "replay/beneath.h"
-#include "replay/coverage.h"
-#include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/replay_ground.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <CLI/CLI.hpp>

@@ -2,10 +2,10 @@
 #include "base/error.h"
 #include "layers/layer_stack.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 

@@ -1,10 +1,10 @@
 #include "curved/decomposition.h"
 #include "layers/layer_stack.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "planar/decomposition.h"
 #include "planar/pieces.h"
+#include "planar/planar_decomposition.h"
 #include "project/job.h"
 #include "project/loaded_part.h"
 

@@ -2,7 +2,7 @@
 #include "pipeline/items/layer_hindrance.h"
 
 #include "base/units.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "motion/motion_options.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 
 #include <gmock/gmock.h>

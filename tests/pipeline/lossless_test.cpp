@@ -2,8 +2,8 @@
 #include "curved/decomposition.h"
 #include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
 
 #include "base/error.h"

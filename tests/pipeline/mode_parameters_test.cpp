@@ -2,7 +2,7 @@
 #include "helpers/given_parameters.h"
 #include "helpers/other_text.h"
 #include "modes/mode_table.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "project/choices.h"
 

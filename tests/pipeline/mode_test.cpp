@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "robot/cell.h"
 

@@ -6,10 +6,10 @@
 #include "helpers/given_parameters.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
-#include "pipeline/choices.h"
 #include "pipeline/open_part.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 

@@ -3,8 +3,8 @@
 #include "base/files.h"
 #include "helpers/other_text.h"
 #include "helpers/temporary_folder.h"
-#include "pipeline/choices.h"
 #include "pipeline/sample_job.h"
+#include "pipeline/stage_options.h"
 #include "project/block_file.h"
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 #include "base/units.h"
 #include "geometry/measures.h"
 #include "helpers/shapes.h"
-#include "pipeline/choices.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "project/turn_text.h"
 

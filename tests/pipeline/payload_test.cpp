@@ -5,7 +5,7 @@
 #include "process/process.h"
 #include "robot/cell.h"
 
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "helpers/shapes.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <gtest/gtest.h>
 

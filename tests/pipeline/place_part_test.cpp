@@ -4,7 +4,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/cell_plate.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 
 #include <gtest/gtest.h>

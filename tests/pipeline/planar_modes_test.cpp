@@ -2,16 +2,16 @@
 #include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
 #include "modes/planar_modes.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include "base/error.h"
 #include "base/files.h"
 #include "helpers/octagon_prism.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Several parts on a plate: distances, order, arrangement.
 #include "geometry/meshes_meet.h"
 #include "helpers/shapes.h"
-#include "pipeline/items/arrangement.h"
+#include "pipeline/items/part_arrangement.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/items/print_sequence.h"
 #include "plan/finding_kinds.h"

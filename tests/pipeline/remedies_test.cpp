@@ -3,11 +3,11 @@
 #include "modes/mode_table.h"
 #include "modes/part_voxels.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
 #include "pipeline/larger_cell.h"
 #include "pipeline/part_size.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>

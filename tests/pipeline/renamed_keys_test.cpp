@@ -1,7 +1,7 @@
 // Parameters whose keys were renamed: the old keys are still read, with a note.
 #include "helpers/temporary_folder.h"
-#include "pipeline/choices.h"
 #include "pipeline/sample_job.h"
+#include "pipeline/stage_options.h"
 #include "project/loaded_part.h"
 
 #include <algorithm>

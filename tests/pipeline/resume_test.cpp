@@ -5,7 +5,7 @@
 #include "helpers/all_seeds.h"
 #include "helpers/temporary_folder.h"
 #include "motion/motion_options.h"
-#include "motion/resume.h"
+#include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"
 #include "pipeline/resume.h"

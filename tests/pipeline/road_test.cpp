@@ -2,8 +2,8 @@
 // projects that are reopened. A small box, so that a whole plan takes about a second.
 #include "curved/decomposition.h"
 #include "pipeline/checked_program.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include "base/error.h"
 #include "base/files.h"

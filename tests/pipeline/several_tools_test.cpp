@@ -5,8 +5,8 @@
 #include "helpers/given_parameters.h"
 #include "motion/motion_options.h"
 #include "pipeline/checked_program.h"
-#include "pipeline/choices.h"
 #include "pipeline/plan_reasons.h"
+#include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 

@@ -1,5 +1,5 @@
 #include "layers/layer_stack.h"
-#include "modes/stages.h"
+#include "modes/mode_stages.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/stage_cache.h"
 

@@ -5,8 +5,8 @@
 #include "helpers/given_parameters.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include <cstdlib>
 #include <filesystem>

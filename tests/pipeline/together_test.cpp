@@ -4,8 +4,8 @@
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/joined_jobs.h"
 #include "pipeline/resume.h"
-#include "pipeline/together.h"
 #include "pipeline/together_check.h"
 #include "program/dialect.h"
 

@@ -3,8 +3,8 @@
 #include "helpers/shapes.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 #include "program/dialect.h"
 
 #include <algorithm>

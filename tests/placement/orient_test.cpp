@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "curved/grow.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"

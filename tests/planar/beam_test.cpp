@@ -9,7 +9,7 @@
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
 #include "planar/plan_checker.h"
-#include "planar/plate.h"
+#include "planar/plate_contact.h"
 #include "process/process.h"
 
 #include <gtest/gtest.h>

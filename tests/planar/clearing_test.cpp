@@ -3,10 +3,10 @@
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
+#include "planar/piece_order.h"
 #include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
-#include "planar/plate.h"
-#include "planar/print_order.h"
+#include "planar/plate_contact.h"
 #include "planar/search/beam_search.h"
 #include "process/process.h"
 

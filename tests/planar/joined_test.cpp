@@ -5,7 +5,7 @@
 #include "helpers/shapes.h"
 #include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
-#include "planar/plate.h"
+#include "planar/plate_contact.h"
 #include "process/process.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The rules of a plan, as its checker takes them.
 #pragma once
 
-#include "planar/decomposition.h"
 #include "planar/plan_checker.h"
+#include "planar/planar_decomposition.h"
 
 #include <vector>
 

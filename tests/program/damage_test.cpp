@@ -5,7 +5,7 @@
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/heat_facts.h"
-#include "replay/stated_facts.h"
+#include "replay/required_facts.h"
 
 #include <algorithm>
 #include <random>

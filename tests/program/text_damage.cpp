@@ -1,6 +1,6 @@
 #include "program/text_damage.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/dialect.h"
 #include "program/tmscript/tmscript_frames.h"
 

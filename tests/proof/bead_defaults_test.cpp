@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "helpers/loaded_box.h"
 #include "pipeline/checked_program.h"
-#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_options.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -5,8 +5,8 @@
 #include "base/files.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
-#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
+#include "pipeline/stage_options.h"
 #include "process/library.h"
 #include "program/dialect.h"
 

@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "collision/growing_part.h"
 #include "helpers/temporary_folder.h"
-#include "motion/margins.h"
+#include "motion/joint_margins.h"
 #include "pipeline/box_request.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/outputs.h"

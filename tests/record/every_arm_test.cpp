@@ -1,7 +1,7 @@
 // A run of each cell's arm, recorded as its own joints, is compared as a whole: at a controller's
 // cycle, at a slow recorder's, and by the points of trajectory.csv alone, whose transfers are
 // single long motions.
-#include "record/comparison.h"
+#include "record/run_comparison.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

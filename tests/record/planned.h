@@ -1,7 +1,7 @@
 // Planned runs of random beads, and records of them.
 #pragma once
 
-#include "record/comparison.h"
+#include "record/run_comparison.h"
 
 #include <cmath>
 #include <functional>

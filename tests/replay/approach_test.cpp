@@ -2,7 +2,7 @@
 // is held against the plan, in every kind of G-code.
 #include "program/dialect.h"
 #include "program/text_damage.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

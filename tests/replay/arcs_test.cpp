@@ -3,8 +3,8 @@
 #include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
-#include "replay/scene.h"
-#include "replay/steps.h"
+#include "replay/replay_scene.h"
+#include "replay/replay_steps.h"
 #include "replay/verification.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "program/text_damage.h"
 #include "replay/beside_motion.h"
 #include "replay/dialects_for.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

@@ -3,7 +3,7 @@
 #include "base/units.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

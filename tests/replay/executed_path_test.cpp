@@ -2,7 +2,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <gtest/gtest.h>
 #include <set>

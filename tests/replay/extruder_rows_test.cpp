@@ -4,7 +4,7 @@
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/stream/extruder_stream.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 
@@ -47,7 +47,8 @@ struct Kind {
 std::ptrdiff_t offset(std::size_t i) {
   return static_cast<std::ptrdiff_t>(i);
 }
-std::optional<std::size_t> next(const TextLines& lines, std::size_t at, const std::string& pattern) {
+std::optional<std::size_t> next(const TextLines& lines, std::size_t at,
+                                const std::string& pattern) {
   const std::regex words(pattern);
   for (std::size_t i = at; i < lines.size(); ++i)
     if (std::regex_search(lines[i], words))
@@ -353,7 +354,8 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
 }
 
 TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
-  const std::size_t step = test::ofSeeds(std::max(std::size_t{17}, lines().size() / 20), std::size_t{17});
+  const std::size_t step =
+      test::ofSeeds(std::max(std::size_t{17}, lines().size() / 20), std::size_t{17});
   int alarms = 0, tried = 0;
   for (std::size_t at = 5; at + 5 < lines().size(); at += step)
     for (const char* line : {"", "   ", "MARK seen"}) {

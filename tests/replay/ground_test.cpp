@@ -1,12 +1,12 @@
 // What lies beneath a first bead, and the nozzle's ways by joints: in closed form.
-#include "replay/ground.h"
+#include "replay/replay_ground.h"
 
 #include "base/run_context.h"
 #include "base/units.h"
 #include "helpers/shapes.h"
 #include "replay/depositor.h"
 #include "replay/joint_arcs.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 
 #include <gtest/gtest.h>
 #include <random>

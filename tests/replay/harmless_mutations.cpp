@@ -1,4 +1,4 @@
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "replay/mutation_text.h"
 
 #include <cctype>

@@ -6,7 +6,7 @@
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/text_damage.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

@@ -3,7 +3,7 @@
 #include "helpers/all_seeds.h"
 #include "program/dialect.h"
 #include "replay/mutations.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

@@ -1,7 +1,7 @@
 // Programs of several files that are run in another order than they were written for: refused, at
 // the file that is out of its turn.
 #include "program/dialect.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

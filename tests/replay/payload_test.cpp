@@ -2,7 +2,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

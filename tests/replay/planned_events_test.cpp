@@ -5,7 +5,7 @@
 #include "program/dialect.h"
 #include "program/job_head.h"
 #include "program/text_damage.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

@@ -5,8 +5,8 @@
 #include "program/dialect.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
-#include "replay/ground.h"
-#include "replay/scene.h"
+#include "replay/replay_ground.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

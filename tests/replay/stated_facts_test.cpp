@@ -7,8 +7,8 @@
 #include "program/extruder.h"
 #include "program/full_flow.h"
 #include "program/text_damage.h"
-#include "replay/scene.h"
-#include "replay/stated_facts.h"
+#include "replay/replay_scene.h"
+#include "replay/required_facts.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

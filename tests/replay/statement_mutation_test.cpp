@@ -6,7 +6,7 @@
 #include "plan/waypoints.h"
 #include "program/dialect.h"
 #include "replay/mutations.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/statement_mutations.h"
 #include "replay/told.h"
 #include "replay/verification.h"

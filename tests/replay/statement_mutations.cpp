@@ -1,6 +1,6 @@
 #include "replay/statement_mutations.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/dialect.h"
 
 #include <algorithm>

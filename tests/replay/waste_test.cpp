@@ -6,7 +6,7 @@
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
 #include "replay/dialects_for.h"
-#include "replay/scene.h"
+#include "replay/replay_scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 

@@ -1,6 +1,6 @@
 // Not a test: pictures of every cell, to be looked at. cell_pictures FOLDER [CELL...] [--solids]
 #include "base/files.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "project/choices.h"
 #include "robot/cell.h"

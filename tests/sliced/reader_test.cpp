@@ -6,11 +6,11 @@
 #include "geometry/measures.h"
 #include "geometry/repair/diagnosis.h"
 #include "process/bead_model.h"
-#include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
 #include "sliced/plan_measures.h"
 #include "sliced/sliced_reader.h"
+#include "sliced/sliced_sections.h"
 #include "sliced/slicer_comments.h"
 #include "sliced/slicer_writer.h"
 

@@ -4,9 +4,9 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "geometry/measures.h"
-#include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/sliced_reader.h"
+#include "sliced/sliced_sections.h"
 #include "sliced/slicer_comments.h"
 #include "sliced/stated_amount.h"
 

@@ -2,7 +2,7 @@
 #include "support/column_layers.h"
 
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/voxel_shapes.h"
 #include "geometry/measures.h"
 #include "support/supports.h"

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "curved/decompose.h"
-#include "curved/platform.h"
+#include "curved/platform_polygon.h"
 #include "curved/rank_checker.h"
 #include "curved/voxel_shapes.h"
 #include "geometry/formats/mesh_reader.h"

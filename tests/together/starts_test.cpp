@@ -2,7 +2,7 @@
 // ended and runs that were stopped: no machine moves between other marks than those it meets.
 #include "replay/event_programs.h"
 #include "together/controllers.h"
-#include "together/marks.h"
+#include "together/machine_marks.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

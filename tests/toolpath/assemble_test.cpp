@@ -3,10 +3,10 @@
 
 #include "base/run_context.h"
 #include "process/bead_model.h"
-#include "toolpath/order/islands.h"
+#include "toolpath/order/island_order.h"
 #include "toolpath/order/print_turn.h"
 #include "toolpath/order/seam.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "process/process.h"
 #include "toolpath/coverage/cover_patch.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The brim: loops around the first layer, outside it, on the plate, before all other paths.
+#include "patch_shapes.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "process/process.h"
-#include "shapes.h"
 #include "toolpath/brim.h"
 
 #include <algorithm>

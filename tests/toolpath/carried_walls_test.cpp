@@ -6,10 +6,10 @@
 #include "helpers/laid_beads.h"
 #include "process/bead_model.h"
 #include "replay/beads.h"
-#include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/replay_ground.h"
 #include "toolpath/order/assemble.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

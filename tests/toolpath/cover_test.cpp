@@ -5,7 +5,7 @@
 #include "toolpath/coverage/cover_patch.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/painter.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -5,12 +5,12 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "robot/cell.h"
-#include "toolpath/directions.h"
+#include "toolpath/nozzle_directions.h"
 #include "toolpath/order/assemble.h"
+#include "toolpath/patch_shapes.h"
+#include "toolpath/path_vtp_writer.h"
 #include "toolpath/plan_toolpaths.h"
-#include "toolpath/shapes.h"
 #include "toolpath/unsupported/head_clearance.h"
-#include "toolpath/vtp_writer.h"
 #include "voxel/voxel_grid.h"
 
 #include <Eigen/Geometry>

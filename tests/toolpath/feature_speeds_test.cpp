@@ -1,7 +1,7 @@
 // Speeds, flows and widths by feature.
+#include "patch_shapes.h"
 #include "process/bead_model.h"
 #include "process/tooling.h"
-#include "shapes.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 

@@ -6,7 +6,7 @@
 #include "process/bead_model.h"
 #include "toolpath/coverage/cover_patch.h"
 #include "toolpath/painter.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "base/units.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/infill.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 #include "toolpath/surface_fields.h"
 
 #include <Eigen/Geometry>

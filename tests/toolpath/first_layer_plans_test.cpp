@@ -1,7 +1,7 @@
 // Whole plans with a brim, a prime, and settings by feature, on seeded random parts.
+#include "patch_shapes.h"
 #include "process/bead_model.h"
 #include "robot/cell.h"
-#include "shapes.h"
 #include "toolpath/plan_toolpaths.h"
 
 #include "base/run_context.h"

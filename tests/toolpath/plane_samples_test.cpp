@@ -2,7 +2,7 @@
 #include "toolpath/coverage/coverage.h"
 #include "toolpath/coverage/plane_samples.h"
 #include "toolpath/coverage/voronoi_shares.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 #include "toolpath/surface_fields.h"
 
 #include <Eigen/Geometry>

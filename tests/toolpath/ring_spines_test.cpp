@@ -1,8 +1,8 @@
 // A ring as wide as a bead is one closed bead.
 #include "base/run_context.h"
 #include "helpers/all_seeds.h"
+#include "patch_shapes.h"
 #include "process/bead_model.h"
-#include "shapes.h"
 #include "toolpath/coverage/cover_patch.h"
 #include "toolpath/options.h"
 

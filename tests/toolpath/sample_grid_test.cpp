@@ -2,7 +2,7 @@
 #include "toolpath/coverage/sample_grid.h"
 
 #include "toolpath/coverage/voronoi_shares.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "helpers/all_seeds.h"
 #include "toolpath/fibre/tape_curves.h"
 #include "toolpath/infill/curve_tools.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "one_pass.h"
 #include "plan/finding_kinds.h"
-#include "toolpath/directions.h"
+#include "toolpath/nozzle_directions.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/order_inside_out.h"
 

@@ -4,7 +4,7 @@
 #include "toolpath/coverage/voronoi_shares.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/infill.h"
-#include "toolpath/shapes.h"
+#include "toolpath/patch_shapes.h"
 #include "toolpath/surface_fields.h"
 
 #include <Eigen/Geometry>
@@ -34,8 +34,7 @@ struct Filled {
     for (double& d : depth)
       d /= kHatch;
     const std::vector<double> hatches(depth.size(), kHatch);
-    toolpath::InfillLines lines =
-        toolpath::zigzagInfill({s, depth, hatches, kFrom, 0, angle}, {});
+    toolpath::InfillLines lines = toolpath::zigzagInfill({s, depth, hatches, kFrom, 0, angle}, {});
     uniformSpacingMm = std::move(lines.uniformSpacingMm);
     toolpath::ResampleOptions o;
     o.stepMm = kStep;

@@ -8,7 +8,7 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 
 #include <QFileInfo>
 #include <QUndoCommand>

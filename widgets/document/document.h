@@ -6,7 +6,7 @@
 #include "pipeline/road.h"
 #include "project/file_parts.h"
 #include "project/job.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <QObject>
 #include <QString>

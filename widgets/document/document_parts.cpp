@@ -5,11 +5,11 @@
 #include "document/item_choices.h"
 #include "document/mode_switch.h"
 #include "geometry/measures.h"
+#include "modes/mode_stages.h"
 #include "modes/mode_table.h"
-#include "modes/stages.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "robot/cell.h"
 

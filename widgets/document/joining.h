@@ -3,7 +3,7 @@
 #pragma once
 
 #include "jobs/job_runner.h"
-#include "pipeline/together.h"
+#include "pipeline/joined_jobs.h"
 
 #include <QObject>
 #include <QString>

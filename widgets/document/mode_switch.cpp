@@ -4,7 +4,7 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "program/dialect.h"
 #include "project/loaded_part.h"

@@ -4,9 +4,9 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/words.h"
-#include "pipeline/choices.h"
 #include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
+#include "pipeline/stage_options.h"
 #include "project/job.h"
 
 #include <QFileInfo>

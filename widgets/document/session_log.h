@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/log.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,7 +1,7 @@
 // The inverse of project::indexOf().
 #pragma once
 
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <cstddef>
 

@@ -3,7 +3,7 @@
 
 #include "forms/choices_form.h"
 #include "pipeline/compare_figures.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <QWidget>
 #include <functional>

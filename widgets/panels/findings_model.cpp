@@ -1,6 +1,6 @@
 #include "panels/findings_model.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "language/words.h"
 #include "plan/finding_kinds.h"
 

@@ -1,6 +1,6 @@
 #include "panels/layer_info.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -1,6 +1,6 @@
 #include "panels/program_facts.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "forms/fold.h"
 
 #include <QEvent>

@@ -2,7 +2,7 @@
 
 #include "base/shown_number.h"
 #include "forms/colours.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "forms/icons.h"
 #include "language/numbers.h"
 #include "project/shown_figures.h"

@@ -1,7 +1,7 @@
 #include "pictures/all_items.h"
 
 #include "geometry/append_mesh.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include <algorithm>
 

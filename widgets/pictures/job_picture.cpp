@@ -7,7 +7,7 @@
 #include "modes/planar_modes.h"
 #include "motion/waits.h"
 #include "pictures/all_items.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "plan/arrival_times.h"
 #include "robot/shape/arm_look.h"
 #include "scene/drawing_thread.h"

@@ -1,6 +1,6 @@
 #include "timeline/timeline_bar.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "timeline/player.h"
 #include "timeline/scrub_slider.h"
 #include "timeline/timeline_icons.h"

@@ -3,13 +3,13 @@
 #include "base/data_files.h"
 #include "curved/growth_row.h"
 #include "forms/colours.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "panels/findings_model.h"
 #include "pictures/job_picture.h"
 #include "plan/finding_kinds.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 #include <QCoreApplication>
 #include <QEvent>

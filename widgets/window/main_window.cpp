@@ -9,7 +9,6 @@
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 #include "window/flow_bar.h"
-#include "window/icons.h"
 #include "window/log_dialog.h"
 #include "window/presenters/findings_presenter.h"
 #include "window/shared_keys.h"
@@ -17,6 +16,7 @@
 #include "window/shortcuts_dialog.h"
 #include "window/status_line.h"
 #include "window/welcome.h"
+#include "window/window_icons.h"
 
 #include <QApplication>
 #include <QDockWidget>

@@ -8,14 +8,14 @@
 #include "document/live_preview.h"
 #include "document/planning.h"
 #include "document/session_log.h"
-#include "window/commands.h"
 #include "window/pages/page_stack.h"
 #include "window/picture.h"
 #include "window/picture_area.h"
 #include "window/presenters/presenter.h"
 #include "window/project_files.h"
 #include "window/runs.h"
-#include "window/theme.h"
+#include "window/window_commands.h"
+#include "window/window_theme.h"
 
 #include <QMainWindow>
 #include <memory>

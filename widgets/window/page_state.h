@@ -1,7 +1,7 @@
 // The state of a page's results.
 #pragma once
 
-#include "project/stage.h"
+#include "project/job_stage.h"
 
 #include <QString>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/theme.h"
-#include "window/theme.h"
+#include "window/window_theme.h"
 
 #include <QWidget>
 

@@ -5,8 +5,8 @@
 #include "document/opening.h"
 #include "document/recent_files.h"
 #include "document/saving.h"
-#include "window/commands.h"
 #include "window/samples.h"
+#include "window/window_commands.h"
 
 #include <QObject>
 #include <QString>
@@ -87,7 +87,7 @@ private:
   document::RecentFiles recent_;
   std::unique_ptr<document::Autosave> autosave_;
   std::function<void()> afterSave_;
-  QStringList toAdd_; // once the part before them is read
+  QStringList toAdd_;                     // once the part before them is read
   const Sample* pendingSample_ = nullptr; // being opened
   QMenu* recentMenu_ = nullptr;
 };

@@ -1,6 +1,6 @@
 #include "window/run_dialog.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "language/words.h"
 
 #include <QDialogButtonBox>

@@ -1,7 +1,7 @@
 #include "window/runs.h"
 
 #include "curved/decomposition.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "modes/mode_table.h"
 #include "panels/listed_findings.h"
 #include "pipeline/plan_verdict.h"

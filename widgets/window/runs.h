@@ -6,7 +6,7 @@
 #include "document/live_preview.h"
 #include "document/opening.h"
 #include "document/planning.h"
-#include "window/commands.h"
+#include "window/window_commands.h"
 
 #include <QObject>
 #include <QString>

@@ -1,7 +1,7 @@
 // The commands that belong to no page: view, time-line, window, help.
 #pragma once
 
-#include "window/commands.h"
+#include "window/window_commands.h"
 
 #include <functional>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "language/words.h"
 #include "window/progress_line.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 
 #include <QFile>
 #include <QLabel>

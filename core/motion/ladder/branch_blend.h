@@ -2,8 +2,8 @@
 // be lifted (Castelli, 4.6.3).
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_scene.h"
-#include "motion/run.h"
 
 #include <cstdint>
 #include <optional>

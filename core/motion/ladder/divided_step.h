@@ -1,8 +1,8 @@
 // Divides a printed step of a run evenly.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_scene.h"
-#include "motion/run.h"
 
 #include <vector>
 

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "motion/bead_run.h"
 #include "motion/ladder/ladder.h"
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
-#include "motion/run.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>

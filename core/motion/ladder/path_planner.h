@@ -2,10 +2,10 @@
 // smoothed rotations about the nozzle (smooth_run.h).
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/ladder/path_ladder.h"
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
-#include "motion/run.h"
 #include "motion/smoothing/learned_clearance.h"
 #include "process/tooling.h"
 

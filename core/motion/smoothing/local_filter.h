@@ -1,7 +1,7 @@
 // Lowers the greatest jerks of a run window by window (Dai 2020, algorithm 6).
 #pragma once
 
-#include "motion/run.h"
+#include "motion/bead_run.h"
 #include "motion/smoothing/smooth_run.h"
 
 #include <cstddef>

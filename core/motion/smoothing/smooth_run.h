@@ -2,8 +2,8 @@
 // without collisions.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_scene.h"
-#include "motion/run.h"
 #include "motion/timing.h"
 #include "robot/kinematics/arm_twists.h"
 

@@ -3,9 +3,9 @@
 // is minimal. Tips keep their positions on the part.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/jerk.h"
 #include "motion/leaning.h"
-#include "motion/run.h"
 #include "motion/smoothing/banded_solver.h"
 #include "robot/cell.h"
 #include "robot/kinematics/arm_twists.h"

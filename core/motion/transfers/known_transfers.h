@@ -1,7 +1,7 @@
 // Cache of transfers, including failed searches.
 #pragma once
 
-#include "motion/run.h"
+#include "motion/bead_run.h"
 #include "motion/transfers/transfer.h"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // Transfers between runs that avoid collisions, also with the part printed so far.
 #pragma once
 
+#include "motion/bead_run.h"
 #include "motion/motion_scene.h"
-#include "motion/run.h"
 
 #include <cstddef>
 #include <cstdint>

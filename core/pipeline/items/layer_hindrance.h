@@ -6,7 +6,7 @@
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "process/process.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 #include "robot/cell.h"
 
 #include <cstddef>

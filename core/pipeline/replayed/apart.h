@@ -2,7 +2,7 @@
 #pragma once
 
 #include "replay/alignment.h"
-#include "replay/run.h"
+#include "replay/program_run.h"
 
 #include <cstddef>
 #include <vector>

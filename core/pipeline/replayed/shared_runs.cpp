@@ -5,7 +5,7 @@
 #include "pipeline/replayed/apart.h"
 #include "replay/alignment.h"
 #include "replay/distances.h"
-#include "replay/steps.h"
+#include "replay/replay_steps.h"
 
 #include <algorithm>
 #include <cmath>

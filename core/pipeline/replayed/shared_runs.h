@@ -3,7 +3,7 @@
 #pragma once
 
 #include "process/process.h"
-#include "replay/run.h"
+#include "replay/program_run.h"
 #include "replay/verification.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 #include "planar/published/region_planes.h"
 
 #include <cstdint>

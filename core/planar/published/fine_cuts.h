@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "planar/decomposition.h"
-#include "planar/plate.h"
+#include "planar/planar_decomposition.h"
+#include "planar/plate_contact.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "planar/published/piece_ways.h"
 
-#include "planar/plate.h"
-#include "planar/print_order.h"
+#include "planar/piece_order.h"
+#include "planar/plate_contact.h"
 
 namespace voluta::planar {
 

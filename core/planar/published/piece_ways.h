@@ -1,8 +1,8 @@
 // Checks that the head reaches pieces past each other, for many partial results of the same pieces.
 #pragma once
 
-#include "planar/decomposition.h"
 #include "planar/head_reach.h"
+#include "planar/planar_decomposition.h"
 #include "planar/point_blocks.h"
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 // Cuts that fulfil RoboFDM's constraints.
 #pragma once
 
-#include "planar/decomposition.h"
 #include "planar/piece_cut.h"
-#include "planar/plate.h"
+#include "planar/planar_decomposition.h"
+#include "planar/plate_contact.h"
 
 #include <cstdint>
 #include <optional>

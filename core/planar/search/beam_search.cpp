@@ -7,7 +7,7 @@
 #include "planar/face_table.h"
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
-#include "planar/plate.h"
+#include "planar/plate_contact.h"
 #include "planar/published/fine_cuts.h"
 #include "planar/search/cut_search.h"
 #include "planar/search/plane_polish.h"

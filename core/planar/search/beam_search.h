@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 
 namespace voluta::planar {
 

@@ -5,7 +5,7 @@
 #include "geometry/measures.h"
 #include "planar/face_table.h"
 #include "planar/head_reach.h"
-#include "planar/print_order.h"
+#include "planar/piece_order.h"
 #include "planar/search/cut_search_state.h"
 #include "planar/search/plane_polish.h"
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "planar/decomposition.h"
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
-#include "planar/plate.h"
-#include "planar/print_order.h"
+#include "planar/piece_order.h"
+#include "planar/planar_decomposition.h"
+#include "planar/plate_contact.h"
 #include "planar/search/cut_candidates.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,7 @@
 // unknown.
 #pragma once
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "program/common/language_words.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/rapid/rapid_data.h"
 #include "program/rapid/rapid_tokens.h"
 

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "process/bead_model.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "program/common/procedures.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 

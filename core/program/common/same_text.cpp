@@ -1,6 +1,6 @@
 #include "program/common/same_text.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 namespace voluta::program {
 

@@ -2,7 +2,7 @@
 // products, variables.
 #pragma once
 
-#include "program/common/text_scanner.h"
+#include "program/common/program_scanner.h"
 
 #include <functional>
 #include <map>

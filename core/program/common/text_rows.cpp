@@ -1,6 +1,6 @@
 #include "program/common/text_rows.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 namespace voluta::program {
 

@@ -1,7 +1,7 @@
 #include "program/gcode/castelli_serial.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <charconv>

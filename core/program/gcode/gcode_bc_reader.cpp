@@ -1,7 +1,7 @@
 #include "program/gcode/gcode_bc.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/gcode/gcode_reader.h"
 #include "program/gcode/tilting_table.h"
 

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "program/common/motion_targets.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/walk.h"
 #include "program/gcode/gcode_bc.h"
 #include "program/gcode/gcode_text.h"

@@ -1,6 +1,6 @@
 #include "program/gcode/gcode_extended.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_rows.h"
 #include "program/gcode/gcode_rapid.h"
 #include "program/gcode/gcode_reader.h"

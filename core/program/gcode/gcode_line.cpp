@@ -1,6 +1,6 @@
 #include "program/gcode/gcode_line.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <cmath>
 

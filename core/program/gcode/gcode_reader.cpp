@@ -2,7 +2,7 @@
 
 #include "base/units.h"
 #include "program/common/arc.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <algorithm>
 #include <cmath>

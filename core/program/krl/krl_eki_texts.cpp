@@ -1,6 +1,6 @@
 #include "program/krl/krl_eki_texts.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 namespace voluta::program {
 

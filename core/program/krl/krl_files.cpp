@@ -1,4 +1,4 @@
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/krl/krl.h"
 #include "program/krl/krl_values.h"
 

@@ -1,7 +1,7 @@
 #include "base/units.h"
 #include "program/common/arc_motion.h"
 #include "program/common/procedures.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/krl/krl.h"
 #include "program/krl/krl_externals.h"
 #include "program/krl/krl_speeds.h"

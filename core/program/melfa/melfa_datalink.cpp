@@ -1,7 +1,7 @@
 #include "program/melfa/melfa_datalink.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_rows.h"
 #include "program/full_flow.h"
 #include "program/job_head.h"

@@ -2,7 +2,7 @@
 
 #include "base/units.h"
 #include "program/common/euler_angles.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/melfa/melfa.h"
 
 #include <algorithm>

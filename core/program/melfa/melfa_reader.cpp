@@ -1,5 +1,5 @@
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/melfa/melfa.h"
 #include "program/melfa/melfa_text.h"
 #include "program/melfa/melfa_values.h"

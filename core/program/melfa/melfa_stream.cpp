@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/common/program_text.h"
 #include "program/common/same_text.h"
-#include "program/common/text.h"
 #include "program/common/text_rows.h"
 #include "program/full_flow.h"
 #include "program/job_head.h"

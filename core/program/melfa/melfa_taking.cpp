@@ -1,6 +1,6 @@
 #include "program/melfa/melfa_taking.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/job_head.h"
 #include "program/melfa/melfa.h"
 #include "program/melfa/melfa_text.h"

@@ -1,7 +1,7 @@
 #include "program/melfa/melfa_text.h"
 
-#include "program/common/text.h"
-#include "program/common/text_scanner.h"
+#include "program/common/program_scanner.h"
+#include "program/common/program_text.h"
 #include "program/melfa/melfa.h"
 #include "program/rapid/rapid_tokens.h"
 

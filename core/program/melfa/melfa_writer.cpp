@@ -1,6 +1,6 @@
 #include "base/units.h"
 #include "program/common/arm_branch.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/walk.h"
 #include "program/full_flow.h"
 #include "program/job_head.h"

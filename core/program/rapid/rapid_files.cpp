@@ -1,6 +1,6 @@
 #include "program/rapid/rapid_files.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/rapid/rapid.h"
 #include "program/rapid/rapid_text.h"
 #include "program/rapid/rapid_tokens.h"

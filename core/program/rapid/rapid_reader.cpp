@@ -1,7 +1,7 @@
 #include "base/units.h"
 #include "plan/marks.h"
 #include "program/common/extruder_outputs.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/program_builder.h"
 #include "program/rapid/rapid.h"
 #include "program/rapid/rapid_data.h"

@@ -1,8 +1,8 @@
 #include "program/rapid/rapid_text.h"
 
 #include "program/common/extruder_outputs.h"
+#include "program/common/program_text.h"
 #include "program/common/tcp_motions.h"
-#include "program/common/text.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/spel/spelplus.h"
 #include "program/spel/spelplus_points.h"
 

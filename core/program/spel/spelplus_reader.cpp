@@ -1,6 +1,6 @@
 #include "base/units.h"
 #include "program/common/procedures.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/program_builder.h"
 #include "program/spel/spelplus.h"
 #include "program/spel/spelplus_points.h"

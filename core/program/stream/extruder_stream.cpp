@@ -3,8 +3,8 @@
 #include "program/common/extruder_outputs.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
+#include "program/common/program_text.h"
 #include "program/common/tcp_motions.h"
-#include "program/common/text.h"
 #include "program/extruder.h"
 #include "program/filament.h"
 

@@ -1,6 +1,6 @@
 #include "program/stream/joint_rows.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_rows.h"
 
 #include <algorithm>

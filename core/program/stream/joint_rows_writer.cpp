@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "program/common/motion_targets.h"
+#include "program/common/program_text.h"
 #include "program/common/straight_pieces.h"
 #include "program/common/tcp_motions.h"
-#include "program/common/text.h"
 #include "program/common/walk.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "program/common/motion_targets.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/walk.h"
 #include "program/job_head.h"
 #include "program/program_builder.h"

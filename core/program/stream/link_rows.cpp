@@ -1,7 +1,7 @@
 #include "program/stream/link_rows.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_rows.h"
 #include "program/krl/krl_speeds.h"
 #include "program/melfa/melfa_values.h"

@@ -1,7 +1,7 @@
 #include "program/stream/link_writer.h"
 
 #include "base/units.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/walk.h"
 
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include "program/common/extruder_outputs.h"
 #include "program/common/language_words.h"
+#include "program/common/program_text.h"
 #include "program/common/same_text.h"
 #include "program/common/tcp_motions.h"
-#include "program/common/text.h"
 #include "program/common/text_rows.h"
 #include "program/full_flow.h"
 #include "program/job_head.h"

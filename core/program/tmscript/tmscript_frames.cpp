@@ -1,6 +1,6 @@
 #include "program/tmscript/tmscript_frames.h"
 
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 
 #include <charconv>
 

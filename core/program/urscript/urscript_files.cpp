@@ -1,5 +1,5 @@
 #include "program/common/language_words.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/common/text_files.h"
 #include "program/urscript/urscript.h"
 #include "program/urscript/urscript_values.h"

@@ -1,7 +1,7 @@
 #include "program/urscript/urscript_functions.h"
 
 #include "program/common/language_words.h"
-#include "program/common/text.h"
+#include "program/common/program_text.h"
 #include "program/urscript/urscript.h"
 #include "program/urscript/urscript_values.h"
 

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "program/common/arc_motion.h"
+#include "program/common/program_text.h"
 #include "program/common/rotation_vector.h"
-#include "program/common/text.h"
 #include "program/full_flow.h"
 #include "program/program_builder.h"
 #include "program/urscript/urscript.h"

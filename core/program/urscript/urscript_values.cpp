@@ -1,8 +1,8 @@
 #include "program/urscript/urscript_values.h"
 
 #include "base/units.h"
+#include "program/common/program_text.h"
 #include "program/common/rotation_vector.h"
-#include "program/common/text.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -3,7 +3,7 @@
 // and 5).
 #pragma once
 
-#include "program/common/text_scanner.h"
+#include "program/common/program_scanner.h"
 
 #include <array>
 #include <cstddef>

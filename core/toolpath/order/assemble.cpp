@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "process/bead_model.h"
-#include "toolpath/order/islands.h"
+#include "toolpath/order/island_order.h"
 #include "toolpath/order/place_seams.h"
 #include "toolpath/order/print_turn.h"
 #include "toolpath/order/seam.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "jobs/job_runner.h"
-#include "pipeline/cell_check.h"
+#include "pipeline/cell_file_check.h"
 #include "process/process.h"
 #include "robot/cell_draft.h"
 

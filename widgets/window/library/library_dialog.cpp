@@ -12,10 +12,10 @@
 #include "panels/head_table.h"
 #include "panels/item_form.h"
 #include "process/head_shapes.h"
-#include "window/icons.h"
 #include "window/library/compare_items_dialog.h"
 #include "window/library/head_numbers_dialog.h"
 #include "window/library/sizes_dialog.h"
+#include "window/window_icons.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>

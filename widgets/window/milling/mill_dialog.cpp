@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "forms/colours.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "forms/icons.h"
 #include "language/numbers.h"
 #include "language/words.h"

@@ -5,13 +5,13 @@
 
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
-#include "project/stage.h"
+#include "project/job_stage.h"
 #include "scene/view_state.h"
 #include "timeline/timeline_bar.h"
 #include "viewer/viewport.h"
-#include "window/commands.h"
 #include "window/page_state.h"
 #include "window/unrolled/unrolled_dock.h"
+#include "window/window_commands.h"
 
 #include <QObject>
 #include <QString>

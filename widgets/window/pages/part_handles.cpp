@@ -2,8 +2,8 @@
 
 #include "document/document.h"
 #include "geometry/placement.h"
+#include "modes/mode_stages.h"
 #include "modes/mode_table.h"
-#include "modes/stages.h"
 #include "window/cell/touch_dialog.h"
 #include "window/presenters/presenter.h"
 

@@ -5,9 +5,9 @@
 #include "document/shown_names.h"
 #include "geometry/measures.h"
 #include "language/words.h"
+#include "modes/mode_stages.h"
 #include "modes/mode_table.h"
-#include "modes/stages.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "window/presenters/presenter.h"
 
 #include <QLocale>

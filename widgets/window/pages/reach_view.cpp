@@ -2,8 +2,8 @@
 
 #include "base/units.h"
 #include "document/document.h"
+#include "modes/mode_stages.h"
 #include "modes/mode_table.h"
-#include "modes/stages.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
 #include "window/presenters/presenter.h"

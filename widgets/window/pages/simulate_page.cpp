@@ -1,7 +1,7 @@
 #include "window/pages/simulate_page.h"
 
 #include "document/document.h"
-#include "motion/resume.h"
+#include "motion/resumed_motion.h"
 #include "panels/resume_bar.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/plan_result.h"
-#include "record/comparison.h"
+#include "record/run_comparison.h"
 #include "window/pages/page.h"
 
 class QCheckBox;

@@ -1,7 +1,7 @@
 #include "window/pages/stand_chooser.h"
 
 #include "document/document.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "geometry/placement.h"
 #include "panels/stand_picture.h"
 #include "pipeline/part_ways.h"

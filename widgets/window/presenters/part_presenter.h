@@ -4,7 +4,7 @@
 #include "document/document.h"
 #include "jobs/job_runner.h"
 #include "viewer/viewport.h"
-#include "window/presenters/plate_parts.h"
+#include "window/presenters/shown_plate_parts.h"
 
 #include <Eigen/Geometry>
 #include <QObject>

@@ -4,7 +4,7 @@
 #include "geometry/simplify.h"
 #include "language/words.h"
 #include "modes/planar_modes.h"
-#include "pipeline/choices.h"
+#include "pipeline/stage_options.h"
 #include "window/background.h"
 
 #include <algorithm>

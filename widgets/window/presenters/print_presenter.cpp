@@ -1,7 +1,7 @@
 #include "window/presenters/print_presenter.h"
 
 #include "motion/waits.h"
-#include "planar/decomposition.h"
+#include "planar/planar_decomposition.h"
 #include "window/background.h"
 #include "window/layer_measures.h"
 

@@ -1,6 +1,6 @@
 #include "window/together/joined_machines.h"
 
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "pipeline/road.h"
 #include "robot/shape/arm_look.h"
 #include "window/background.h"

@@ -2,7 +2,7 @@
 
 #include "base/units.h"
 #include "forms/value_boxes.h"
-#include "pipeline/together.h"
+#include "pipeline/joined_jobs.h"
 #include "scene/machines_scene.h"
 
 #include <QHeaderView>

@@ -1,7 +1,7 @@
 #include "window/together/together_dialog.h"
 
 #include "forms/colours.h"
-#include "forms/duration.h"
+#include "forms/duration_text.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
