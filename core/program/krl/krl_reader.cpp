@@ -25,7 +25,6 @@ namespace {
 
 constexpr std::string_view kExtruder = "$out[1]", kFlow = "$anout[1]";
 constexpr double kMaxDegrees = 6000.0, kMaxSeconds = 1e5;
-constexpr int kMostIndex = 1000;
 
 std::string rootOf(std::string_view path) {
   return std::string(path.substr(0, path.find_first_of(".[")));
@@ -385,11 +384,8 @@ private:
           variables_.set(of + std::to_string(axis) + "]", number);
     } else if (word == "vel_cp" && given) {
       variables_.set("$vel.cp", number);
-    } else if (word == "tool" || word == "base") {
-      const std::optional<int> index = wholeNumber(number, 0, kMostIndex);
-      if (!index)
-        return false;
-      const std::string list = word + "_data[" + std::to_string(*index) + "]";
+    } else if ((word == "tool" || word == "base") && number == std::floor(number)) {
+      const std::string list = word + "_data[" + std::to_string(static_cast<int>(number)) + "]";
       const KrlValue frame = variables_.below(number == 0.0 ? "$nullframe" : list);
       if (frame.numbers.empty())
         return fail(base::message("'{word}' is a frame that only the controller knows"_text, list));
