@@ -2912,10 +2912,6 @@ mm³</translation>
         <translation>usa {formats}</translation>
     </message>
     <message>
-        <source>read from a project of format 1, as repaired and placed there</source>
-        <translation>letto da un progetto di formato 1, come vi era riparato e posizionato</translation>
-    </message>
-    <message>
         <source>text after ENDMODULE</source>
         <translation>testo dopo ENDMODULE</translation>
     </message>
@@ -10328,6 +10324,34 @@ facce %</translation>
         <source>choose another folder, or give --replace</source>
         <translation>scegliere un&apos;altra cartella, o indicare --replace</translation>
     </message>
+    <message>
+        <source>give it for the job: --set {key}=...</source>
+        <translation>impostalo per il lavoro: --set {key}=...</translation>
+    </message>
+    <message>
+        <source>one mesh</source>
+        <translation>una mesh</translation>
+    </message>
+    <message>
+        <source>one mesh; read by a program of its own</source>
+        <translation>una mesh; letta da un programma a parte</translation>
+    </message>
+    <message>
+        <source>several parts, or tool-paths (build files)</source>
+        <translation>più pezzi, o percorsi utensile (file di costruzione)</translation>
+    </message>
+    <message>
+        <source>solid cells, drawn as text</source>
+        <translation>celle piene, disegnate come testo</translation>
+    </message>
+    <message>
+        <source>tool-paths of a slicer</source>
+        <translation>percorsi di uno slicer</translation>
+    </message>
+    <message>
+        <source>{key} is a setting of the job, not of a part</source>
+        <translation>{key} è un&apos;impostazione del lavoro, non di un pezzo</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10744,10 +10768,6 @@ facce %</translation>
         <translation>Corpo su cui stampare</translation>
     </message>
     <message>
-        <source>Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)</source>
-        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf);;Tutti i file (*)</translation>
-    </message>
-    <message>
         <source>Choose a file…</source>
         <translation>Scegli un file…</translation>
     </message>
@@ -10788,6 +10808,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Pairs of x and radius in mm; a step has two pairs at one x</source>
         <translation>Coppie di x e raggio in mm; un gradino ha due coppie alla stessa x</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Mesh (%1);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -12881,10 +12905,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Testina da una mesh</translation>
     </message>
     <message>
-        <source>Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)</source>
-        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf);;Tutti i file (*)</translation>
-    </message>
-    <message>
         <source>Save the changes?</source>
         <translation>Salvare le modifiche?</translation>
     </message>
@@ -12911,6 +12931,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Use it as drawn</source>
         <translation>Usala come disegnata</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Mesh (%1);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -13114,12 +13138,12 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Ostacolo da file</translation>
     </message>
     <message>
-        <source>Meshes (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb);;All files (*)</source>
-        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb);;Tutti i file (*)</translation>
-    </message>
-    <message>
         <source>%1 is %2 mm long. Was it drawn in metres?</source>
         <translation>%1 è lungo %2 mm. È stato disegnato in metri?</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Mesh (%1);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -13323,10 +13347,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Riprendi</translation>
     </message>
     <message>
-        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;All files (*)</source>
-        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
-    </message>
-    <message>
         <source>Import a robot arm</source>
         <translation>Importa un braccio robotico</translation>
     </message>
@@ -13385,6 +13405,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Replace</source>
         <translation>Sostituisci</translation>
+    </message>
+    <message>
+        <source>Parts and projects (%1);;All files (*)</source>
+        <translation>Pezzi e progetti (%1);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
