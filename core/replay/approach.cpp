@@ -14,13 +14,19 @@ using enum plan::FindingKind;
 constexpr double kSlack = 1.05, kSameMm = 0.05;
 
 // Returns the lowest height at which the nozzle touches nothing.
-double clearMm(const plan::ReadProgram& program, const plan::ToolPlan& plan) {
+double clearMm(const plan::ReadProgram& program, const plan::ToolPlan& plan,
+               const platform::PlatformSolid& platform) {
   if (!program.tableAxisMm)
     return program.motions[program.firstMotion].position.z();
   const Eigen::Vector2d& axis = *program.tableAxisMm;
   double reach = 0.0;
+  const auto add = [&](const Eigen::Vector2d& p, double z) {
+    reach = std::max(reach, std::hypot(p.norm() + std::abs(axis.x()), z + axis.y()));
+  };
   for (const Eigen::Vector3d& p : plan.position)
-    reach = std::max(reach, std::hypot(p.head<2>().norm() + std::abs(axis.x()), p.z() + axis.y()));
+    add(p.head<2>(), p.z());
+  for (const Eigen::Vector2d& corner : platform.polygon)
+    add(corner, 0.0);
   return reach - axis.y();
 }
 
@@ -31,11 +37,12 @@ double firstMmPerS(const process::Process& process) {
 }
 
 std::vector<TextFinding> judgeApproach(const plan::ReadProgram& program, const plan::ToolPlan& plan,
+                                       const platform::PlatformSolid& platform,
                                        const process::Tooling& tooling) {
   std::vector<TextFinding> found;
   if (program.approaches.empty() || program.firstMotion >= program.motions.size())
     return found;
-  const double clear = clearMm(program, plan);
+  const double clear = clearMm(program, plan, platform);
   const process::Process& process = tooling.at(program.motions[program.firstMotion].tool).process;
   for (const plan::ProgramApproach& way : program.approaches) {
     const TextPlace place{way.file + 1, way.line};

@@ -142,7 +142,7 @@ private:
     addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
     stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
     addDrops();
-    addDeviations(judgeApproach(in_.program, in_.plan, in_.tooling));
+    addDeviations(judgeApproach(in_.program, in_.plan, in_.platform, in_.tooling));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint, stops_));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);

@@ -10,6 +10,7 @@
 #include "program/gcode/tilting_table.h"
 #include "program/job_head.h"
 #include "program/stream/joint_pieces.h"
+#include "robot/plate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -204,6 +205,9 @@ private:
       add(s.tip);
     // The rest of a print turns what earlier programs have printed.
     std::ranges::for_each(in_.toolPlan.position, add);
+    if (const robot::Prism* plate = robot::plateOf(in_.cell))
+      for (const Eigen::Vector2d& corner : plate->polygon)
+        add({corner.x(), corner.y(), 0.0});
     return std::max(reach - frame_.zMm, poseAt(0).axesMm.z()) + kAboveMm;
   }
 
