@@ -1,6 +1,7 @@
 #include "cli/cell_advice_options.h"
 
 #include "cli/commands.h"
+#include "cli/option_texts.h"
 #include "pipeline/automatic.h"
 #include "pipeline/stage_options.h"
 #include "project/turn_text.h"
@@ -19,8 +20,7 @@ void addPart(CLI::App& command, pipeline::PlanRequest& request, std::vector<std:
   project::Choices& choices = request.choices;
   command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
   command.add_option("--mode", choices.item().mode, "way of building (see: list modes)");
-  command.add_option("--process", choices.tool().process,
-                     "nozzle, material, speeds (see: list processes), or FILE.json");
+  command.add_option("--process", choices.tool().process, kProcessHelp);
   command.add_option_function<std::string>(
       "--platform",
       [&choices](const std::string& platform) {

@@ -5,9 +5,9 @@
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
 #include "cli/mill_command.h"
+#include "cli/option_texts.h"
 #include "cli/pith_command.h"
 #include "cli/render_command.h"
-#include "cli/replace_help.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
 #include "curved/growth_scheme.h"
@@ -90,9 +90,8 @@ struct PlanValues {
 // The cell, the process and the part's placement.
 void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
   project::Choices& choices = request.choices;
-  command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
-  command.add_option("--process", choices.tool().process,
-                     "nozzle, material, speeds (see: list processes), or FILE.json");
+  command.add_option("--cell", choices.cell, kCellHelp);
+  command.add_option("--process", choices.tool().process, kProcessHelp);
   command.add_option("--scale", choices.item().scale,
                      "factor, or fit: the largest up to 1 that is in reach");
   command.add_option("--units", choices.item().units, "units of the mesh file: um, mm, cm, in, m");
@@ -106,14 +105,11 @@ void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
 }
 
 void addPartOption(CLI::App& command, pipeline::PlanRequest& request) {
-  command
-      .add_option("PART", request.item().part, "file of a part (see: list parts), or sample:NAME")
-      ->required();
+  command.add_option("PART", request.item().part, kPartHelp)->required();
 }
 
 void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions& options) {
-  command.add_option("PART", options.parts, "files of parts (see: list parts), or sample:NAME")
-      ->required();
+  command.add_option("PART", options.parts, kPartHelp)->required();
   command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
   command.add_flag("--as-one", options.asOne,
                    "a 3MF of several objects is one part; default: a part for each object, in its "
@@ -410,10 +406,8 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   auto options = std::make_shared<ReachOptions>();
   options->threads = threads;
   const auto addOptions = [&](CLI::App& command) {
-    command.add_option("--cell", options->choices.cell,
-                       "robot cell (see: list cells), or FILE.json");
-    command.add_option("--process", options->choices.tool().process,
-                       "nozzle, material, speeds (see: list processes), or FILE.json");
+    command.add_option("--cell", options->choices.cell, kCellHelp);
+    command.add_option("--process", options->choices.tool().process, kProcessHelp);
     command.add_flag("--json", options->json, "as JSON");
   };
   CLI::App* reach = cell.add_subcommand("reach", "map where the head reaches over the plate");
@@ -466,8 +460,7 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
   auto checked = std::make_shared<CheckCellOptions>();
   CLI::App* check = cell->add_subcommand("check", "list the limitations of a cell, one per line");
   check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
-  check->add_option("--process", checked->process,
-                    "nozzle, material, speeds (see: list processes), or FILE.json");
+  check->add_option("--process", checked->process, kProcessHelp);
   check->add_option("--part-kg", checked->partKg, "mass of the part in kg")
       ->check(CLI::Range(0.0, 1000.0));
   check->callback([checked, &parsed] {
@@ -555,8 +548,7 @@ std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Voluta plans 3D printing with robot arms and verifies the programs "
-               "it writes."};
+  CLI::App app{"Voluta plans 3D printing with robot arms and verifies its programs."};
   app.name("voluta-cli");
   app.set_version_flag("--version", project::kVersion);
   app.require_subcommand(1);

@@ -2,7 +2,7 @@
 
 #include "base/files.h"
 #include "base/staged_folder.h"
-#include "cli/replace_help.h"
+#include "cli/option_texts.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/mill_job.h"
 #include "pipeline/mill_part.h"

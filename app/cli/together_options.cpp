@@ -1,6 +1,6 @@
 #include "cli/together_options.h"
 
-#include "cli/replace_help.h"
+#include "cli/option_texts.h"
 
 #include <CLI/CLI.hpp>
 #include <map>

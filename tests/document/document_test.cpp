@@ -88,7 +88,7 @@ TEST(Document, AParameterAtItsDefaultIsUnchanged) {
 }
 
 TEST(Document, ParametersAreSetAsOnTheCommandLine) {
-  const base::ParameterTable table = pipeline::allParameters();
+  const base::ParameterTable table = parametersFor(Document().choices());
   for (const base::ParameterSpec& spec : table.specs()) {
     const std::string text = test::otherText(spec);
     Document document;

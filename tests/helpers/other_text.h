@@ -12,10 +12,14 @@ namespace voluta::test {
 inline std::string otherText(const base::ParameterSpec& spec) {
   switch (spec.type) {
   case base::ParameterType::Number:
-  case base::ParameterType::Integer:
-    return base::formatParameter(spec.type == base::ParameterType::Number
-                                     ? base::ParameterValue(spec.maximum)
-                                     : base::ParameterValue(static_cast<long long>(spec.maximum)));
+    return base::formatParameter(
+        std::get<double>(spec.defaultValue) == spec.maximum ? spec.minimum : spec.maximum);
+  case base::ParameterType::Integer: {
+    const auto most = static_cast<long long>(spec.maximum);
+    return base::formatParameter(std::get<long long>(spec.defaultValue) == most
+                                     ? static_cast<long long>(spec.minimum)
+                                     : most);
+  }
   case base::ParameterType::Boolean:
     return std::get<bool>(spec.defaultValue) ? "false" : "true";
   case base::ParameterType::Choice:

@@ -80,8 +80,9 @@ TEST(ParameterScope, AValueThatNamesAFileStoresItsContent) {
 TEST(ParameterScope, OnlyTextsNameFiles) {
   const base::ParameterTable table = allParameters();
   for (const base::ParameterSpec& spec : table.specs())
-    if (!spec.file.patterns.empty())
+    if (!spec.file.patterns.empty()) {
       EXPECT_EQ(spec.type, base::ParameterType::Text) << spec.key;
+    }
 }
 
 // Returns the bytes of a project as the format before stored it: with the settings of the job in

@@ -31,7 +31,7 @@ protected:
     Compared c;
     c.findings =
         compareWithPlan(program, path, planned, trajectory_, alignment, ComparisonOptions{});
-    for (TextFinding& low : judgeApproach(program, plan_, process::Tooling(process_)))
+    for (TextFinding& low : judgeApproach(program, plan_, {}, process::Tooling(process_)))
       c.findings.push_back(std::move(low));
     c.off = pathDeviation(path, planned, trajectory_, program, alignment, ctx);
     c.seconds = path.totalS();

@@ -356,7 +356,10 @@ private:
     if (line.takeWord("for")) {
       int input = 0;
       bool on = false;
-      if (LineCursor ahead = line; takeKrlInput(ahead, input, on) && out_.awaitInput(input, on))
+      const bool isInput = [&](LineCursor ahead) { return takeKrlInput(ahead, input, on); }(line);
+      if (isInput && input < 0)
+        return fail("the number of an input is not whole"_text);
+      if (isInput && out_.awaitInput(input, on))
         return takeRest(line);
       return out_.wordAt("wait for", kAside), takeRest(line);
     }

@@ -263,12 +263,12 @@ private:
                         out_.toolOutput(*number, value > 0.0);
     if (isTool)
       return;
-    if (module != "ControlBox" || channel != 0.0)
+    if (digital && value != 0.0 && value != 1.0)
+      defect("an output is 0 or 1"_text);
+    else if (module != "ControlBox" || channel != 0.0)
       out_.wordAt(kind, kAside);
     else if (kind.starts_with("Instant") && !out_.program().motions.empty())
       defect("an immediate output, not synchronized with the motions"_text);
-    else if (digital && value != 0.0 && value != 1.0)
-      defect("an output is 0 or 1"_text);
     else if (digital)
       turn(value > 0.0);
     else if (value < 0.0 || value > kTmFullVolts)

@@ -1,0 +1,13 @@
+// Help of options that several commands have.
+#pragma once
+
+namespace voluta::cli {
+
+inline constexpr const char* kReplaceHelp =
+    "also replace files of the same names in the folder that are of another job or program";
+inline constexpr const char* kCellHelp = "robot cell (see: list cells), or FILE.json";
+inline constexpr const char* kProcessHelp =
+    "nozzle, material, speeds (see: list processes), or FILE.json";
+inline constexpr const char* kPartHelp = "file of a part (see: list parts), or sample:NAME";
+
+} // namespace voluta::cli
