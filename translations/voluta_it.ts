@@ -10184,10 +10184,6 @@ facce %</translation>
         <translation>il carico utile</translation>
     </message>
     <message>
-        <source>the number of an input is not whole</source>
-        <translation>il numero di un ingresso non è intero</translation>
-    </message>
-    <message>
         <source>the payload is not set</source>
         <translation>il carico utile non è impostato</translation>
     </message>

@@ -39,8 +39,6 @@ std::vector<std::string> notesOf(const project::LoadedPart& part) {
   std::vector<std::string> notes = base::english(part.notes);
   for (const base::Message& defect : part.remains)
     notes.push_back(base::english(defect));
-  if (part.open)
-    notes.push_back(base::english(part.open->sentence()));
   return notes;
 }
 

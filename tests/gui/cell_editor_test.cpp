@@ -320,6 +320,10 @@ TEST_F(CellEditorTest, ThePlaceForPurgesIsAddedMovedAndSaved) {
     EXPECT_TRUE(editor.findChild<QPushButton*>("cellAddPurgePlace")->isEnabled());
     QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
     ASSERT_TRUE(settled(editor));
+    auto* bodies = editor.findChild<QTreeWidget*>("cellBodies");
+    const auto found = bodies->findItems("Place for purges", Qt::MatchExactly | Qt::MatchRecursive);
+    ASSERT_EQ(found.size(), 1);
+    bodies->setCurrentItem(found.front());
     type(editor, "placeZ", 40.0);
     ASSERT_TRUE(settled(editor));
     saveAs(editor, "with-purges");

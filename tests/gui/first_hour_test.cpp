@@ -224,13 +224,14 @@ TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {
   find<QWidget>("parameters")->findChild<QAbstractButton*>("all")->click();
   QFile cuts(path("cuts.json"));
   ASSERT_TRUE(cuts.open(QIODevice::WriteOnly));
-  cuts.write("[]");
+  constexpr const char* kPlane = R"([{"point": [0, 0, 5], "normal": [0, 0, 1]}])";
+  cuts.write(kPlane);
   cuts.close();
   auto* browse = row("cutPlanes")->findChild<QAbstractButton*>("browse");
   ASSERT_TRUE(browse->isVisibleTo(&window()));
   answerFileDialog(path("cuts.json"));
   browse->click();
-  EXPECT_EQ(document().choices().item().parameters.at("cutPlanes"), "[]") << "the content";
+  EXPECT_EQ(document().choices().item().parameters.at("cutPlanes"), kPlane) << "the content";
   EXPECT_FALSE(row("voxelMm")->findChild<QAbstractButton*>("browse")->isVisibleTo(&window()));
 }
 

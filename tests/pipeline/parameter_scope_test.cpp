@@ -66,7 +66,7 @@ TEST(ParameterScope, AValueThatNamesAFileStoresItsContent) {
   const test::TemporaryFolder folder;
   for (const auto& [key, content] :
        Texts{{"layerPlanes", R"([{"point": [0, 0, 1], "normal": [0, 0, 1]}])"},
-             {"cutPlanes", "[]"},
+             {"cutPlanes", R"([{"point": [0, 0, 5], "normal": [0, 0, 1]}])"},
              {"rodProfile", "0,2.5 20,3.5"},
              {"fibreCurves", "0,0 10,0"},
              {"fibreField", "0,0,0,1,0,0"}}) {

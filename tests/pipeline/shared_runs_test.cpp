@@ -349,7 +349,8 @@ TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
     return plan::englishRemedy(findings.back());
   };
   EXPECT_EQ(remedy(), kLone);
-  checked.findings = {plan::makeFinding(plan::FindingKind::BondTime, {})};
+  checked.findings = {
+      plan::makeFinding(plan::FindingKind::BondTime, {{"time", base::seconds(9.0)}})};
   EXPECT_EQ(remedy(), kLone);
   checked.findings = {
       plan::makeFinding(plan::FindingKind::PathDeviation, {{"distance", base::mm(1.0)}})};

@@ -101,7 +101,7 @@ TEST_P(Approach, AndEveryOtherUnplannedMotionIsRefused) {
   for (const Eigen::Vector2d& corner : scene().platform.polygon)
     plateMm = std::max(plateMm, corner.norm());
   changed("^G1 Z[0-9.]+", "G1 Z" + std::to_string(plateMm - 1.0));
-  changed("^G1 Z[0-9.]+", "G1 Z400.0", false); // higher
+  changed("^G1 Z[0-9.]+", "G1 Z40.0", false); // higher
   changed("^(G1 Z.*) F[0-9.]+", "$1 F60000");
   changed("^(G1 B.*) F[0-9.]+", "$1 F6000");
   changed("^G1 B[-0-9.]+", "G1 B20");

@@ -356,10 +356,11 @@ private:
     if (line.takeWord("for")) {
       int input = 0;
       bool on = false;
-      const bool isInput = [&](LineCursor ahead) { return takeKrlInput(ahead, input, on); }(line);
-      if (isInput && input < 0)
-        return fail("the number of an input is not whole"_text);
-      if (isInput && out_.awaitInput(input, on))
+      std::string path;
+      if (LineCursor ahead = line;
+          ahead.takeName(path) && ahead.isMark('[') && !takeKrlPath(ahead = line, path))
+        return false; // a fraction as number
+      if (LineCursor ahead = line; takeKrlInput(ahead, input, on) && out_.awaitInput(input, on))
         return takeRest(line);
       return out_.wordAt("wait for", kAside), takeRest(line);
     }
@@ -407,7 +408,6 @@ private:
   }
 
   // ---- motions
-
   bool motion(const std::string& word, LineCursor& line) {
     KrlValue target;
     via_.reset();

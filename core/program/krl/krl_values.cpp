@@ -73,7 +73,7 @@ bool takeKrlInput(LineCursor& line, int& input, bool& on) {
       !(number >= 1.0 && number <= 255.0) || !line.takeMark('=') || !line.takeMark('=') ||
       !line.takeName(value) || (value != "true" && value != "false") || !line.ended())
     return false;
-  input = number == std::floor(number) ? static_cast<int>(number) - 1 : -1;
+  input = static_cast<int>(number) - 1;
   on = value == "true";
   return true;
 }

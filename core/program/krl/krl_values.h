@@ -27,8 +27,7 @@ void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder&
 // Parses a variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
 bool takeKrlPath(LineCursor& line, std::string& path);
 
-// Parses the condition $IN[n]==TRUE or FALSE and nothing behind it; `input`: n - 1, or -1 if n is not
-// whole.
+// Parses the condition $IN[n]==TRUE or FALSE and nothing behind it; `input`: n - 1.
 bool takeKrlInput(LineCursor& line, int& input, bool& on);
 // Returns the number (ProgramEmitter::setOutput) of the output $OUT[n]; 0 if the path is none.
 int krlToolOf(std::string_view path);
