@@ -349,8 +349,9 @@ TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
     return plan::englishRemedy(findings.back());
   };
   EXPECT_EQ(remedy(), kLone);
-  checked.findings = {
-      plan::makeFinding(plan::FindingKind::BondTime, {{"time", base::seconds(9.0)}})};
+  checked.findings = {plan::makeFinding(
+      plan::FindingKind::BondTime,
+      {{"time", base::seconds(9.0)}, {"limit", base::seconds(5.0)}, {"length", base::mm(20.0)}})};
   EXPECT_EQ(remedy(), kLone);
   checked.findings = {
       plan::makeFinding(plan::FindingKind::PathDeviation, {{"distance", base::mm(1.0)}})};
