@@ -18,7 +18,7 @@ namespace {
 void addPart(CLI::App& command, pipeline::PlanRequest& request, std::vector<std::string>& sets,
              int& threads) {
   project::Choices& choices = request.choices;
-  command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
+  command.add_option("PART", request.item().part, kPartHelp)->required();
   command.add_option("--mode", choices.item().mode, "way of building (see: list modes)");
   command.add_option("--process", choices.tool().process, kProcessHelp);
   command.add_option_function<std::string>(

@@ -129,16 +129,14 @@ base::ParameterTable allParameters() {
 }
 
 namespace {
-// Stores the value of a parameter, with the content of a file that the value names.
-void store(const base::ParameterSpec& spec, const base::ParameterValue& value,
-           std::map<std::string, std::string>& parameters) {
-  const std::string text = base::formatParameter(value);
-  parameters[spec.key] = spec.file.read ? spec.file.read(text) : text;
-}
+using Texts = std::map<std::string, std::string>;
 
-// Returns the values of "key=value" texts, and adds a note for each renamed key.
-base::ParameterValues valuesOf(const std::vector<std::string>& assignments,
-                               std::vector<base::Message>& notes) {
+// Stores the values of "key=value" texts, with the content of a file that a value names, in the
+// map that `where` returns for a parameter. Returns a note for each renamed key.
+template <typename Where>
+std::vector<base::Message> storeAll(const std::vector<std::string>& assignments,
+                                    const Where& where) {
+  std::vector<base::Message> notes;
   base::ParameterValues values(allParameters());
   for (const std::string& assignment : assignments) {
     values.setAssignment(assignment);
@@ -146,7 +144,13 @@ base::ParameterValues valuesOf(const std::vector<std::string>& assignments,
         base::currentKey(key) != key)
       notes.push_back(base::renamedNote(key));
   }
-  return values;
+  for (const auto& [key, value] : values.changes()) {
+    const base::ParameterSpec& spec = *values.table().find(key);
+    Texts& texts = where(spec);
+    const std::string text = base::formatParameter(value);
+    texts[key] = spec.file.read ? spec.file.read(text) : text;
+  }
+  return notes;
 }
 
 // Throws Error{Usage} for a parameter that all items share.
@@ -160,25 +164,17 @@ void requireOfItem(const base::ParameterSpec& spec) {
 
 std::vector<base::Message> setParameters(project::Choices& choices,
                                          const std::vector<std::string>& assignments) {
-  std::vector<base::Message> notes;
-  const base::ParameterValues values = valuesOf(assignments, notes);
-  for (const auto& [key, value] : values.changes()) {
-    const base::ParameterSpec& spec = *values.table().find(key);
-    store(spec, value, parametersOf(choices, spec.scope));
-  }
-  return notes;
+  return storeAll(assignments, [&](const base::ParameterSpec& spec) -> Texts& {
+    return parametersOf(choices, spec.scope);
+  });
 }
 
 std::vector<base::Message> setItemParameters(project::ItemChoices& item,
                                              const std::vector<std::string>& assignments) {
-  std::vector<base::Message> notes;
-  const base::ParameterValues values = valuesOf(assignments, notes);
-  for (const auto& [key, value] : values.changes()) {
-    const base::ParameterSpec& spec = *values.table().find(key);
+  return storeAll(assignments, [&](const base::ParameterSpec& spec) -> Texts& {
     requireOfItem(spec);
-    store(spec, value, item.parameters);
-  }
-  return notes;
+    return item.parameters;
+  });
 }
 
 std::map<std::string, std::string>& parametersOf(project::Choices& choices,
@@ -460,8 +456,7 @@ project::Platform usualPlatform(const project::Choices& choices) {
 }
 
 namespace {
-void checkLayerTimes(const project::Choices& choices) {
-  const base::ParameterValues values = parameterValues(choices);
+void checkLayerTimes(const project::Choices& choices, const base::ParameterValues& values) {
   const plan::LayerTimes times = motion::layerTimes(values);
   if (times.greatestS <= 0.0 || times.leastS <= times.greatestS)
     return;
@@ -516,10 +511,6 @@ void checkChoices(const project::Choices& given) {
                               choices.item().mode, choices.item().platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
-  const base::ParameterTable parameters = allParameters();
-  for (const auto& [key, text] : choices.item().parameters)
-    if (const base::ParameterSpec* spec = parameters.find(base::currentKey(key)))
-      requireOfItem(*spec);
   const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
   if (const auto orient = choices.item().parameters.find("orient");
       laysItself && orient != choices.item().parameters.end() && orient->second != "none")
@@ -536,7 +527,10 @@ void checkChoices(const project::Choices& given) {
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
     throw Error(ErrorCode::Usage, "the placement is not a rotation and a position in mm"_text);
-  checkLayerTimes(choices);
+  const base::ParameterValues values = parameterValues(choices);
+  for (const auto& [key, text] : choices.item().parameters)
+    requireOfItem(*values.table().find(base::currentKey(key)));
+  checkLayerTimes(choices, values);
 }
 
 void takeOwnFiles(project::Choices& choices) {

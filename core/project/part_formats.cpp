@@ -69,27 +69,28 @@ void readGcode(const std::string& file, LoadedPart& part, const base::RunContext
   part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(read.plan));
 }
 
+PartFormat rowOf(const geometry::MeshFormat& mesh) {
+  if (mesh.ending == ".3mf")
+    return {mesh.ending, mesh.name, PartContent::Mesh,
+            true,        false,     "several parts, or tool-paths (build files)"_text,
+            readPackage};
+  if (mesh.foreign)
+    return {mesh.ending,    mesh.name, PartContent::Mesh,
+            false,          true,      "one mesh; read by a program of its own"_text,
+            readForeignFile};
+  return {mesh.ending, mesh.name, PartContent::Mesh, false, false, "one mesh"_text, readMeshFile};
+}
+
 std::vector<PartFormat> makeTable() {
-  constexpr base::Text kMesh = "one mesh"_text;
-  constexpr base::Text kForeignMesh = "one mesh; read by a program of its own"_text;
-  constexpr base::Text kPackage = "several parts, or tool-paths (build files)"_text;
-  constexpr base::Text kVoxels = "solid cells, drawn as text"_text;
-  constexpr base::Text kGcode = "tool-paths of a slicer"_text;
   std::vector<PartFormat> table;
-  for (const geometry::MeshFormat& mesh : geometry::meshFormats()) {
-    const bool package = mesh.ending == ".3mf";
-    table.push_back({mesh.ending, mesh.name, PartContent::Mesh, package, mesh.foreign,
-                     package        ? kPackage
-                     : mesh.foreign ? kForeignMesh
-                                    : kMesh,
-                     package        ? readPackage
-                     : mesh.foreign ? readForeignFile
-                                    : readMeshFile});
-  }
+  for (const geometry::MeshFormat& mesh : geometry::meshFormats())
+    table.push_back(rowOf(mesh));
   for (const char* ending : {".gcode", ".gco", ".g", ".ngc", ".nc", ".tap", ".bgcode"})
-    table.push_back({ending, "G-code", PartContent::SlicedPaths, false, false, kGcode, readGcode});
+    table.push_back({ending, "G-code", PartContent::SlicedPaths, false, false,
+                     "tool-paths of a slicer"_text, readGcode});
   for (const char* ending : {".txt", ".voxels"})
-    table.push_back({ending, "voxel text", PartContent::Voxels, false, false, kVoxels, readVoxels});
+    table.push_back({ending, "voxel text", PartContent::Voxels, false, false,
+                     "solid cells, drawn as text"_text, readVoxels});
   return table;
 }
 

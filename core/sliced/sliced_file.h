@@ -37,7 +37,7 @@ struct SlicedPath {
 // What comments state anywhere in the file; 0: nothing.
 struct SlicedHeader {
   double filamentMm = 0.0;         // Diameter, of the first tool
-  std::string oddDiameters;        // A statement of diameters of which one cannot be used
+  std::string oddDiameters;        // A statement with a diameter that cannot be used
   std::vector<double> filamentsMm; // Diameters by tool; empty: all as the first
   bool volumetric = false;         // Amounts are volumes, by a setting
   bool ultiGcode = false;          // They are, by the language

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "base/lower_case.h"
 #include "geometry/formats/facet_soup.h"
 #include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/plain_text.h"
@@ -38,23 +37,18 @@ struct PointHash {
   }
 };
 
-std::string extensionOf(const std::string& name) {
-  const std::string e = base::lowerCase(std::filesystem::path(name).extension().string());
-  return e.empty() ? e : e.substr(1);
-}
-
-// Returns "stl", "obj", "ply", "off", "3mf", or an empty string.
-std::string formatOf(std::string_view bytes, const std::string& extension) {
+// Returns the ending of the format without its dot, or an empty string.
+std::string_view formatOf(std::string_view bytes, const std::string& name) {
+  const MeshFormat* named = meshFormatOf(name);
+  const std::string_view ending =
+      named && !named->foreign ? named->ending.substr(1) : std::string_view();
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
     return "ply";
-  if (extension == "stl" || looksLikeStl(bytes))
+  if (ending == "stl" || looksLikeStl(bytes))
     return "stl";
-  for (const MeshFormat& format : meshFormats())
-    if (!format.foreign && extension == format.ending.substr(1))
-      return extension;
-  if (bytes.starts_with("OFF"))
+  if (ending.empty() && bytes.starts_with("OFF"))
     return "off";
-  return {};
+  return ending;
 }
 
 bool usable(const Facet& facet) {
@@ -125,11 +119,10 @@ MeshFile readMesh(const std::filesystem::path& path) {
 MeshFile readMesh(std::string_view bytes, const std::string& name) {
   if (bytes.empty())
     throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, name);
-  const std::string extension = extensionOf(name);
   // The size identifies a binary STL, regardless of its header.
   const PlainText plain = isBinaryStl(bytes) ? PlainText{bytes, {}, {}} : plainText(bytes, name);
   const std::string_view text = plain.text();
-  const std::string format = formatOf(text, extension);
+  const std::string_view format = formatOf(text, name);
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
                 "use STL, OBJ, PLY, OFF, 3MF, COLLADA or glTF"_text);

@@ -62,7 +62,7 @@ protected:
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
   // Takes X Y Z as far as the line has them. Returns false if one of them is still unknown.
   bool takePosition(GcodeWords& words);
-  // Takes a motion to a target of which axes are not known yet, or one above the start.
+  // Takes a motion whose target has unknown axes, or one above the start.
   void approach(GcodeWords& words);
   bool knows(char letter) const { return known_[static_cast<std::size_t>(letter - 'X')]; }
 
