@@ -5,9 +5,9 @@ option(VOLUTA_UNITY "Compile several sources of a target as one" OFF)
 set(VOLUTA_UNITY_LINES 1800 CACHE STRING "Greatest number of lines that are compiled as one")
 
 # Sets `names` to the names that `source` defines at file scope: what begins in the first column and is
-# followed by a parameter list, a value or a body; and `count` to its lines. Members (A::b) do not count,
-# nor do tests.
-function(voluta_names_at_file_scope source names count)
+# followed by a parameter list, a value or a body; `taken` to the names that it takes from other namespaces
+# (using test::boxPart, test::boxRequest); and `count` to its lines. Members (A::b) do not count, nor do tests.
+function(voluta_names_at_file_scope source names taken count)
   file(READ ${source} text)
   string(REPLACE "[[noreturn]] " "" text "${text}")
   string(REGEX REPLACE "[[]" "{" text "${text}") # a list of CMake takes no unpaired brackets
@@ -17,11 +17,16 @@ function(voluta_names_at_file_scope source names count)
   list(LENGTH lines lines)
   string(REGEX MATCHALL "\n([A-Za-z_]| +k[A-Z][A-Za-z0-9]* = )[^\n]*" starts "${text}")
   set(found)
+  set(used)
   foreach(line IN LISTS starts)
     if(line MATCHES "^\n(using enum)")
       list(APPEND found ${CMAKE_MATCH_1})
     elseif(line MATCHES "^\n(namespace|using namespace|template|return|extern|TEST|TEST_F|TEST_P|INSTANTIATE)")
       # defines nothing
+    elseif(line MATCHES "^\n *using [A-Za-z_0-9]*::")
+      string(REGEX MATCHALL "::[A-Za-z_0-9]+ *[,@]" declared "${line}")
+      list(TRANSFORM declared REPLACE "::([A-Za-z_0-9]+) *[,@]" "\\1")
+      list(APPEND used ${declared})
     elseif(line MATCHES "^\n(inline |static )?(constexpr|const) [^@(]*[={]|^\n +k") # one or several constants
       string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]*({[^}]*})? ?[={]" constants "${line}")
       list(TRANSFORM constants REPLACE "({[^}]*})? ?[={]" "")
@@ -33,11 +38,12 @@ function(voluta_names_at_file_scope source names count)
     endif()
   endforeach()
   set(${names} ${found} PARENT_SCOPE)
+  set(${taken} ${used} PARENT_SCOPE)
   set(${count} ${lines} PARENT_SCOPE)
 endfunction()
 
 # Spreads the sources of `target` over groups, in their order: each source goes into the first group
-# that has room and defines none of its names. Two sources may thus have a helper of the same name in
+# that has room and where no name that one of them defines stands twice. Two sources may thus have a helper of the same name in
 # their unnamed namespaces. A source that is generated, has options of its own, or takes the names of an
 # enumeration into its namespace (using enum) is compiled alone.
 function(voluta_unity_target target)
@@ -50,7 +56,7 @@ function(voluta_unity_target target)
     if(NOT source MATCHES "\\.cpp$" OR NOT EXISTS ${source} OR source MATCHES "^${CMAKE_BINARY_DIR}" OR options)
       continue()
     endif()
-    voluta_names_at_file_scope(${source} names count)
+    voluta_names_at_file_scope(${source} names taken count)
     if("using enum" IN_LIST names)
       continue()
     endif()
@@ -60,12 +66,19 @@ function(voluta_unity_target target)
       if(group EQUAL groups)
         math(EXPR groups "${groups} + 1")
         set(names_${group} "")
+        set(taken_${group} "")
         set(lines_${group} 0)
       endif()
       math(EXPR together "${lines_${group}} + ${count}")
       if(together LESS_EQUAL VOLUTA_UNITY_LINES OR lines_${group} EQUAL 0)
         set(chosen ${group})
         foreach(name IN LISTS names)
+          if(name IN_LIST names_${group} OR name IN_LIST taken_${group})
+            set(chosen "")
+            break()
+          endif()
+        endforeach()
+        foreach(name IN LISTS taken)
           if(name IN_LIST names_${group})
             set(chosen "")
             break()
@@ -75,6 +88,7 @@ function(voluta_unity_target target)
       math(EXPR group "${group} + 1")
     endwhile()
     list(APPEND names_${chosen} ${names})
+    list(APPEND taken_${chosen} ${taken})
     math(EXPR lines_${chosen} "${lines_${chosen}} + ${count}")
     set_source_files_properties(${source} TARGET_DIRECTORY ${target}
       PROPERTIES UNITY_GROUP ${target}_${chosen})
