@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a module may include besides itself and base.
+// The modules that each module may include besides itself and base.
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"base", {}},
     {"texts", {}},
@@ -80,7 +80,7 @@ std::vector<Include> includesBelow(const fs::path& folder) {
 
 const fs::path kCore = fs::path(VOLUTA_SOURCE_DIR) / "core";
 
-TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
+TEST(Architecture, CoreIncludesNeitherQtNorVtk) {
   const std::regex graphical(R"(^(Q[A-Z]|Qt|vtk|QtCore/|VTK))");
   const auto all = includesBelow(kCore);
   ASSERT_GT(all.size(), 100u);
@@ -89,7 +89,8 @@ TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
         << include.file << " includes " << include.target;
 }
 
-// The window: what is drawn knows no Qt, only the viewer knows both, and arrows point one way.
+// The window: drawing code does not use Qt, only the viewer uses both, and dependencies point one
+// way.
 const fs::path kWidgets = fs::path(VOLUTA_SOURCE_DIR) / "widgets";
 const std::map<std::string, std::set<std::string>> kWidgetsMayInclude = {
     {"language", {}},
@@ -126,13 +127,13 @@ TEST(Architecture, WidgetsKeepTheirDirections) {
   }
 }
 
-TEST(Architecture, CoreKnowsNoWidget) {
+TEST(Architecture, CoreIncludesNoWidgets) {
   for (const Include& include : includesBelow(kCore))
     EXPECT_FALSE(kWidgetsMayInclude.count(fs::path(include.target).begin()->string()))
         << include.file << " includes " << include.target;
 }
 
-TEST(Architecture, ModulesIncludeOnlyWhatTheDesignAllows) {
+TEST(Architecture, ModulesIncludeOnlyTheirAllowedDependencies) {
   for (const auto& entry : fs::directory_iterator(kCore))
     EXPECT_TRUE(kMayInclude.count(entry.path().filename().string()))
         << entry.path() << " is not in the table of modules";

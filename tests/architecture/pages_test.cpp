@@ -1,5 +1,5 @@
-// The project's pages and what cites them: a comment that names a page names one that is there, a
-// page that names a file, a test or another page too.
+// The project's pages and references to them: a comment that names a page names an existing one; a
+// page that names a file, a test or another page does too.
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ std::set<std::string> headings(const fs::path& page) {
 }
 
 // "(docs/design.md, Errors)": the page, and one of its headings.
-TEST(Pages, WhatCommentsCiteIsThere) {
+TEST(Pages, PagesCitedInCommentsExist) {
   const std::regex page(R"(([A-Za-z0-9_/.-]*[A-Za-z0-9_]\.md)(, ([A-Z][A-Za-z ]*[a-z]))?)");
   std::size_t cited = 0;
   for (const fs::path& file : sources()) {
@@ -81,7 +81,7 @@ TEST(Pages, WhatCommentsCiteIsThere) {
   EXPECT_GT(cited, 20u);
 }
 
-TEST(Pages, LinksLeadSomewhere) {
+TEST(Pages, LinkedFilesExist) {
   const std::regex link(R"(\]\(([^)#\s]+)[^)]*\))");
   for (const fs::path& page : pages()) {
     const std::string text = textOf(page);

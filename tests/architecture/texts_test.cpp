@@ -1,5 +1,5 @@
-// What a user reads is a Text, which the compiler holds errors, findings and progress to. What it
-// cannot see is looked for here: sentences in core and scene that are plain strings.
+// User-visible text is a Text; the compiler enforces this for errors, findings and progress. The
+// rest is checked here: sentences in core and scene that are plain strings.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -71,7 +71,8 @@ bool isSentence(const std::string& text) {
   return count >= 3;
 }
 
-// Preconditions are for whoever mends the program; what ends with a line is a key or a file's text.
+// Preconditions are for developers of the program; a literal that ends with a line break is a key
+// or a file's text.
 bool isForUsers(std::string_view source, const Literal& literal) {
   if (literal.text.ends_with("\\n"))
     return false;
@@ -89,8 +90,8 @@ bool isForUsers(std::string_view source, const Literal& literal) {
 }
 
 // Comments in programs are for operators of a controller and are English, as are the rule of a
-// comparison (command line and compare.json), what robots' and cells' files say, and what the
-// program that collects texts writes.
+// comparison (command line and compare.json), the contents of robots' and cells' files, and the
+// output of the program that collects texts.
 bool isEnglishOnly(const fs::path& file) {
   const std::string name = file.filename().string();
   const bool isOfProgram = file.string().find("core/program/") != std::string::npos;

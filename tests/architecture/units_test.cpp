@@ -42,7 +42,7 @@ TEST(Units, NoFileHasMoreThanSixHundredLines) {
   }
 }
 
-// In the tab of an editor, the name says where a file is.
+// In the tab of an editor, the name identifies the file.
 TEST(Units, EachFileHasANameOfItsOwn) {
   std::map<std::string, fs::path> files;
   for (const fs::path& file : sourcesBelow({"core", "widgets", "app", "tests"})) {

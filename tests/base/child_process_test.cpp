@@ -1,4 +1,4 @@
-// Programs run to their end, or to the end of what they are given.
+// Programs run to their end, or to the end of their input.
 #include "base/child_process.h"
 
 #include <chrono>

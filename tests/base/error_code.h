@@ -1,4 +1,4 @@
-// What a call throws.
+// The error code that a call throws.
 #pragma once
 
 #include "base/error.h"

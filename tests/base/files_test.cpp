@@ -47,7 +47,7 @@ TEST_F(Files, ReadErrorsNameTheCase) {
   EXPECT_EQ(codeOf([&] { readFile(folder_.path()); }), ErrorCode::UnreadableFile);
 }
 
-TEST_F(Files, AWriteThatFailsLeavesWhatWasThere) {
+TEST_F(Files, FailedWriteKeepsExistingContents) {
   const fs::path file = folder_ / "taken";
   fs::create_directory(file);
   writeFile(file / "inside", "kept");
@@ -57,7 +57,7 @@ TEST_F(Files, AWriteThatFailsLeavesWhatWasThere) {
   EXPECT_EQ(codeOf([&] { writeFile(folder_ / "no" / "such", "x"); }), ErrorCode::CannotWrite);
 }
 
-TEST_F(Files, AMissingDataFolderIsToldWhereverItWasSaidToBe) {
+TEST_F(Files, MissingDataFolderIsAnError) {
   const char* before = std::getenv("VOLUTA_RESOURCES");
   const std::string kept = before ? before : "";
   ::setenv("VOLUTA_RESOURCES", folder_.path().c_str(), 1);
@@ -70,7 +70,7 @@ TEST_F(Files, AMissingDataFolderIsToldWhereverItWasSaidToBe) {
     ::unsetenv("VOLUTA_RESOURCES");
 }
 
-TEST_F(Files, WhatMayNeverEndIsNotRead) {
+TEST_F(Files, DevicesAreNotRead) {
   for (const char* path : {"/dev/zero", "/dev/null"})
     try {
       readFile(path);

@@ -20,7 +20,7 @@ TEST(Log, LinesAreInTheFileAtOnce) {
   EXPECT_NE(text.find("error: two lines\n"), std::string::npos) << text;
 }
 
-TEST(Log, GoesOnWhereItEndedAndKeepsNoMoreThanThreeFiles) {
+TEST(Log, AppendsToItsFileAndKeepsAtMostThreeFiles) {
   const test::TemporaryFolder folder;
   for (int run = 0; run < 40; ++run) {
     const Log log(folder / "voluta.log", 1000);

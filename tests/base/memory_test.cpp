@@ -5,7 +5,7 @@
 
 using namespace voluta;
 
-TEST(Memory, WhatIsLetGoHoldsNothing) {
+TEST(Memory, FreedStorageHasNoCapacity) {
   std::vector<double> numbers(1000, 1.0);
   std::vector<int> others(7, 2);
   base::freeStorage(numbers, others);

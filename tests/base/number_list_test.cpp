@@ -6,7 +6,7 @@
 
 using voluta::base::readNumbers;
 
-TEST(NumberList, ReadsJustAsManyNumbersAsAreAskedFor) {
+TEST(NumberList, ReadsExactlyTheRequestedCountOfNumbers) {
   double a = 0.0, b = 0.0, c = 0.0;
   EXPECT_TRUE(readNumbers("5x200", 'x', {&a, &b}));
   EXPECT_EQ(a, 5.0);
@@ -20,7 +20,7 @@ TEST(NumberList, ReadsJustAsManyNumbersAsAreAskedFor) {
     EXPECT_FALSE(readNumbers(text, 'x', {&a, &b})) << text;
 }
 
-TEST(NumberList, RowsOfATableWhateverStandsBetween) {
+TEST(NumberList, ReadsRowsOfATableWithAnySeparator) {
   using Rows = std::vector<std::vector<double>>;
   using voluta::base::readRows;
   EXPECT_EQ(readRows("1,2,3\n\n# what\n4; 5 ;6\r\n-7\t8e1 .5 # last", "t"),

@@ -32,7 +32,7 @@ TEST(RunContext, NestedSpansReportTheWhole) {
   EXPECT_DOUBLE_EQ(seen[2], 1.0);
 }
 
-TEST(RunContext, AQuietOneOnlyTellsNothing) {
+TEST(RunContext, QuietContextReportsNoProgress) {
   const CancelToken token;
   int told = 0;
   const RunContext ctx(token, 3, [&](double, const voluta::base::Message&) { ++told; });
@@ -70,7 +70,7 @@ TEST(Parallel, ChunksCoverTheRangeOnceForAnyThreads) {
   }
 }
 
-TEST(Parallel, WhatIsDoneIsToldByTheThreadThatWaits) {
+TEST(Parallel, WaitingThreadReportsProgress) {
   for (const int threads : {1, 2, 3}) {
     const std::thread::id caller = std::this_thread::get_id();
     std::vector<double> told;

@@ -123,7 +123,7 @@ TEST_F(StagedFolders, DiscardedWhileAThreadWritesNothingIsLeft) {
           writeFile(staged.path() / "pieces" / std::to_string(file), "1");
           began = true;
         }
-      } catch (const std::exception&) { // The folder is gone
+      } catch (const std::exception&) { // The folder does not exist any more
       }
     });
     while (!began)
@@ -235,7 +235,7 @@ TEST_F(StagedFolders, KilledAtAnyMomentTheyLeaveOneWholeSet) {
     make(target);
     systemCalls([&] { exportNew(target); }, moment);
     Contents there = contentsOf(target);
-    // Before anybody comes, a set that is of two says so to whoever looks.
+    // Before the next process, an incomplete set is marked by a note.
     const bool noted = there.erase(std::string(kUnfinishedNote)) > 0;
     if (setOf(there, old, fresh) == 0) {
       ++broken;

@@ -11,7 +11,7 @@ namespace {
 using base::english;
 using base::message;
 
-TEST(Text, PlacesAreFilledInTheOrderInWhichTheyFirstCome) {
+TEST(Text, PlaceholdersAreFilledInOrderOfFirstUse) {
   EXPECT_EQ(english(message("{there} of {wanted} vertices, {there} in all"_text, 3, 4)),
             "3 of 4 vertices, 3 in all");
   EXPECT_EQ(base::placeNames("{b} {a:.2f} {b} {c#}"),
@@ -20,7 +20,7 @@ TEST(Text, PlacesAreFilledInTheOrderInWhichTheyFirstCome) {
       << "other braces are text";
 }
 
-TEST(Text, NumbersAreWrittenAsThePlaceSays) {
+TEST(Text, NumbersFollowTheFormatOfTheirPlaceholder) {
   EXPECT_EQ(
       english(message("{area:.3g} of {whole:.4g#}, {share:.2f}, {angle}"_text, base::mm2(12.3456),
                       base::mm2(1234.567), base::percent(4.0), base::degrees(45.0))),
@@ -43,7 +43,7 @@ TEST(Text, TheFirstWholeNumberDecidesAboutTheForm) {
   EXPECT_EQ(told(2), "x: 2 pieces are not laid");
 }
 
-TEST(Text, MessagesStandInMessages) {
+TEST(Text, MessagesCanBeNestedInMessages) {
   const base::Message inner = message("{n} voxel|{n} voxels"_plural, 2);
   EXPECT_EQ(english(message("a column of {voxels} from {foot}"_text, inner, "the plate"_text)),
             "a column of 2 voxels from the plate");
@@ -76,7 +76,7 @@ public:
   }
 };
 
-TEST(Text, AnotherLanguageGoesBySameValues) {
+TEST(Text, TranslationsFormatTheSameValues) {
   const auto told = [](int n) {
     return inWords(message("{n} of {all} piece, {area:.1f}|{n} of {all} pieces, {area:.1f}"_plural,
                            n, 12345, base::mm2(1.25)),
@@ -103,7 +103,7 @@ TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {
                "wrong (mend it)");
 }
 
-// What the compiler refuses: a sentence made at run time, a place without a value.
+// The compiler refuses a sentence made at run time and a placeholder without a value.
 template <typename T> constexpr bool kSays = std::is_constructible_v<base::Message, T>;
 static_assert(!kSays<std::string> && !kSays<const char*> && !kSays<std::string_view>);
 static_assert(!std::is_constructible_v<base::Text, const char*>);

@@ -7,7 +7,7 @@
 namespace voluta::base {
 namespace {
 
-TEST(VtkXml, ArraysStandWhereTheHeaderSays) {
+TEST(VtkXml, ArraysAreAtTheOffsetsOfTheHeader) {
   VtkXml file("PolyData", {{"Key", "value"}});
   file.open("FieldData");
   file.field("two", std::vector<double>{1, 2, 3, 4}, 2);

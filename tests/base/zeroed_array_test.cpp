@@ -17,7 +17,7 @@ long residentBytes() {
   return resident * ::sysconf(_SC_PAGESIZE);
 }
 
-TEST(ZeroedArray, IsZeroAndKeepsWhatIsWritten) {
+TEST(ZeroedArray, IsZeroInitiallyAndKeepsWrittenValues) {
   ZeroedArray<std::uint32_t> a(1000), b(1000);
   EXPECT_EQ(a.size(), 1000u);
   for (const std::uint32_t x : a)
@@ -32,7 +32,7 @@ TEST(ZeroedArray, IsZeroAndKeepsWhatIsWritten) {
   EXPECT_TRUE(none.begin() == none.end());
 }
 
-TEST(ZeroedArray, PreparedElementsAreWhatTheyWere) {
+TEST(ZeroedArray, PrepareKeepsElementValues) {
   ZeroedArray<float> a(100'000);
   a[7] = 2.5f;
   for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{99'999}})
@@ -41,7 +41,7 @@ TEST(ZeroedArray, PreparedElementsAreWhatTheyWere) {
     EXPECT_EQ(a[i], i == 7 ? 2.5f : 0.0f);
 }
 
-TEST(ZeroedArray, WhatIsNotWrittenToTakesNoMemory) {
+TEST(ZeroedArray, UnwrittenPagesTakeNoMemory) {
   const long before = residentBytes();
   ZeroedArray<float> large(100'000'000);
   for (std::size_t i = 0; i < 1'000'000; ++i)

@@ -22,7 +22,7 @@ namespace {
 
 using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
 
-// Both stand in the middle of the segment with z along it.
+// Both are in the middle of the segment with z along it.
 Isometry3d along(const Vector3d& p0, const Vector3d& p1) {
   Isometry3d pose = Isometry3d::Identity();
   if ((p1 - p0).norm() > 0.0)

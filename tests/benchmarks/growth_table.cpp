@@ -1,6 +1,6 @@
 // growth_table [--voxels N[,N...]] [--growth SCHEME] [--threads N] [--repeat N] [--nozzle] STL...
 // One row of Markdown for each part and number of voxels: best time of all runs for the order of
-// growth (everything but voxelising), what is missed, ranks, peak memory of the process so far; and
+// growth (everything but voxelising), missed voxels, ranks, peak memory of the process so far; and
 // for each part the exponent of time over voxels, fitted over the rows with at least 20 ms.
 #include "base/memory.h"
 #include "base/stopwatch.h"

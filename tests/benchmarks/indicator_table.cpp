@@ -1,12 +1,12 @@
-// What a learned indicator is worth beside the true check (Dai 2020, 4.5.1 and table 4.1):
+// Compares a learned indicator with the exact check (Dai 2020, 4.5.1 and table 4.1):
 // indicator_table [--cell ID] [--layers N] [--samples N] [--checks N] [--penalty C] [--gamma G]
 // [--bias B] [--sweep] JOB. For N layers spread over the job's it learns from samples about the
 // layer's contact space, against the bodies of the cell and the part as it is when the layer is
 // done, and from as many random ones. "bias found": the bias is such that of other samples beside
 // contact that collide one in a hundred is called free. --sweep: other gammas and penalties.
 // Verified on samples of contact and on such with each joint up to 0.1 rad beside them. Columns:
-// TNR as eq. 4.16 has it (of what is free, how much is called free); of what is called free, how
-// much is (as the words beside it have it); of what collides, how much is called free. Then
+// TNR of eq. 4.16 (share of the free samples that is called free); share of the samples called free
+// that is free (as its text defines it); share of the colliding samples that is called free. Then
 // processor time a question: true check, its distances, indicator, its gradient, FCL's check and
 // distances; and after how many questions the learning has paid.
 #include "base/parallel.h"
@@ -56,7 +56,7 @@ double processorSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Processor time of one call, s; `ask` returns a number, so that nothing is left out.
+// Processor time of one call, s; `ask` returns a number, so that the compiler cannot drop the call.
 template <typename Ask> double secondsEach(const std::vector<JointVector>& all, Ask&& ask) {
   double sum = 0.0;
   const double start = processorSeconds();

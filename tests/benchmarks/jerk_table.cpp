@@ -1,20 +1,18 @@
-// One layer's tool-paths by several ways (Dai 2020, table 4.2):
-// jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] [--lean DEG] [--axes DEG] [--max-jerk J] [--ladder] JOB. The shortest path
-// through a graph of 30 and of 360 turns about the nozzle at every waypoint (eqs. 4.4-4.6), the
-// first of them through the source's local filter (algorithm 6) and smoothed whole, and the motion
-// as it is planned here, collisions looked at; and that smoothed whole, with nothing looked at.
-// Greatest five-point jerk of each joint, beside that of the graph of 30, and sum of squares
-// (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are the same for all: those of the nozzle
-// alone, with corners and ramps, as if joints had no limits. Without --layer it takes the one whose
-// number of waypoints is nearest to 3,600. --noise turns each direction by a random angle up to DEG
-// to a random side (4.5.4).
-// --even-directions and
-// --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
-// turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
-// else leave without a way. --lean: how far directions may lean where whole paths are smoothed;
-// --axes: how far external axes may go from their schedule then. --max-jerk: last row, the motion
-// as planned slowed to this limit (jerk_limit.h), from rest to rest.
+// One layer's tool-paths by several ways (Dai 2020, table 4.2): jerk_table [--cell ID] [--layer N]
+// [--noise DEG] [--even-directions] [--even-times] [--no-dense] [--slow FACTOR] [--lean DEG]
+// [--axes DEG] [--max-jerk J] [--ladder] JOB. The shortest path through a graph of 30 and of 360
+// turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the source's
+// local filter (algorithm 6) and smoothed whole, and the motion as it is planned here, collisions
+// looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk of each
+// joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the waypoints,
+// over times that are the same for all: those of the nozzle alone, with corners and ramps, as if
+// joints had no limits. Without --layer it takes the one whose number of waypoints is nearest to
+// 3,600. --noise turns each direction by a random angle up to DEG to a random side (4.5.4).
+// --even-directions and --even-times measure the share of the jerk due to uneven directions and
+// times, which no turn removes. --slow: times are so many times as long, for graphs that joints'
+// speeds would else leave without a way. --lean: how far directions may lean where whole paths are
+// smoothed; --axes: how far external axes may deviate from their schedule then. --max-jerk: last
+// row, the motion as planned slowed to this limit (jerk_limit.h), from rest to rest.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
@@ -240,7 +238,7 @@ Joints wholePath(const robot::Cell& cell, const robot::ArmTwists& twists, const 
   return smooth;
 }
 
-// Takes out of the directions what waves are shorter than about 24 waypoints.
+// Removes waves shorter than about 24 waypoints from the directions.
 void evenDirections(plan::ToolPlan& plan, const plan::ToolPath& path) {
   constexpr double kSmoothing = 200.0;
   for (Eigen::Index k = 0; k < 3; ++k) {

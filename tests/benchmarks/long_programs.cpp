@@ -1,5 +1,5 @@
-// What a program of a million waypoints costs: long_programs [WAYPOINTS] [--no-replay] [FORMAT]...
-// A spiral in each layer, laid as a round block; per format the seconds of writing, reading and
+// Cost of a program of a million waypoints: long_programs [WAYPOINTS] [--no-replay] [FORMAT]... A
+// spiral in each layer, deposited as a round block; per format the seconds of writing, reading and
 // replay, bytes and files, and the greatest memory of the process so far. Run one format at a time
 // to see its own memory.
 #include "base/memory.h"

@@ -1,13 +1,11 @@
-// What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--evened]
-// [--lean DEG] [--axes DEG] [--near-cost C] [--max-jerk J] [--learned] [--threads N] [--paths N]
-// JOB... The motion of each
-// job's tool-paths, planned anew: seconds (wall and of the processor), jerk before and after, and
-// how clear of everything the arm stays while it prints. With --lean directions may lean so far
-// (else 3 degrees); with --ladder the turns about the nozzle stay as the ladder graph gives them,
-// with
-// --evened they are evened out; --axes: how far external axes may go from their schedule;
-// --near-cost: what poses near something cost (0: clearance is kept, not sought); with --paths only
-// the first N are taken.
+// Effect of smoothing on the motion of planned jobs: smooth_motion [--ladder] [--evened] [--lean
+// DEG] [--axes DEG] [--near-cost C] [--max-jerk J] [--learned] [--threads N] [--paths N] JOB... The
+// motion of each job's tool-paths, planned anew: seconds (wall and of the processor), jerk before
+// and after, and how clear of everything the arm stays while it prints. With --lean directions may
+// lean so far (else 3 degrees); with --ladder the turns about the nozzle stay as the ladder graph
+// gives them, with --evened they are evened out; --axes: how far external axes may deviate from
+// their schedule; --near-cost: cost of poses near an obstacle (0: clearance is kept, not sought);
+// with --paths only the first N are taken.
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/run_context.h"

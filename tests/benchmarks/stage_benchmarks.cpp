@@ -144,7 +144,7 @@ void growingPartOfALargeBlock(benchmark::State& state) {
 }
 BENCHMARK(growingPartOfALargeBlock)->Unit(benchmark::kMillisecond);
 
-// The head that stands on a large block against it.
+// Checks the head, standing on a large block, for collisions with it.
 void headOnALargeBlock(benchmark::State& state) {
   const plan::ToolPlan plan = largeBlock();
   const collision::GrowingPart part(plan, 0.45, {});

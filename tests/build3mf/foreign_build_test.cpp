@@ -1,4 +1,4 @@
-// Files of other programs: what the extension lets them say, in the values that it says.
+// Files of other programs: all that the extension allows, read with the file's values.
 #include "base/error.h"
 #include "base/run_context.h"
 #include "build3mf/build_reader.h"
@@ -49,7 +49,7 @@ TEST(ForeignBuild, ALayerThatIsNotListedIsNamed) {
                 "not used: the layer '/Slices/L7.xml', which is not in the list of layers"});
 }
 
-TEST(ForeignBuild, ThreeAxesStandUpright) {
+TEST(ForeignBuild, ThreeAxisPathsGetVerticalDirections) {
   test::ForeignBuild file;
   file.type = "3axis";
   file.layers = {foreignLayer(foreignSegment(
@@ -62,7 +62,7 @@ TEST(ForeignBuild, ThreeAxesStandUpright) {
 }
 
 // As slicers for filament have them: polylines, loops and hatches of layers at their heights.
-TEST(ForeignBuild, PlanarLayersLieAtTheirHeights) {
+TEST(ForeignBuild, PlanarLayersGetTheirHeights) {
   const auto point = [](int x, int y) {
     return "<point x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\"/>";
   };
@@ -84,7 +84,7 @@ TEST(ForeignBuild, PlanarLayersLieAtTheirHeights) {
   EXPECT_EQ(got.plan.paths[0].count, 3u);
   EXPECT_FALSE(got.plan.paths[0].closed);
   EXPECT_LT((at(0, 2) - Vector3d(5, 4, 0.8)).norm(), 1e-12);
-  // A loop goes back to where it began.
+  // A loop ends where it began.
   EXPECT_EQ(got.plan.paths[1].count, 4u);
   EXPECT_TRUE(got.plan.paths[1].closed);
   EXPECT_LT((at(1, 3) - Vector3d(0, 0, 0.8)).norm(), 1e-12);
@@ -115,7 +115,7 @@ TEST(ForeignBuild, ALoopThatRepeatsItsFirstPointHasNoSecondEnd) {
 
 TEST(ForeignBuild, AFramesZIsTheDirection) {
   test::ForeignBuild file;
-  // 90 degrees about x: z goes to -y. Twice as long as a unit: made one.
+  // 90 degrees about x: z is mapped to -y. The quaternion has twice unit length and is normalised.
   const std::string frame = "i=\"1.41421356237\" j=\"0\" k=\"0\" w=\"1.41421356237\"/>";
   file.layers = {foreignLayer(
       foreignSegment("polyline6d", "<point6d x=\"0\" y=\"-9000\" z=\"0\" " + frame +
@@ -162,7 +162,7 @@ TEST(ForeignBuild, ModifiersOfEachType) {
   EXPECT_FLOAT_EQ(plan.speedMmPerS[3], 30.0f);
 }
 
-TEST(ForeignBuild, ASectionThatJumpsDoesSoAtThePoint) {
+TEST(ForeignBuild, StepOfASectionIsAtThePoint) {
   test::ForeignBuild file;
   file.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"constant\" minvalue=\"1\" "
                    "maxvalue=\"3\" factor=\"f\"/>";
@@ -205,7 +205,7 @@ TEST(ForeignBuild, WaitsAndOthersDataAreLeftOut) {
   EXPECT_EQ(got.notes.size(), 1u);
 }
 
-TEST(ForeignBuild, WhatAProfileDoesNotGiveIsNought) {
+TEST(ForeignBuild, ValuesMissingInAProfileAreZero) {
   test::ForeignBuild file;
   file.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"Support raft\"";
   file.layers = {

@@ -1,4 +1,5 @@
-// Damaged and hostile packages: one line that says what and where, and never anything else.
+// Damaged and hostile packages: each gives one line with the fault and its place, and no other
+// error.
 #include "base/error.h"
 #include "base/run_context.h"
 #include "build3mf/build_reader.h"
@@ -49,7 +50,7 @@ TEST(HostileBuild, ASoundOneIsTaken) {
   EXPECT_EQ(refusal(sound().bytes()), "");
 }
 
-TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
+TEST(HostileBuild, EachFaultIsRefusedWithItsReason) {
   const std::vector<Case> cases{
       {"unit", [](auto& f) { f.unit = "furlong"; }, "unknown unit 'furlong'"},
       {"no factor", [](auto& f) { f.unitFactor = "0"; }, "'unitfactor' is not above 0"},

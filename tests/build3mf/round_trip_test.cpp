@@ -1,5 +1,5 @@
-// What is written is read back: positions within 1 um, directions within 1e-6, sections within 0.1
-// %.
+// Packages are read back as written: positions within 1 um, directions within 1e-6, sections within
+// 0.1 %.
 #include "base/error.h"
 #include "base/run_context.h"
 #include "build3mf/build_reader.h"
@@ -45,7 +45,7 @@ void expectSame(const plan::ToolPlan& a, const plan::ToolPlan& b) {
   }
 }
 
-TEST(RoundTrip, RandomBeadsComeBack) {
+TEST(RoundTrip, RandomBeadsAreReadBack) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const plan::ToolPlan plan = test::randomBeads(seed, 1 + static_cast<int>(seed));
     const std::string bytes = packageOf(plan);
@@ -70,7 +70,7 @@ TEST(RoundTrip, OneSectionAndOneSpeedNeedNoModifier) {
   expectSame(plan, build3mf::readBuild(bytes, "a", kCtx).plan);
 }
 
-TEST(RoundTrip, DirectionsThatTurnRightOverComeBack) {
+TEST(RoundTrip, OppositeDirectionsAreReadBack) {
   plan::ToolPlan plan = test::randomBeads(5, 1);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
     plan.direction[i] =

@@ -1,5 +1,5 @@
-// Arms from URDF text to a robot and a cell that can be printed in: what comes of them is clear,
-// away from singular, and written so that it is read back the same.
+// Arms from URDF text to a robot and a cell that can be printed in: the results are free of
+// collisions, away from singularities, and the same when written and read back.
 #include "cells/arm_import.h"
 
 #include "base/error.h"
@@ -89,15 +89,15 @@ TEST_F(ArmImporting, EveryKindOfArmIsReadyToPrint) {
   }
 }
 
-TEST_F(ArmImporting, PlatesOnTheArmAreLaidOutToo) {
+TEST_F(ArmImporting, PlatesOnTheArmGetALayoutToo) {
   const ArmImport import = this->import(test::urdfOf(test::kukaLike()),
                                         {.tip = {}, .base = {}, .id = "left"}, robot::Mount::World);
   EXPECT_EQ(import.layout.cell.id, "left-fixed");
   expectReady(import);
 }
 
-// Solids that are in each other wherever the arm is are left out, and it is said which.
-TEST_F(ArmImporting, SaysWhichLinksAreNotCheckedAgainstEachOther) {
+// Solids that overlap in every pose of the arm are left out, with a note on which.
+TEST_F(ArmImporting, NamesLinksThatAreNotCheckedAgainstEachOther) {
   test::UrdfArm fat = test::irb1200();
   fat.links[0].front().radius = 0.2;
   fat.links[0].front().p1[2] = 0.4; // up to the shoulder's axis: into the upper arm
@@ -124,7 +124,7 @@ TEST_F(ArmImporting, FlangesWhoseZLiesAcrossGetTheirNozzleAlongTheLastAxis) {
   expectReady(import);
 }
 
-TEST_F(ArmImporting, ArmsThatStandHighAreReachedByTheirTable) {
+TEST_F(ArmImporting, TableRisesWithTheBaseOfTheArm) {
   const std::string plain = test::urdfOf(test::irb1200());
   std::string text = plain;
   const std::string base = "<link name=\"base_link\">";
@@ -139,7 +139,7 @@ TEST_F(ArmImporting, ArmsThatStandHighAreReachedByTheirTable) {
   expectReady(high);
 }
 
-TEST_F(ArmImporting, NamesThatAreTakenAreSaid) {
+TEST_F(ArmImporting, NamesInUseAreRefused) {
   EXPECT_THAT(complaint(test::ur5Urdf(), {.tip = {}, .base = {}, .id = "ur5"}),
               AllOf(HasSubstr("'ur5' is the name of a built-in"), HasSubstr("--id")));
   std::string text = test::ur5Urdf();
@@ -173,7 +173,7 @@ TEST_F(ArmImporting, ArmsOfNoSizeAndOfMillimetresAreRefused) {
   EXPECT_THAT(complaint(test::urdfOf(none)), HasSubstr("implausible reach"));
 }
 
-TEST_F(ArmImporting, WithoutSolidsAndWithoutMeshesItStillComesIn) {
+TEST_F(ArmImporting, ArmWithoutSolidsAndMeshesIsImported) {
   const ArmImport import = this->import(test::urdfOf(test::kukaLike(), [](std::size_t i) {
     return "<visual><geometry><mesh filename=\"package://none/" + std::to_string(i) +
            ".dae\"/></geometry></visual>";

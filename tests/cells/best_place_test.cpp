@@ -21,8 +21,8 @@ ReachGrid grid() {
   return grid;
 }
 
-// Only a disc about (30, -20) is reached: a part that just fits it goes there.
-TEST(BestPlace, IsInTheMiddleOfWhatIsReached) {
+// Only a disc about (30, -20) is reached: a part that just fits is placed there.
+TEST(BestPlace, IsAtTheCentreOfTheReachedDisc) {
   ReachMap map(grid(), square(80));
   for (std::size_t n = 0; n < map.points().size(); ++n)
     if ((map.points()[n] - Vector2d(30, -20)).norm() <= 40.5)
@@ -42,7 +42,7 @@ TEST(BestPlace, IsInTheMiddleOfWhatIsReached) {
   EXPECT_LT(bestPlace(map, {10, 60, 1.0}).at.norm(), 15.0);
 }
 
-TEST(BestPlace, WhatIsTooWideStandsBesideThePlateWherever) {
+TEST(BestPlace, PartWiderThanThePlateIsNeverOnIt) {
   ReachMap map(grid(), square(80));
   EXPECT_FALSE(bestPlace(map, {81, 10, 0}).onPlate);
   EXPECT_TRUE(bestPlace(map, {80, 10, 0}).onPlate);

@@ -1,4 +1,4 @@
-// A cell with one thing wrong with it: each is told, and nothing else; the shipped ones have none.
+// A cell with one fault: exactly that fault is found. The shipped cells have none.
 #include "cells/cell_check.h"
 
 #include "base/error.h"
@@ -58,7 +58,7 @@ TEST_F(CellCheck, theShippedCellsHaveNothingWrong) {
   }
 }
 
-TEST_F(CellCheck, aPlaceForPurgesOutOfReachIsTold) {
+TEST_F(CellCheck, findsAPurgePlaceOutOfReach) {
   const auto told = [](const std::string& place) {
     std::string text = robot::draftOfCell("five-axis").text();
     text.insert(text.find('{') + 1, "\"purgeMm\": " + place + ",");
@@ -88,7 +88,7 @@ TEST_F(CellCheck, everyProcessHasACell) {
 TEST_F(CellCheck, aNozzleInsideTheArm) {
   const CellDraft fixed = robot::draftOfCell("ur5-fixed");
   DraftBody nozzle = body(fixed, DraftBody::Kind::Nozzle);
-  nozzle.pose.translation() = Eigen::Vector3d(0, 0, 20); // in the base, which stands as it does
+  nozzle.pose.translation() = Eigen::Vector3d(0, 0, 20); // in the base, which keeps its pose
   EXPECT_THAT(faults(fixed.withPose(nozzle, nozzle.pose)),
               ::testing::Contains(HasSubstr("the nozzle is inside base")));
   const CellDraft moving = robot::draftOfCell("ur5-moving");
@@ -110,7 +110,7 @@ TEST_F(CellCheck, aBoxOverThePlate) {
   const CellDraft draft = robot::draftOfCell("ur5-moving");
   Eigen::Isometry3d over = body(draft, DraftBody::Kind::Platform).pose;
   over.translation().z() += 100;
-  // Wide enough to be in the way of whatever holds the nozzle, not of the arm at rest.
+  // Wide enough to be in the way of the bodies that hold the nozzle, not of the arm at rest.
   const CellDraft boxed = draft.withBox("lid", over, {500, 500, 40});
   EXPECT_THAT(faults(boxed), ::testing::Contains(HasSubstr("lid")));
 }
@@ -121,11 +121,11 @@ TEST_F(CellCheck, aLoadBeyondTheRobots) {
   EXPECT_THAT(faults(draft, 4.6), ElementsAre("payload 5.1 kg exceeds the robot's rating of 5 kg"));
   EXPECT_THAT(faults(draft.withCarriedKg(5.5)),
               ElementsAre("payload 5.5 kg exceeds the robot's rating of 5 kg"));
-  // With the nozzle on the flange the part lies on the table.
+  // With the nozzle on the flange the part is on the table.
   EXPECT_THAT(faults(robot::draftOfCell("ur5-moving"), 100.0), ElementsAre());
 }
 
-TEST_F(CellCheck, aHeadUpsideDownIsTold) {
+TEST_F(CellCheck, findsAHeadThatIsUpsideDown) {
   const robot::Cell cell = read(robot::draftOfCell("ur5-moving"));
   process::Process turned = process();
   turned.head = {{{0.0, 22.0}, {60.0, 22.0}, {60.0, 0.5}, {70.0, 0.5}}};

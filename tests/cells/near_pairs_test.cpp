@@ -1,4 +1,4 @@
-// Distances of bodies and what is near at how many poses, against closed forms.
+// Distances of bodies and pairs near one another, by share of poses, against closed forms.
 #include "cells/near_pairs.h"
 
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ TEST(NozzlePlace, EqualsCountingEveryPlace) {
   EXPECT_EQ(bestNozzlePlace({}, 10, {2, 2, 2}).frames, 0u);
 }
 
-// What faces down is not among the frames, and the same seed draws the same ones.
+// Frames that face down are excluded, and the same seed draws the same frames.
 TEST(NozzlePlace, FramesOfAnArmFaceUpAndAreDrawnAgain) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   const robot::RobotModel ur5 = robot::loadRobot("ur5");

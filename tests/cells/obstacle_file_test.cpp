@@ -36,7 +36,7 @@ protected:
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(ObstacleFiles, StandWhereTheyWereDrawn) {
+TEST_F(ObstacleFiles, KeepTheCoordinatesOfTheFile) {
   const auto block = test::box({-20, 300, 0}, {60, 340, 250});
   expectBox(read(written("post.stl", geometry::writeStl(block))), {-20, 300, 0}, {60, 340, 250});
   expectBox(
@@ -83,7 +83,7 @@ TEST_F(ObstacleFiles, AreUprightAndInMm) {
   expectBox(read(file), {0, -100, 0}, {200, 0, 300});
 }
 
-TEST_F(ObstacleFiles, WhatIsNoneIsRefused) {
+TEST_F(ObstacleFiles, FilesWithoutASolidAreRefused) {
   const auto refused = [&](const std::filesystem::path& file) {
     try {
       read(file);

@@ -1,5 +1,5 @@
-// The map against every pose tried one by one, without what the map spares, and against a reach
-// that is known in closed form.
+// The map against every pose tried one by one, without the shortcuts of the map, and against a
+// reach that is known in closed form.
 #include "cells/reach_map.h"
 #include "collision/cell_collision.h"
 
@@ -15,7 +15,7 @@ namespace {
 using base::kPi;
 using collision::Margins;
 
-// From -width / 2 to as far along x as is asked for besides.
+// From -width / 2 to width / 2 + more along x.
 std::vector<Eigen::Vector2d> rectangle(double width, double depth, double more = 0.0) {
   return {{-width / 2, -depth / 2},
           {width / 2 + more, -depth / 2},

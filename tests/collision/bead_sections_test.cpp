@@ -41,7 +41,7 @@ double rimDistance(double y, double z) {
 
 } // namespace
 
-TEST(BeadSections, ALeaningDiscComesAsNearAsItsRim) {
+TEST(BeadSections, DistanceOfALeaningDiscIsThatOfItsRim) {
   const collision::BeadSection bead = collision::beadSection(beadAlongX(), 9);
   const double radius = 0.5;
   for (const double angle : {0.05, 0.2, 0.5, 1.0})
@@ -72,7 +72,7 @@ TEST(BeadSections, AFlatDiscOverTheBeadIsAsFarAsItIsHigh) {
 }
 
 // Cells of 0.3 mm hide a disc that is 0.1 mm deep in the bead; its section does not.
-TEST(BeadSections, WhatCellsHideIsFound) {
+TEST(BeadSections, FindsContactsThatTheCellGridMisses) {
   plan::ToolPlan plan = beadAlongX();
   const collision::GrowingPart part(plan, 0.3, {});
   const collision::Revolved head({{{0, 0, -0.4}, {0, 0, -12.4}, 0.5, 5.6}});
@@ -82,7 +82,7 @@ TEST(BeadSections, WhatCellsHideIsFound) {
     pose.translation() = Vector3d(9.5, 0.0, kHeight - 0.4 - deep);
     EXPECT_EQ(part.headTouches(head, pose, 0.0, 1000), deep > 0.0) << deep;
   }
-  // What the path itself has just laid is soft.
+  // Beads that the path itself has just deposited are soft.
   pose.translation() = Vector3d(9.5, 0.0, kHeight - 0.5);
   EXPECT_FALSE(part.headTouches(head, pose, 0.0, 11));
   EXPECT_TRUE(part.headTouches(head, pose, 0.0, 16));

@@ -116,7 +116,7 @@ TEST(Polyhedron, BoxesAndPrismsAreAsFarApartAsTheirSides) {
   }
 }
 
-// The holder, 20 mm round and from 110 mm behind the tip on, lies down beside a plate.
+// The holder, 20 mm round and from 110 mm behind the tip on, is horizontal beside a plate.
 TEST(Holder, MeetsAPlateThatReachesUnderIt) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const collision::GrowingPart nothing({}, 1.0, {});
@@ -139,7 +139,7 @@ TEST(Holder, MeetsAPlateThatReachesUnderIt) {
   EXPECT_FALSE(meets(130.0, -60.0)) << "beside what is below the plate";
 }
 
-// What is printed counts from the waypoint on at which it is there.
+// Beads count from the waypoint on at which they are printed.
 TEST(Holder, MeetsThePartThatIsPrintedByThen) {
   const process::Process process = process::loadProcess("fdm-1.0");
   plan::ToolPlan plan;
@@ -259,9 +259,9 @@ TEST_F(CellCollisionTest, ClearanceAgainstSampledBodies) {
   EXPECT_GT(hit, 3);
 }
 
-// Whichever pair is looked at first, the least is the same; what comes back is looked at first next
-// time, and is a pair of those alike.
-TEST_F(CellCollisionTest, ClearanceIsTheSameWhateverIsLookedAtFirst) {
+// Whichever pair is looked at first, the least is the same; the returned pair, one of the closest,
+// is looked at first next time.
+TEST_F(CellCollisionTest, ClearanceDoesNotDependOnTheFirstPair) {
   test::RandomShapes random(21);
   int near = 0;
   for (int n = 0; n < 60; ++n) {
@@ -312,7 +312,7 @@ TEST_F(CellCollisionTest, PartAndHead) {
   EXPECT_TRUE(collision.headTouchesPart(on, part, 31, 0.7));
 }
 
-// A bead laid right through each body in turn, wherever that is in the list.
+// A bead right through each body in turn, at any place in the list.
 TEST_F(CellCollisionTest, PartAndEveryBody) {
   collision::CellCollision::Frames frames;
   cell.framePoses(cell.home(), frames);

@@ -25,7 +25,7 @@ namespace {
 constexpr double kStepMm = 12.0;
 // No point of a solid is further than this from a point of the lattice.
 const double kCoverMm = 0.5 * std::sqrt(3.0) * kStepMm;
-constexpr double kPolyhedraMm = 1.5; // what round solids grow by as polyhedra, at most
+constexpr double kPolyhedraMm = 1.5; // the most by which round solids grow as polyhedra
 constexpr double kBeadMm = 1.5;      // from a waypoint to the far corner of its bead's cells
 
 // Points no further than kCoverMm from a body's surface such that every point of its surface has
@@ -150,7 +150,7 @@ TEST_P(ClearPoses, AreCalledClearAndTheOthersFound) {
           << base::english(collision.nameOf(withPart->first)) << ", " << printed << " mm off";
       near += bodies < 60.0 || printed < 60.0;
     }
-    // A point of the lattice may lie that far outside its own solid.
+    // A lattice point may be that far outside its own solid.
     if (bodies <= -kCoverMm) {
       ++met;
       EXPECT_TRUE(contact.has_value());

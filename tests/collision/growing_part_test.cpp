@@ -48,7 +48,7 @@ plan::ToolPlan randomBeads(unsigned seed, int paths) {
     const Vector3d direction = random.point(1.0).normalized();
     std::vector<Vector3d> points{start};
     for (int i = 0; i < 5; ++i) {
-      const Vector3d step = random.point(1.5); // across the direction, as beads are laid
+      const Vector3d step = random.point(1.5); // across the direction, like the steps between beads
       points.push_back(points.back() + step - step.dot(direction) * direction);
     }
     addPath(plan, points, direction, static_cast<float>(random.number(1.0, 2.0)),
@@ -216,7 +216,7 @@ TEST(GrowingPart, TouchesAndDistanceAgainstBruteForce) {
 }
 
 // Above all that is filled in time there is nothing to meet, at the very edge of it too.
-TEST(GrowingPart, ShapesJustAboveAndJustInWhatIsFilled) {
+TEST(GrowingPart, DistinguishesShapesJustAboveAndJustInFilledCells) {
   const plan::ToolPlan plan = randomBeads(12, 20);
   const GrowingPart part(plan, 0.4, {});
   const auto cells = filledCells(part);
@@ -292,8 +292,8 @@ TEST(GrowingPart, Cancel) {
   EXPECT_THROW(GrowingPart(plan, 0.3, base::RunContext(cancel, 1)), base::Cancelled);
 }
 
-// The head over each waypoint of a solid block, when it has just been laid.
-TEST(GrowingPart, TheHeadStandsOnWhatIsLaid) {
+// The head over each waypoint of a solid block that has just been printed.
+TEST(GrowingPart, HeadOverItsOwnBeadsTouchesNothing) {
   plan::ToolPlan plan;
   std::vector<Vector3d> points;
   for (int i = 0; i < 6000; ++i) {
@@ -329,7 +329,7 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   EXPECT_FALSE(part.touches(pin, at(15, 3.2), 0.0, 0));
   EXPECT_FALSE(part.touches(pin, at(25, 0.0), 0.0, 0)) << "beyond the rod's end";
   EXPECT_NEAR(part.distance(pin, at(15, 4.0), 10.0, 0), 1.0, 0.125);
-  // On the bead: not before it is laid.
+  // On the bead: no contact before it is deposited.
   EXPECT_FALSE(part.touches(pin, at(0, 3.1), 0.0, 1));
   EXPECT_TRUE(part.touches(pin, at(0, 3.1), 0.0, 2));
   // A head whose foot is flush with the ground is no gouge; deeper than half a cell is.
@@ -338,7 +338,7 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   EXPECT_TRUE(part.headTouches(foot, at(15, 2.25), 0.0, 0));
 }
 
-// What is taken over of another plan's part and what is laid anew together are the part, cell by
+// Cells taken over from another plan's part and newly filled cells together are the part, cell by
 // cell, and most segments are found again.
 TEST(GrowingPart, GrowsOnFromAnotherPlansPart) {
   std::size_t filled = 0, kept = 0, all = 0;

@@ -1,4 +1,4 @@
-// How the cell "lathe" is laid out: all of its rod can be printed on, however thick the part is.
+// Layout of the cell "lathe": all of its rod can be printed on, for any thickness of the part.
 #include "base/units.h"
 #include "collision/cell_collision.h"
 #include "platform/platform_solid.h"
@@ -30,8 +30,8 @@ struct Rod {
     return robot::loadCell("lathe", process, rod);
   }
 
-  // The greatest clearance of ways to lay a bead at x with the nozzle turned from straight down
-  // about the rod; 0 where there is none that keeps 2 mm.
+  // The greatest clearance of the poses that deposit a bead at x with the nozzle turned from
+  // straight down about the rod; 0 where none of them keeps 2 mm.
   double clearance(double x, double turn) const {
     double best = 0.0;
     for (int k = 0; k < 24; ++k) {
@@ -77,8 +77,8 @@ TEST(LatheCell, AllOfTheRodIsPrintedOnWithTheNozzleDown) {
   }
 }
 
-// As it was laid out: the wrist is not stretched, where joints 4 and 6 would spin.
-TEST(LatheCell, WristIsBentWhereverItPrints) {
+// By the layout of the cell the wrist is not stretched, where joints 4 and 6 would spin.
+TEST(LatheCell, WristIsBentInAllPrintingPoses) {
   const Rod rod(25);
   for (const double turn : {-30.0, 0.0, 30.0})
     for (double x = -100; x <= 100; x += 10)

@@ -1,4 +1,4 @@
-// What is reported of bodies that come close and do not touch.
+// The clearance returned for bodies that come close and do not touch.
 #include "collision/growing_part.h"
 #include "collision/way_clearance.h"
 #include "plan/tool_plan.h"

@@ -113,7 +113,8 @@ TEST(ShapeDistance, AgreesWithMembership) {
         const Vector3d near = p + 0.98 * std::abs(d) * random.point(1.0).normalized();
         EXPECT_EQ(d < 0, inside(shape, near)) << n;
       }
-      // The nearest boundary point lies |d| down the gradient (outside, where it is smooth).
+      // The nearest boundary point is |d| down the gradient (outside, where the distance is
+      // smooth).
       if (d > 0.0) {
         Vector3d g;
         for (int a = 0; a < 3; ++a) {
@@ -163,7 +164,7 @@ TEST(ShapeDistance, CapsulesAgainstSolids) {
                                   other, capsule.p0 + i / 2000.0 * (capsule.p1 - capsule.p0)));
     least -= capsule.radius;
     const double found = collision::capsuleDistance(capsule, placed, infinity);
-    // Two capsules that cross: both say so; how deep is only bounded.
+    // Two capsules that cross: both results are negative; the depth is only bounded.
     if (least > 0.0)
       EXPECT_NEAR(found, least, 0.01) << n;
     else
@@ -175,8 +176,8 @@ TEST(ShapeDistance, CapsulesAgainstSolids) {
   }
 }
 
-// No point of a solid lies further along a direction, and one lies as far: by many points of it,
-// and of what is bounded by corners or rims by those.
+// No point of a solid is further along a direction, and one is as far: by many points of it, and
+// for solids bounded by corners or rims by those.
 TEST(ShapeDistance, SupportIsTheFurthestPoint) {
   test::RandomShapes random(4);
   for (int n = 0; n < 200; ++n) {
@@ -233,7 +234,7 @@ TEST(ShapeDistance, ABallIsNoLargerThanItsShape) {
 }
 
 // All places on both, where they are parallel, in one line, or without length too.
-TEST(ShapeDistance, SegmentsThatLieInAnyWay) {
+TEST(ShapeDistance, SegmentsInAnyPosition) {
   test::RandomShapes random(5);
   const auto grid = [&] {
     return Vector3d(std::round(random.number(-2, 2)), std::round(random.number(-2, 2)),

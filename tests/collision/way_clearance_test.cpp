@@ -38,7 +38,7 @@ plan::ToolPlan tower() {
 constexpr double kCap = 200.0;
 constexpr int kSamples = 300;
 
-// A cell with the tower on its plate, and what is nearest to what in it.
+// A cell with the tower on its plate, and the closest pairs in it.
 struct Scene {
   explicit Scene(const char* id)
       : process(process::loadProcess("fdm-1.0")),
@@ -91,12 +91,12 @@ protected:
     const double ends = std::min(scene_.clearanceAt(from), scene_.clearanceAt(to));
     const double least = scene_.leastSampled(from, to);
     if (least <= 0.5)
-      return; // met: there is no clearance to be told
+      return; // contact: there is no clearance to compare
     ++told_;
     between_ += least < ends - 0.1;
     const double reported = scene_.ways.along(from, to, scene_.before, ends);
     EXPECT_LE(reported, least + 1e-6) << GetParam() << " " << told_;
-    // Samples are no closer to the truth than what moves between them.
+    // Samples are no closer to the truth than the distance moved between them.
     EXPECT_GE(reported, least - collision::kWayExactMm - 0.5 * reach) << GetParam() << " " << told_;
   }
 
@@ -108,7 +108,7 @@ protected:
 
 } // namespace
 
-// What is reported is kept all along the way, and by no more than it says too little.
+// The returned clearance holds all along the way, and underestimates by no more than its tolerance.
 TEST_P(WayClearances, NothingComesCloserOnTheWay) {
   for (int n = 0; n < 60; ++n) {
     const double reach = n % 3 == 0 ? 0.3 : n % 3 == 1 ? 1.5 : 3.0; // rad
@@ -128,7 +128,7 @@ TEST_P(WayClearances, NothingComesCloserWhereSomethingIsPassed) {
     const JointVector growth = scene_.growthAt(middle);
     JointVector step = random(reach);
     if (growth.norm() < 1.0)
-      continue; // what is nearest does not move
+      continue; // the closest pair does not move
     step -= growth.dot(step) / growth.squaredNorm() * growth;
     const JointVector from = middle - step, to = middle + step;
     if (std::min(scene_.clearanceAt(from), scene_.clearanceAt(to)) >

@@ -1,6 +1,6 @@
-// contour_report: levels of fields in closed form, cut by marching cubes with cleaning (what
-// extractLevels and cleanSurface do) and by dual contouring (Ju et al. 2002, as Dai 2020, 3.4.5,
-// uses it), on the same LevelField: triangles, their angles, distance to the true level, time.
+// contour_report: levels of fields in closed form, cut by marching cubes with cleaning (as
+// extractLevels and cleanSurface) and by dual contouring (Ju et al. 2002, as Dai 2020, 3.4.5, uses
+// it), on the same LevelField: triangles, their angles, distance to the true level, time.
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "curved/cell_contour.h"

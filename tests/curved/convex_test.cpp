@@ -75,7 +75,7 @@ TEST(ConvexHull, FlatOrTooFewPointsHaveNone) {
   EXPECT_THROW(convexHull({{0.5, 0, 0}}), base::Error);
 }
 
-TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
+TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsAreRemoved) {
   const voxel::SolidVoxels part = test::blobPart(5);
   const VoxelGraph graph = graphOf(part);
   ConvexFront front(graph), bare(graph, ConvexFront::Columns::None);
@@ -153,7 +153,7 @@ TEST(ConvexFront, KeptFacetsAnswerLikeThoseFromScratch) {
         ASSERT_EQ(front.deeperThan(v, depth, hint), fresh.deeperThan(v, depth, freshHint))
             << v << " round " << round;
 
-    // What new facets show stays on the front until it goes.
+    // Points seen by new facets stay on the front until they are removed.
     front.onNewFacets(near);
     onFront.insert(near.begin(), near.end());
     fresh.nearSurface(0.0, near);
@@ -173,7 +173,7 @@ TEST(ConvexFront, KeptFacetsAnswerLikeThoseFromScratch) {
       EXPECT_TRUE(front.present(static_cast<std::size_t>(v)));
       EXPECT_FALSE(front.deeperThan(static_cast<std::size_t>(v), 1.0 + 1e-9, hint));
     }
-    // Some come back, as what is put back does: inside the front that is asked next.
+    // Some return, like restored voxels: inside the front of the next query.
     if (round % 3 == 2) {
       front.rebuild();
       for (const std::int32_t v : near)
@@ -249,8 +249,8 @@ TEST(Flood, LeavesNoPits) {
   for (float& f : field)
     f = static_cast<float>(random() % 1000) / 50.0f;
   const std::vector<float> raised = withoutPits(graph, field, 0.15f, kQuiet);
-  // Every voxel from a neighbour to another, by faces where they reach it: a plain search for what
-  // no other way undercuts.
+  // Every voxel from a neighbour to another, by faces where they reach it: a plain search for the
+  // shortest distances.
   std::vector<float> least(graph.size(), std::numeric_limits<float>::infinity());
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (graph.onPlatform[v])
@@ -290,7 +290,7 @@ TEST(Flood, GeodesicDistanceOfABoxIsItsHeight) {
     EXPECT_NEAR(distance[v], static_cast<float>(graph.cell[v][2] - 1) + 0.5f, 1e-5f);
 }
 
-TEST(Flood, DistanceAlongRanksComesByWaysThatNeverFall) {
+TEST(Flood, DistanceAlongRanksFollowsNonDecreasingWays) {
   const VoxelGraph graph = graphOf(test::archPart());
   // With sheets of a whole cell this arch is opened beside its crown.
   PeelOptions options;
@@ -311,7 +311,7 @@ TEST(Flood, DistanceAlongRanksComesByWaysThatNeverFall) {
   EXPECT_TRUE(differ);
 }
 
-TEST(ChamferDistance, IsThatOfFloodOverWhatIsLeft) {
+TEST(ChamferDistance, EqualsFloodOverTheRemainingVoxels) {
   const VoxelGraph graph = graphOf(test::blobPart(5));
   std::vector<float> value(graph.size(), -7.0f);
   std::vector<std::uint8_t> present(graph.size(), 0);
@@ -328,7 +328,7 @@ TEST(ChamferDistance, IsThatOfFloodOverWhatIsLeft) {
     EXPECT_EQ(value[v], present[v] ? whole.value[v] : -7.0f) << v;
 }
 
-TEST(SupportOrder, WhatIsReroutedStandsAndNothingElseIs) {
+TEST(SupportOrder, RerouteKeepsSupportAndChangesNothingElse) {
   const VoxelGraph graph = graphOf(test::blobPart(5));
   std::mt19937 random(9);
   std::vector<std::uint8_t> present(graph.size(), 0);
@@ -384,7 +384,7 @@ TEST(VoxelsByLevel, AreInOrderAndWithoutThoseOfNone) {
   EXPECT_EQ(VoxelsByLevel({-1}).levels(), 0u);
 }
 
-TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
+TEST(CutVoxels, LossIsTheVolumeConnectedOnlyThroughAVoxel) {
   const VoxelGraph graph = graphOf(test::voxelPart(9, 3, 9, [](int i, int j, int k) {
     // A post, a bridge one voxel thick to a ball.
     return (i < 2 && k < 6) || (j == 1 && k == 4 && i < 6) || (i >= 6 && k >= 3 && k <= 5);
@@ -404,7 +404,7 @@ TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
   }
 }
 
-TEST(GridSolver, SolvesWhatItSays) {
+TEST(GridSolver, SolvesTheStatedEquations) {
   const VoxelGraph graph = graphOf(test::blobPart(3));
   std::mt19937 random(4);
   std::vector<float> screen(graph.size()), truth(graph.size()), b(graph.size());
@@ -426,7 +426,7 @@ TEST(GridSolver, SolvesWhatItSays) {
     EXPECT_NEAR(x[v], truth[v], 2e-3f);
 }
 
-TEST(Platform, FitsWhatStandsOnThePlate) {
+TEST(Platform, FitFollowsTheFootprintOfThePart) {
   const voxel::SolidVoxels part = test::mushroomPart();
   const std::vector<Eigen::Vector2d> fit = platformFit(part, 0.0);
   double area = 0.0;

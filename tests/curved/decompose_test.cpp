@@ -136,7 +136,7 @@ TEST(RankChecker, SeesFaults) {
   EXPECT_GT(test::checkField(floating, 0.8, 0.4, 1.0).islands, 0u);
 }
 
-TEST(Decompose, PiecesWithoutContactAreTold) {
+TEST(Decompose, FindsPiecesWithoutContact) {
   const voxel::SolidVoxels part =
       test::voxelPart(12, 6, 10, [](int i, int, int k) { return i < 5 || (i >= 8 && k >= 4); });
   for (const char* growth : {"auto", "greedy"}) {
@@ -152,7 +152,7 @@ TEST(Decompose, PiecesWithoutContactAreTold) {
   }
 }
 
-TEST(Decompose, AHookThatHangsDownBesideItsStemIsShadowed) {
+TEST(Decompose, HookTipBelowItsArmIsShadowed) {
   // Post, arm, and a hanging tip that reaches lower than the arm, between two posts: inside the
   // hull of all that must come before it.
   const voxel::SolidVoxels part = test::voxelPart(31, 7, 24, [](int i, int, int k) {
@@ -186,7 +186,7 @@ TEST(Decompose, SameForAnyNumberOfThreads) {
                 (std::isnan(one.field[c]) && std::isnan(two.field[c])));
 }
 
-TEST(Decompose, StopsWhereverItIsCancelled) {
+TEST(Decompose, StopsWhenCancelledAtAnyTime) {
   const voxel::SolidVoxels part = test::mushroomPart();
   for (const double at : {0.0, 0.1, 0.3, 0.6, 0.9}) {
     const base::CancelToken token;
@@ -209,7 +209,7 @@ TEST(Decompose, ProgressNeverFallsBack) {
   EXPECT_NEAR(last, 1.0, 1e-9);
 }
 
-TEST(Decompose, RefusesWhatCannotBe) {
+TEST(Decompose, RefusesUnknownGrowthAndUnreachablePlatform) {
   const voxel::SolidVoxels part = test::boxPart(4, 4, 4);
   try {
     grown(part, "gredy");

@@ -180,7 +180,7 @@ TEST(CurvedLayers, ThicknessFollowsTheField) {
   EXPECT_NEAR(result.volumeMm3 / geometry::volume(part), 1.0, 0.01);
 }
 
-TEST(CurvedLayers, FirstLayerLiesHalfItsThicknessAboveThePlate) {
+TEST(CurvedLayers, FirstLayerIsHalfItsThicknessAboveThePlate) {
   const auto part = test::box({-10, -8, 0}, {10, 8, 12.2});
   const auto d = test::decompositionOf(part, 0.8, [](const Vector3d& p) { return 1.1 * p.z(); });
   const auto result = curved::curvedLayers(d, part, {}, {});
@@ -216,8 +216,8 @@ TEST(CurvedLayers, StopsWhenCancelled) {
   EXPECT_THROW(curved::curvedLayers(d, part, {}, ctx), base::Cancelled);
 }
 
-TEST(CurvedLayers, TellsWhatBeginsInTheAir) {
-  // A block that hangs beside a column, with a field that starts in its middle.
+TEST(CurvedLayers, FindsPatchesThatBeginInTheAir) {
+  // An overhanging block beside a column, with a field that starts in its middle.
   const auto part =
       together(test::box({-10, -5, 0}, {0, 5, 20}), test::box({5, -5, 8}, {15, 5, 20}));
   const auto d = test::decompositionOf(part, 0.8, heightOf);

@@ -1,5 +1,5 @@
 // field_report [--voxels N | --pitch MM] [--growth G] [--rounds N] [--threads N] [--vti FILE]
-// STL... Prints what growth and field do on real parts, judged by the tests' own checkers.
+// STL... Prints figures of growth and field on real parts, judged by the tests' own checkers.
 #include "base/stopwatch.h"
 #include "curved/decompose.h"
 #include "curved/platform_polygon.h"
@@ -34,7 +34,7 @@ double overhang(const geometry::TriangleMesh& mesh, double plateMm, Direction&& 
     const double area = geometry::triangleArea(mesh, t);
     all += area;
     const Eigen::Vector3d n = geometry::triangleNormal(mesh, t);
-    // What lies on the plate, to a voxel, leans on it.
+    // Surfaces on the plate, to within a voxel, are supported by it.
     if (centre.z() < plateMm && n.z() < 0.0)
       continue;
     if (n.dot(direction(centre)) < -std::sin(std::acos(-1.0) / 3.0))

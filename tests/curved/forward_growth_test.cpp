@@ -180,7 +180,7 @@ TEST(ForwardGrowth, ATSpreadsFromItsStem) {
   }
 }
 
-TEST(ForwardGrowth, AHookHangsFreeOnlyBesideThePlatform) {
+TEST(ForwardGrowth, HookTipPrintsOnlyWithoutPlatformBelowIt) {
   const voxel::SolidVoxels hook = test::voxelPart(11, 1, 7, [](int i, int, int k) {
     return i == 0 || (i <= 4 && k == 6) || (i == 4 && k >= 1);
   });
@@ -235,7 +235,7 @@ TEST(ForwardGrowth, ThresholdLetsALayerShadowThatMany) {
   };
   EXPECT_EQ(lost(0), 0u); // fewer than the whole layer would: two, then one
   EXPECT_EQ(lost(1), 0u);
-  EXPECT_EQ(lost(2), 1u); // the layer that shadows only the arm's last voxel goes through
+  EXPECT_EQ(lost(2), 1u); // the layer that shadows only the arm's last voxel is accepted
   EXPECT_EQ(lost(3), 2u); // as greedy
 }
 
@@ -244,7 +244,7 @@ TEST(ForwardGrowth, BoundaryMayCountAsInside) {
   ForwardOptions options;
   options.boundary = Boundary::Inside;
   const ForwardGrowth greedy = forwardGrowth(graph, ForwardScheme::Greedy, options, kQuiet);
-  EXPECT_EQ(missed(greedy), 3u); // the first of them lies on the front's flat top
+  EXPECT_EQ(missed(greedy), 3u); // the first of them is on the front's flat top
   for (const ForwardScheme scheme : {ForwardScheme::Incremental, ForwardScheme::Adaptive}) {
     const ForwardGrowth g = forwardGrowth(graph, scheme, options, kQuiet);
     EXPECT_EQ(missed(g), 0u);
@@ -263,7 +263,7 @@ TEST(ForwardGrowth, GreedyIsAlgorithm1) {
   EXPECT_EQ(forwardGrowth(arch, ForwardScheme::Greedy, {}, kQuiet).rank, plainGreedy(arch));
 }
 
-TEST(ForwardGrowth, EverySchemeIsWhatItSays) {
+TEST(ForwardGrowth, EverySchemeKeepsItsInvariants) {
   std::vector<std::pair<voxel::SolidVoxels, double>> parts;
   parts.emplace_back(
       test::voxelPart(14, 4, 9, [](int i, int, int k) { return k >= 6 || i < 3 || i >= 11; }), 2.0);
@@ -406,7 +406,7 @@ TEST(ForwardGrowth, ParametersBecomeOptions) {
       base::Error);
 }
 
-TEST(PeelingField, ABoxComesOffFromTheTop) {
+TEST(PeelingField, BoxIsPeeledFromTheTop) {
   for (const double margin : {0.0, 20.0}) {
     const VoxelGraph graph = graphOf(test::boxPart(8, 6, 7), margin);
     const std::vector<std::int32_t> field = peelingField(graph, kQuiet);
@@ -415,7 +415,7 @@ TEST(PeelingField, ABoxComesOffFromTheTop) {
   }
 }
 
-TEST(PeelingField, AnOctahedronComesOffInShells) {
+TEST(PeelingField, OctahedronIsPeeledInShells) {
   // |x| + |y| + |z| <= 9 above a platform of one cell: its faces are planes of the lattice, so each
   // sheet above the middle is one shell.
   const VoxelGraph graph = graphOf(test::voxelPart(19, 19, 19, [](int i, int j, int k) {
@@ -430,7 +430,7 @@ TEST(PeelingField, AnOctahedronComesOffInShells) {
   }
 }
 
-TEST(PeelingField, EachSheetIsWhatLiesOnTheHullOfTheRest) {
+TEST(PeelingField, EachSheetIsTheHullBoundaryOfTheRest) {
   const VoxelGraph graph = graphOf(test::blobPart(4), 2.0);
   const std::vector<std::int32_t> field = peelingField(graph, kQuiet);
   const std::int32_t last = *std::max_element(field.begin(), field.end());

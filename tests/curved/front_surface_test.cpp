@@ -1,4 +1,4 @@
-// The drawn front against the definition: a closed convex surface about all that is laid.
+// The drawn front against the definition: a closed convex surface about all printed voxels.
 #include "curved/front_surface.h"
 
 #include "base/error.h"
@@ -60,7 +60,8 @@ void expectFront(const Decomposition& d, std::int32_t rank) {
     EXPECT_EQ(count, 1);
     EXPECT_EQ(sides.count({side.second, side.first}), 1u);
   }
-  // Nothing laid is outside; every corner is a centre that is laid or a corner of the platform.
+  // No printed voxel is outside; every corner is the centre of a printed voxel or a corner of the
+  // platform.
   std::set<std::array<long, 3>> centres;
   for (std::size_t c = 0; c < d.rank.size(); ++c)
     if (d.rank[c] > 0 && d.rank[c] <= rank) {
@@ -85,7 +86,7 @@ void expectFront(const Decomposition& d, std::int32_t rank) {
   }
 }
 
-TEST(FrontSurface, HoldsAllThatIsLaidAndNothingMore) {
+TEST(FrontSurface, EnclosesExactlyThePrintedVoxels) {
   for (const auto& part :
        {test::mushroomPart(), test::archPart(), test::conePart(), test::boxPart(4, 3, 5, 0.7)}) {
     const Decomposition d = rankedBy(part, 3);

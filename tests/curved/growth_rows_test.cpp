@@ -1,4 +1,4 @@
-// What holds of every scheme of growth.
+// Properties of every growth scheme.
 #include "curved/growth_rows.h"
 
 #include "base/error.h"
@@ -34,7 +34,7 @@ TEST(GrowthRows, HaveNamesAndTexts) {
   EXPECT_EQ(growthSchemes().size(), growthRows().size());
 }
 
-// Both constraints hold for all that is laid, on parts that a flat front meets at once, reaches
+// Both constraints hold for all printed voxels, on parts that a flat front meets at once, reaches
 // under, and closes.
 TEST(GrowthRows, RanksKeepBothConstraints) {
   for (const voxel::SolidVoxels& part :

@@ -1,6 +1,6 @@
 // layer_report [--pitch MM | --voxels N] [--threads N] [--scale F] [--keep DIR] [--vtp FILE] STL...
-// Layers of real parts and what an outside view finds of them: volume, boundaries, support,
-// triangles, coverage by sampling. --keep: decompositions are kept in DIR and read from there.
+// Layers of real parts and figures measured from outside: volume, boundaries, support, triangles,
+// coverage by sampling. --keep: decompositions are kept in DIR and read from there.
 #include "base/stopwatch.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"

@@ -38,7 +38,7 @@ bool insideCone(const Eigen::Vector3d& p, const Eigen::Vector3d& tip, const Eige
   return z > 1e-6 && (p - tip - z * d).norm() < coneRadius(z) - 1e-6;
 }
 
-TEST(NozzleReach, AgreesWithEveryVoxelAskedAlone) {
+TEST(NozzleReach, AgreesWithAQueryPerVoxel) {
   const voxel::SolidVoxels part = test::blobPart(5);
   const VoxelGraph graph =
       voxelGraph(part.grid, part.solid, part.plateLayer(), platformFit(part, 0.0));

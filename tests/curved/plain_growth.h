@@ -22,7 +22,7 @@ inline bool insideHull(const std::vector<curved::HullFacet>& hull, const curved:
 }
 
 // The algorithms as forward_growth.h states them, with a hull from scratch for every voxel tried
-// and every unlaid voxel asked.
+// and every query of an unprinted voxel.
 class PlainGrowth {
 public:
   PlainGrowth(const curved::VoxelGraph& graph, curved::ForwardScheme scheme,

@@ -20,7 +20,7 @@ RankVerdict checkRanks(const curved::Decomposition& decomposition,
                        const std::vector<std::uint8_t>& solid);
 
 struct FieldVerdict {
-  double within = 0.0; // share of the voxels whose thickness lies within the limits
+  double within = 0.0; // share of the voxels whose thickness is within the limits
   double mean = 0.0, deviation = 0.0, p01 = 0.0, p99 = 0.0; // thickness, mm
   double inaccessible = 0.0; // share deeper than half a cell inside the hull of earlier levels
   double deepest = 0.0;      // cells

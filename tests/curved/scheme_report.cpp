@@ -1,6 +1,6 @@
-// scheme_report [--voxels N] [--scheme S] [--isp N] [--queue flooding|insertion]
-// [--boundary outside|inside] [--sacrifice layer|least] [--step N] [--no-check] STL...
-// Prints what the sources' growth schemes do on real parts, judged by the tests' own checker.
+// scheme_report [--voxels N] [--scheme S] [--isp N] [--queue flooding|insertion] [--boundary
+// outside|inside] [--sacrifice layer|least] [--step N] [--no-check] STL... Prints figures of the
+// sources' growth schemes on real parts, judged by the tests' own checker.
 #include "base/stopwatch.h"
 #include "curved/forward_growth.h"
 #include "curved/peeling_field.h"

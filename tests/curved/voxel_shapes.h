@@ -1,4 +1,5 @@
-// Parts given cell by cell. Pitch 1 mm unless told, plate at z = 0, one empty cell all round.
+// Parts defined cell by cell. The pitch is 1 mm by default, the plate at z = 0, with one empty cell
+// all round.
 #pragma once
 
 #include "voxel/solid_voxels.h"

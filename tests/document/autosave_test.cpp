@@ -80,7 +80,7 @@ TEST_F(AutosaveTest, ClosingInGoodOrderLeavesNothing) {
   EXPECT_TRUE(files().isEmpty());
 }
 
-TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
+TEST_F(AutosaveTest, UnwritableFolderEmitsFailedOnce) {
   QFile file(folder_.filePath("plain"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   AutosaveOptions options;
@@ -96,7 +96,7 @@ TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsToldOnce) {
   EXPECT_TRUE(failed[0][0].toString().contains("cannot be written"));
 }
 
-TEST_F(AutosaveTest, ARecoveredProjectIsUnsavedAndItsCopyGoesWhenThereIsANewerOne) {
+TEST_F(AutosaveTest, RecoveredProjectIsUnsavedAndItsOldCopyIsRemoved) {
   document_.openPart(test::boxPart(), {}, true);
   test::setSeed(document_, 77);
   const QString orphan = folder_.filePath("orphan.voluta");

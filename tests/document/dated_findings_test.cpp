@@ -35,7 +35,7 @@ TEST_F(DatedFindingsTest, NothingIsCheckedBeforeItIsPlanned) {
             (std::vector{Stage::Toolpath, Stage::Motion, Stage::Replay}));
 }
 
-TEST_F(DatedFindingsTest, WhatWasFoundBeforeAChangeStaysAndIsOutOfDate) {
+TEST_F(DatedFindingsTest, FindingsStayAndAreOutOfDateAfterAChange) {
   plan(Stage::Replay);
   EXPECT_TRUE(uncheckedStages(document_).empty());
   const std::vector<DatedFinding> found = datedFindings(document_);
@@ -53,8 +53,8 @@ TEST_F(DatedFindingsTest, WhatWasFoundBeforeAChangeStaysAndIsOutOfDate) {
   EXPECT_FALSE(datedFindings(document_).back().outOfDate);
 }
 
-// Layers planned anew say what holds now; the programs are still those from before.
-TEST_F(DatedFindingsTest, EachStageTellsItsOwn) {
+// Newly planned layers have current findings; the programs are still those from before.
+TEST_F(DatedFindingsTest, OnlyFindingsOfReplannedStagesAreCurrent) {
   plan(Stage::Replay);
   const std::size_t before = datedFindings(document_).size();
   document_.setParameter("voxelMm", "0.7");

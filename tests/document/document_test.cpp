@@ -243,7 +243,7 @@ TEST(Document, UnsavedWorkIsMoreThanAnOpenedPart) {
   EXPECT_TRUE(document.hasUnsavedWork());
 }
 
-TEST(Document, SettingsForAPartToComeAreKeptAndNotAskedAbout) {
+TEST(Document, SettingsMadeBeforeAPartAreKeptAndNotUnsavedWork) {
   Document document;
   document.setParameter("walls", "5");
   EXPECT_TRUE(document.dirty());

@@ -68,7 +68,7 @@ TEST_F(ExportingTest, LeavesTheProgramsAndAReportOfThemAndNothingElse) {
   EXPECT_FALSE(report.contains("\"gcode-extended\"")) << "it is not beside it";
 }
 
-TEST_F(ExportingTest, WhatItWouldReplaceIsNamed) {
+TEST_F(ExportingTest, NamesTheFilesItWouldReplace) {
   const pipeline::Programs csv = programs({"csv"});
   EXPECT_TRUE(Exporting::inTheWay(folder_.path(), *plan_, csv).isEmpty());
   write(csv, folder_.path());
@@ -86,7 +86,7 @@ TEST_F(ExportingTest, WhatItWouldReplaceIsNamed) {
             shared << "report.json");
 }
 
-TEST_F(ExportingTest, AFolderThatCannotBeMadeIsTold) {
+TEST_F(ExportingTest, FailureToCreateAFolderIsSignalled) {
   QFile file(folder_.filePath("file"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   QSignalSpy failed(&exporting_, &Exporting::failed);

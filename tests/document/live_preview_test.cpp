@@ -38,7 +38,7 @@ protected:
   LivePreview live_{document_, planning_};
 };
 
-TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate) {
+TEST_F(LivePreviewTest, EditOfGrowthUpdatesVoxelsAndOutdatesLaterStages) {
   planBox();
   EXPECT_FALSE(document_.voxelsAhead());
   const auto before = document_.result(Stage::Decompose)->job.item().decomposition();
@@ -64,7 +64,7 @@ TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate
   EXPECT_NE(document_.lastResult(), document_.presentResult());
 }
 
-TEST_F(LivePreviewTest, APlanGoesOnFromThePreview) {
+TEST_F(LivePreviewTest, PlanReusesThePreview) {
   planBox();
   QSignalSpy finished(&live_, &LivePreview::finished);
   setPlatform("disc:30");
@@ -85,7 +85,7 @@ TEST_F(LivePreviewTest, EditsThatChangeNoVoxelStartNothing) {
 
 TEST_F(LivePreviewTest, LayersThatAreOnlyOutOfDateAreNotOvertaken) {
   planBox(Stage::Toolpath);
-  document_.setParameter("beadWidthMm", "1.3"); // of the layers and what follows
+  document_.setParameter("beadWidthMm", "1.3"); // a parameter of the layers and later stages
   EXPECT_TRUE(document_.upToDate(Stage::Decompose));
   EXPECT_EQ(document_.state(Stage::Layers), StageState::OutOfDate);
   EXPECT_FALSE(document_.voxelsAhead());
@@ -148,7 +148,7 @@ TEST_F(LivePreviewTest, APlanTakesOver) {
   EXPECT_EQ(document_.state(Stage::Layers), StageState::Done);
 }
 
-TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
+TEST_F(LivePreviewTest, CancelRestoresTheLastResult) {
   planBox();
   const auto before = document_.result(Stage::Decompose);
   setPlatform("disc:30");
@@ -162,7 +162,7 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
   EXPECT_EQ(document_.result(Stage::Decompose), before);
 }
 
-TEST_F(LivePreviewTest, WhatCannotBeDecomposedIsToldAndGoneWithTheNextEdit) {
+TEST_F(LivePreviewTest, DecomposeErrorIsShownUntilTheNextEdit) {
   planBox();
   QSignalSpy failed(&live_, &LivePreview::failed);
   geometry::Placement lifted = document_.choices().item().placement;

@@ -27,7 +27,7 @@ protected:
     ASSERT_TRUE(finished.wait(120000));
   }
   StageState state(Stage stage) { return document_.state(stage); }
-  // A box of 9 mm as text, without its lid but for the given triangles.
+  // A box of 9 mm as text, without its lid except for the given triangles.
   static QString writeBox(const QTemporaryDir& folder, const QByteArrayList& lid) {
     QFile file(folder.filePath("box.off"));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
@@ -44,7 +44,7 @@ protected:
   Planning planning_{document_};
 };
 
-TEST_F(PlanningTest, StagesComeInOneByOne) {
+TEST_F(PlanningTest, StagesFinishOneByOne) {
   open();
   std::vector<Stage> seen;
   QObject::connect(&planning_, &Planning::stageDone, &document_,
@@ -58,7 +58,7 @@ TEST_F(PlanningTest, StagesComeInOneByOne) {
   EXPECT_TRUE(document_.result(Stage::Layers)->job.item().layers);
 }
 
-TEST_F(PlanningTest, OnlyWhatAChangeTouchesIsOutOfDate) {
+TEST_F(PlanningTest, ChangeOutdatesOnlyTheStagesThatUseIt) {
   open();
   plan(Stage::Toolpath);
   document_.setParameter("walls", "3");
@@ -72,7 +72,7 @@ TEST_F(PlanningTest, OnlyWhatAChangeTouchesIsOutOfDate) {
   EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
 }
 
-TEST_F(PlanningTest, OnlyWhatChangedIsComputedAgain) {
+TEST_F(PlanningTest, PlanRecomputesOnlyOutOfDateStages) {
   open();
   plan(Stage::Toolpath);
   const auto layers = document_.result(Stage::Layers)->job.item().layers;
@@ -136,7 +136,7 @@ TEST_F(PlanningTest, APlanAfterASaveIsUnsavedWork) {
   document_.saved("/tmp/a.voluta", document_.revision(), document_.snapshot());
   EXPECT_FALSE(document_.dirty());
   EXPECT_FALSE(document_.hasUnsavedWork());
-  // What is made from settings that were taken back again is in the file.
+  // Results made from settings that were undone are in the file.
   document_.setParameter("walls", "3");
   document_.undoStack()->undo();
   EXPECT_FALSE(document_.dirty());
@@ -161,7 +161,7 @@ TEST_F(PlanningTest, ACancelFreesTheWindowAndLeavesTheLastResult) {
   EXPECT_EQ(state(Stage::Decompose), StageState::Done);
 }
 
-TEST_F(PlanningTest, ACancelHalfWayBringsBackWhatWasOnShow) {
+TEST_F(PlanningTest, CancelDuringAPlanRestoresTheShownResults) {
   open();
   plan(Stage::Toolpath);
   const auto voxels = document_.result(Stage::Decompose), paths = document_.result(Stage::Toolpath);
@@ -181,7 +181,7 @@ TEST_F(PlanningTest, ACancelHalfWayBringsBackWhatWasOnShow) {
   EXPECT_FALSE(document_.voxelsAhead());
 }
 
-TEST_F(PlanningTest, ACancelKeepsWhatTheFirstRunHasBrought) {
+TEST_F(PlanningTest, CancelKeepsTheStagesFinishedInTheFirstRun) {
   open();
   QObject::connect(&planning_, &Planning::stageDone, &document_, [&](Stage stage) {
     if (stage == Stage::Layers)
@@ -236,7 +236,7 @@ TEST_F(PlanningTest, AChangeWhileRunningMakesTheResultOutOfDateWhereNot) {
   EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
 }
 
-TEST_F(PlanningTest, AnErrorNamesItsStageAndIsGoneOnceTheChoicesChange) {
+TEST_F(PlanningTest, ErrorNamesItsStageUntilTheChoicesChange) {
   open();
   project::Choices choices = document_.choices();
   choices.cell = "ur5-fixd";
@@ -319,7 +319,7 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   EXPECT_FALSE(told.blocking);
 }
 
-TEST(ProgressOfWay, TellsHowLongItTakesForTheLastWayOnly) {
+TEST(ProgressOfWay, ShowsRemainingTimeForTheLastWayOnly) {
   jobs::Progress progress;
   progress.stage = "Layers"_text;
   progress.fraction = 0.25;
@@ -333,7 +333,7 @@ TEST(ProgressOfWay, TellsHowLongItTakesForTheLastWayOnly) {
   }
 }
 
-TEST_F(PlanningTest, AFileThatIsNoMeshIsToldInOneLine) {
+TEST_F(PlanningTest, FileWithoutAMeshGivesAnErrorOfOneLine) {
   const QTemporaryDir folder;
   QFile file(folder.filePath("letter.stl"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));

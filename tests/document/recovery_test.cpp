@@ -39,7 +39,7 @@ EditLog readLog(const QString& file) {
   return log;
 }
 
-// Edits for `runMs`, dies, and tells how old the copy is that it leaves; -1: it leaves none.
+// Edits for `runMs`, dies, and returns the age of the copy that it leaves; -1: it leaves none.
 qint64 ageOfCopyAfterKill(int runMs, int pauseMs, int latestMs) {
   const QTemporaryDir state;
   const QString folder = state.filePath(QStringLiteral("recovery")),
@@ -72,7 +72,7 @@ qint64 ageOfCopyAfterKill(int runMs, int pauseMs, int latestMs) {
   return age;
 }
 
-TEST(Recovery, AKillAtAnyMomentLeavesAWholeProjectThatIsHardlyOld) {
+TEST(Recovery, KillAtAnyTimeLeavesACompleteRecentProject) {
   constexpr int kLatestMs = 150, kSlackMs = 1500; // writing, on a busy machine
   std::mt19937 random(20);
   int copies = 0;
@@ -105,7 +105,7 @@ TEST(Recovery, TheFolderCanBeChosen) {
   qputenv("VOLUTA_STATE_DIR", before);
 }
 
-TEST(Recovery, WhatADeadProgramLeftHalfWrittenIsSwept) {
+TEST(Recovery, PartialFilesOfADeadProcessAreRemoved) {
   const QTemporaryDir folder;
   for (const char* name : {"one.json", ".one.voluta.Ab12Cd", ".two.json.Ab12Cd"}) {
     QFile file(folder.filePath(name));

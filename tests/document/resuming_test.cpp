@@ -72,7 +72,7 @@ TEST_F(ResumingTest, CancelledTheDocumentIsAsItWas) {
   EXPECT_FALSE(document_.name().endsWith("-rest"));
 }
 
-TEST_F(ResumingTest, PlanWritesItsProgramsAnewAndUndoBringsItBack) {
+TEST_F(ResumingTest, PlanWritesProgramsAgainAndUndoRestoresIt) {
   resume();
   const auto motion = document_.result(Stage::Motion)->job.trajectory;
   const std::size_t at = document_.result(Stage::Motion)->job.resumedAt;

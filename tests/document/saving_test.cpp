@@ -42,7 +42,7 @@ protected:
   Saving saving_{document_};
 };
 
-TEST_F(SavingTest, AProjectComesBackWithItsResults) {
+TEST_F(SavingTest, ProjectIsReadBackWithItsResults) {
   document_.setParameter("walls", "3");
   plan(Stage::Toolpath);
   const QString file = saveAs(folder_.filePath("first"));
@@ -64,7 +64,7 @@ TEST_F(SavingTest, AProjectComesBackWithItsResults) {
             document_.result(Stage::Toolpath)->job.toolPlan->position);
   EXPECT_EQ(again.undoStack()->count(), 0);
 
-  // What the file holds is not computed again.
+  // Results in the file are not computed again.
   const auto layers = again.result(Stage::Layers)->job.item().layers;
   QSignalSpy finished(&planning, &Planning::finished);
   planning.plan(Stage::Toolpath);
@@ -87,7 +87,7 @@ TEST_F(SavingTest, AReopenedProjectHasNoProgramsToHandOver) {
   EXPECT_EQ(again.state(Stage::Motion), document_.state(Stage::Motion));
 }
 
-TEST_F(SavingTest, ARecoveredProjectIsToldByTheNameThatItsUserKnows) {
+TEST_F(SavingTest, RecoveredProjectOpensUnderItsOriginalName) {
   const QString copy = saveAs(folder_.filePath("0a1b2c3d.voluta"));
   Document again;
   Planning planning(again);
@@ -159,7 +159,7 @@ TEST_F(SavingTest, SavesInARowAllCount) {
   EXPECT_EQ(document_.name(), "three");
 }
 
-TEST_F(SavingTest, AProjectFromANewerVersionSaysSo) {
+TEST_F(SavingTest, ProjectOfANewerVersionGivesAnErrorThatNamesIt) {
   const QString file = saveAs(folder_.filePath("newer.voluta"));
   QFile edit(file);
   ASSERT_TRUE(edit.open(QIODevice::ReadWrite));

@@ -13,7 +13,7 @@
 namespace voluta::document {
 namespace {
 
-TEST(SessionLog, TellsOfStagesAndFailuresButOfNoFolder) {
+TEST(SessionLog, LogsStagesAndFailuresWithoutFolderNames) {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("voluta.log"));
   Document document;

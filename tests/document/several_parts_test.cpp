@@ -35,7 +35,7 @@ double xOf(const Document& document, std::size_t item) {
   return document.jobChoices().item(item).placement.centreMm.x();
 }
 
-TEST(SeveralParts, AnAddedPartIsActiveBesideTheOthersAndBuiltAlike) {
+TEST(SeveralParts, AddedPartIsActiveAndHasTheSameChoices) {
   Document document;
   openFlat(document);
   document.setParameter("brimWidthMm", "3");
@@ -187,7 +187,7 @@ TEST(SeveralParts, EqualNamesAreNumbered) {
   EXPECT_EQ(shownNames(parts), (QStringList{"kitten", "spot", "kitten (2)", "kitten (3)"}));
 }
 
-TEST(SeveralParts, ThePlatformIsThatOfAllPartsThatCanStandOnIt) {
+TEST(SeveralParts, PlatformIsSharedByAllPartsThatFitItsKind) {
   project::Choices job;
   job.items.resize(3);
   job.item(0).mode = job.item(1).mode = "flat";
@@ -237,7 +237,7 @@ TEST(SeveralParts, AFreePlaceIsOnThePlateWhereThereIsRoom) {
 }
 
 // The cell's plates are 200, 300 and 400 wide.
-TEST(SeveralParts, AnAddedPartStandsOnTheCellsPlate) {
+TEST(SeveralParts, AddedPartIsPlacedOnTheCellsPlate) {
   Document document;
   openFlat(document, 180.0);
   project::Choices choices = document.choices();
@@ -267,7 +267,7 @@ protected:
   Planning planning_{document_};
 };
 
-// Parts that were added, copied and moved need no new plan once they are gone.
+// Parts that were added, copied and moved need no new plan once they are removed.
 TEST_F(SeveralPartsPlan, UndoOfSeveralEditsShowsThePlanAgain) {
   plan(Stage::Toolpath);
   const auto planned = document_.result(Stage::Toolpath);
@@ -309,7 +309,7 @@ TEST_F(SeveralPartsPlan, AllPartsArePlannedAndEachHasItsResult) {
   EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
 }
 
-TEST_F(SeveralPartsPlan, RemovedPartsComeBackWithTheirPlan) {
+TEST_F(SeveralPartsPlan, UndoRestoresRemovedPartsWithTheirPlan) {
   plan(Stage::Toolpath);
   const auto all = document_.result(Stage::Toolpath);
   document_.removePart();
@@ -319,7 +319,7 @@ TEST_F(SeveralPartsPlan, RemovedPartsComeBackWithTheirPlan) {
   EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
 }
 
-TEST_F(SeveralPartsPlan, AProjectOfSeveralPartsComesBackWithItsResults) {
+TEST_F(SeveralPartsPlan, ProjectOfSeveralPartsIsReadBackWithItsResults) {
   document_.setPrintOrder(layers::PrintOrder::ByLayer);
   plan(Stage::Toolpath);
   QTemporaryDir folder;

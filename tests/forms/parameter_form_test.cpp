@@ -107,7 +107,7 @@ TEST_F(ParameterFormTest, AShareIsTypedInPercent) {
   }
 }
 
-TEST_F(ParameterFormTest, WhatABoxDoesNotTakeIsTold) {
+TEST_F(ParameterFormTest, RejectedInputShowsAStatusTip) {
   for (const char* key : {"density", "walls"}) {
     auto* box = qobject_cast<QAbstractSpinBox*>(row(key)->editor());
     StatusTips tips;
@@ -207,7 +207,7 @@ TEST_F(ParameterFormTest, SimpleShowsSimpleAndChangedOnes) {
   EXPECT_TRUE(row("debug")->isVisible());
 }
 
-TEST_F(ParameterFormTest, WhatHasNoSayIsNotShown) {
+TEST_F(ParameterFormTest, ParametersWithoutEffectAreHidden) {
   form.setValues({{"walls", "5"}});
   form.setApplying({"height", "debug"});
   EXPECT_TRUE(row("height")->isVisible());
@@ -220,7 +220,7 @@ TEST_F(ParameterFormTest, WhatHasNoSayIsNotShown) {
   EXPECT_TRUE(row("walls")->isVisible());
 }
 
-TEST_F(ParameterFormTest, AProblemStandsUnderItsRowUntilItIsGone) {
+TEST_F(ParameterFormTest, ProblemIsShownUnderItsRowUntilItIsResolved) {
   form.setProblems({{"debug", "Out of paper."}});
   EXPECT_TRUE(row("debug")->isVisible());
   const auto says = [&] {
@@ -260,7 +260,7 @@ TEST_F(ParameterFormTest, WheelOverAnUnfocusedBoxScrollsTheFormInstead) {
     const QPointF at(5, 5);
     QWheelEvent event(at, box->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
-    // An event of the program's own would not be handed on to what lies around the box.
+    // An event of the program's own would not be handed on to the widgets around the box.
     QSpontaneKeyEvent::setSpontaneous(&event);
     qApp->notify(box, &event);
   };
@@ -284,7 +284,7 @@ TEST_F(ParameterFormTest, NothingIsWiderThanANarrowPanel) {
   EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width());
 }
 
-TEST(PlatformEditor, TextGoesInAndComesOut) {
+TEST(PlatformEditor, TextRoundTrips) {
   forms::PlatformEditor editor;
   QSignalSpy changed(&editor, &forms::PlatformEditor::changed);
   for (const char* text : {"fit:0", "fit:2.5", "disc:120", "rect:200x80.25", "rod:5x200",
@@ -306,7 +306,7 @@ TEST(PlatformEditor, TextGoesInAndComesOut) {
   EXPECT_EQ(changed[0][0].toString(), "rect:200x200");
 }
 
-TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
+TEST(PlatformEditor, OffersOnlyPlatformsOfTheMode) {
   forms::PlatformEditor editor;
   editor.setText("disc:90");
   editor.setUses({project::PlatformUse::Rod, project::PlatformUse::Body});
@@ -315,7 +315,7 @@ TEST(PlatformEditor, OffersWhatTheModePrintsOn) {
   EXPECT_EQ(kind->count(), 3);
   EXPECT_EQ(kind->itemText(0), "Rod of the cell");
   EXPECT_EQ(editor.text(), "rod:6x150");
-  // What is no choice of the mode is there only while it is chosen.
+  // A kind that the mode does not offer is listed only while it is chosen.
   editor.setText("disc:90");
   EXPECT_EQ(kind->count(), 4);
   editor.setUses({project::PlatformUse::Plate});
@@ -367,8 +367,8 @@ TEST(ChoicesForm, ANoticeHasOneLineAndAButton) {
   EXPECT_TRUE(button->isHidden());
 }
 
-// Where an entry has help of its own it is told, else where own cells are kept.
-TEST(ChoicesForm, TheTipSaysWhereOwnCellsAreKept) {
+// The tip shows an entry's own help where it has one, else the folder of own cells.
+TEST(ChoicesForm, TooltipNamesTheFolderOfOwnCells) {
   forms::ChoicesForm form;
   forms::ChoiceLists lists;
   lists.modes = {{"curved", "Curved layers", "All around"}, {"planar", "Planar pieces", ""}};
@@ -392,7 +392,7 @@ TEST(ChoicesForm, TheTipSaysWhereOwnCellsAreKept) {
   EXPECT_EQ(cell->toolTip(), "With a rod");
 }
 
-TEST(ChoicesForm, TellsFieldAndTextAndIsQuietWhenSet) {
+TEST(ChoicesForm, SignalsFieldAndTextAndNotProgrammaticChanges) {
   forms::ChoicesForm form;
   QSignalSpy changed(&form, &forms::ChoicesForm::changed);
   forms::ChoiceLists lists;

@@ -1,5 +1,5 @@
-// 3MF files. Inputs are the models in them, in XML, and are packed here, so that changes reach what
-// stands in the package; such as are packages already are taken as they are.
+// 3MF files. Inputs are the models in them, in XML, and are packed here, so that changes reach the
+// contents of the package; such as are packages already are taken as they are.
 #include "fuzz_target.h"
 
 #include "geometry/formats/mesh_reader.h"

@@ -1,5 +1,5 @@
 // 3MF packages with tool-paths. Inputs are a model and a layer in XML, one behind the other, and
-// are packed here, so that changes reach what stands in the package; such as are packages already
+// are packed here, so that changes reach the contents of the package; such as are packages already
 // are taken as they are.
 #include "fuzz_target.h"
 #include "sound_tool_plan.h"

@@ -1,4 +1,4 @@
-// What is typed: parameters, the platform, the scale.
+// Typed input: parameters, the platform, the scale.
 #include "fuzz_target.h"
 
 #include "helpers/given_parameters.h"

@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path kResources = VOLUTA_SOURCE_DIR "/resources";
 
-// Files are to be named as what they describe.
+// Files are to be named after their contents.
 void read(const char* name, const std::string& text, void (*readIt)(const std::filesystem::path&)) {
   fuzz::write(name, text);
   fuzz::takenOrRefused([&] { readIt(name); });

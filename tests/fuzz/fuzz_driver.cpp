@@ -1,5 +1,5 @@
 // Drives a fuzz target where there is no libFuzzer. Inputs are damaged seeds, the same on every
-// run; each batch runs in a process of its own, so that what ends it is kept and named.
+// run; each batch runs in a process of its own, so that a fatal input is kept and named.
 //   fuzz_NAME            VOLUTA_FUZZ_RUNS inputs (5000), or VOLUTA_FUZZ_SECONDS long
 //   fuzz_NAME FILE...    those inputs only, in this process: under a debugger
 // Inputs that fail are left beside it as fuzz_NAME.NUMBER.

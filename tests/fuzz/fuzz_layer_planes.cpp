@@ -1,4 +1,4 @@
-// Layers and cuts where the user says, as JSON.
+// Layers and cuts given by the user, as JSON.
 #include "fuzz_target.h"
 
 #include "planar/given_cuts.h"

@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = fuzz::textOf(data, size);
   const process::Process process;
   program::detectDialect("input", text);
-  // What stands beside the rows of a stream.
+  // The columns beside the rows of a stream.
   for (const char* id : {"urscript-stream", "melfa-stream"})
     program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process::Tooling(process));
   program::readProgram("melfa-datalink", {{"lines", kLines}, {"beside", text}},

@@ -1,5 +1,5 @@
-// Project files. Their sums are put right first, so that changes reach what the sums guard: a
-// program that writes projects may be wrong too.
+// Project files. Their sums are put right first, so that changes reach the data that the sums
+// guard: a program that writes projects may be wrong too.
 #include "fuzz_target.h"
 
 #include "pipeline/sample_job.h"
@@ -72,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::takenOrRefused([] {
     const project::Job job = project::readJob("input.voluta", pipeline::allParameters());
     fuzz::expect(job.item().loaded != nullptr, "a project has a part");
-    // What is done with every project that is opened.
+    // The calls made for every project that is opened.
     for (const auto stage : {project::Stage::Load, project::Stage::Layers, project::Stage::Motion})
       project::upTo(job, stage);
     project::upTo(job, std::nullopt);

@@ -1,4 +1,4 @@
-// What a fuzz target gives to whoever drives it: libFuzzer, or fuzz_driver.cpp where there is none.
+// The interface of a fuzz target to its driver: libFuzzer, or fuzz_driver.cpp where there is none.
 #pragma once
 
 #include "base/error.h"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Reads `data` as the file it may be. Returns 0; whatever a reader must not do ends the program.
+// Reads `data` as a file of the target's kind. Returns 0; a violation by a reader ends the program.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace voluta::fuzz {
@@ -28,7 +28,7 @@ inline std::string textOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-// Ends the program, saying what should have been, where `condition` does not hold.
+// Ends the program with a message about the violated `condition`.
 inline void expect(bool condition, const char* what) {
   if (condition)
     return;
@@ -36,8 +36,8 @@ inline void expect(bool condition, const char* what) {
   std::abort();
 }
 
-// A reader takes bad input or refuses it in one line that says where: it never fails in another
-// way.
+// A reader takes bad input or refuses it in one line that names the place: it never fails in
+// another way.
 template <typename Read> void takenOrRefused(Read read) {
   try {
     read();

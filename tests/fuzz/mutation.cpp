@@ -94,7 +94,7 @@ private:
     text_.replace(begin, end, word.begin(), word.end());
   }
 
-  // A line moves to where another stood.
+  // A line moves to the place of another.
   void replaceLine() {
     const auto lineAt = [&](std::size_t at) {
       const std::size_t before = at == 0 ? std::string::npos : text_.rfind('\n', at - 1);
@@ -109,7 +109,7 @@ private:
       text_.replace(to, below(2) == 0 ? replaced : 0, line);
   }
 
-  // Little-endian, over what is there.
+  // Little-endian, over existing bytes.
   void writeNumber() {
     const std::size_t bytes = std::size_t{1} << below(4);
     std::uint64_t value = kNumbers[below(kNumbers.size())];

@@ -1,4 +1,4 @@
-// What holds of every mesh that was read.
+// Invariants of every mesh that a reader returns.
 #pragma once
 
 #include "fuzz_target.h"

@@ -1,4 +1,4 @@
-// What holds for every tool plan that a reader returns.
+// Invariants of every tool plan that a reader returns.
 #pragma once
 
 #include "fuzz_target.h"

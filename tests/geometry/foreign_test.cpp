@@ -73,7 +73,7 @@ TEST_F(Foreign, ColladaHasItsUnitAndItsUp) {
   EXPECT_LT((sizeOf(upright) - Vector3d(200, 100, 300)).norm(), 1e-3);
   EXPECT_LT((sizeOf(readForeign(y, ForeignFrame::Upright)) - Vector3d(200, 300, 100)).norm(), 1e-3);
   EXPECT_LT((sizeOf(readForeign(cm, ForeignFrame::Upright)) - Vector3d(2, 1, 3)).norm(), 1e-5);
-  // What a URDF refers to: metres, axes as they stand.
+  // Files referenced by a URDF: metres, axes as in the file.
   EXPECT_LT((sizeOf(readForeign(y, ForeignFrame::AsWritten)) - Vector3d(0.2, 0.1, 0.3)).norm(),
             1e-6);
   EXPECT_LT(
@@ -99,7 +99,7 @@ TEST_F(Foreign, GltfTakesTheBufferBesideIt) {
   EXPECT_THAT(complaint(file), HasSubstr("corner.gltf"));
 }
 
-TEST_F(Foreign, WhatIsDamagedIsSaid) {
+TEST_F(Foreign, DamagedFilesAreRefusedWithAReason) {
   const std::string whole = collada("Z_UP", "1");
   EXPECT_THAT(complaint(folder_ / std::filesystem::path("none.dae")), HasSubstr("no such file"));
   EXPECT_THAT(complaint(written("empty.dae", "")), HasSubstr("cannot be read"));

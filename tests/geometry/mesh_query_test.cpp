@@ -111,7 +111,7 @@ TEST(MeshQuery, ClosestOnSoupMatchesSampling) {
   }
 }
 
-TEST(MeshQuery, SurfacesAnswerAsSolidsDoButForWhatIsInside) {
+TEST(MeshQuery, SurfaceAnswersEqualThoseOfSolidsExceptInside) {
   std::mt19937 random(9);
   const TriangleMesh m = soup(random, 200);
   const MeshQuery solid(m), surface(m, MeshQuery::Of::Surface);

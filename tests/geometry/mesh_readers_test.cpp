@@ -188,8 +188,8 @@ TEST(Readers, BinaryHeaderMayBeginWithSolid) {
   EXPECT_EQ(readMesh(bytes, "s.stl").format, "STL (binary)");
 }
 
-// As two files that were joined: what is behind the stated facets is named, not lost in silence.
-TEST(Readers, WhatIsBehindTheStatedFacetsIsNamed) {
+// As two files that were joined: data behind the stated facets is named, not dropped silently.
+TEST(Readers, DataBehindTheStatedFacetsIsNamed) {
   const std::string bytes = geometry::writeStl(boxMesh());
   const auto read = readMesh(bytes + bytes, "two.stl");
   EXPECT_EQ(read.mesh.triangles.size(), 12u);
@@ -198,7 +198,7 @@ TEST(Readers, WhatIsBehindTheStatedFacetsIsNamed) {
   EXPECT_TRUE(readMesh(bytes, "one.stl").repairs.empty());
 }
 
-TEST(Readers, ShortOfAFewFacetsIsTold) {
+TEST(Readers, MissingLastFacetsAreNamedAsARepair) {
   const TriangleMesh m = project::samplePart();
   const std::string bytes = geometry::writeStl(m);
   const auto file = readMesh(bytes.substr(0, bytes.size() - 130), "s.stl");
@@ -294,7 +294,7 @@ TEST(Placement, CentresAndDrops) {
   EXPECT_THROW(geometry::placeOnPlate(boxMesh(), 0.0), base::Error);
 }
 
-TEST(Placement, UnitsAreToldNotChanged) {
+TEST(Placement, UnusualUnitsAreGuessedAndNotChanged) {
   EXPECT_TRUE(geometry::guessUnits(boxMesh()).note.empty());
   EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {0.1, 0.05, 0.02})).unit, "m");
   EXPECT_EQ(geometry::guessUnits(test::box({0, 0, 0}, {1e5, 1, 1})).unit, "um");

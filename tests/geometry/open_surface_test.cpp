@@ -43,7 +43,7 @@ TriangleMesh doubleSided(TriangleMesh m) {
   return m;
 }
 
-// The part of a mesh whose triangles lie below a height.
+// The part of a mesh whose triangles are below a height.
 TriangleMesh below(const TriangleMesh& mesh, double z) {
   std::vector<bool> keep;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -121,7 +121,7 @@ TEST(SheetModel, NothingIsDroppedInSilence) {
               ::testing::Contains(HasSubstr("triangles of sheets without volume")));
 }
 
-TEST(SheetModel, WhatIsKeptIsNotToldToBeDropped) {
+TEST(SheetModel, KeptSheetsAreNotListedAsDropped) {
   // A cup, open by its rim, and a stray sheet beside it.
   TriangleMesh cup = test::box({0, 0, 0}, {50, 50, 50});
   cup.triangles.erase(cup.triangles.begin() + 2, cup.triangles.begin() + 4); // top
@@ -148,7 +148,7 @@ TEST(SheetModel, ASheetAloneIsOne) {
   }
 }
 
-TEST(SheetModel, AStraySheetBesideASolidGoes) {
+TEST(SheetModel, StraySheetBesideASolidIsRemoved) {
   TriangleMesh m = test::sphere({0, 0, 0}, 50.0);
   test::append(m, doubleSided(flatSheet(2.0)));
   const RepairResult mended = repair(m);

@@ -50,7 +50,7 @@ TEST(Diagnosis, EachDefectIsCountedWhereItIs) {
   EXPECT_FALSE(d.watertight);
   EXPECT_EQ(d.boundaryEdges.count, 3u);
   EXPECT_EQ(d.boundaryLoops, 1u);
-  EXPECT_DOUBLE_EQ(d.boundaryEdges.at.x(), 10.0); // the last triangle lies in x = 10
+  EXPECT_DOUBLE_EQ(d.boundaryEdges.at.x(), 10.0); // the last triangle is in x = 10
 
   m = unitBox();
   m.triangles.push_back(m.triangles[0]);
@@ -67,7 +67,7 @@ TEST(Diagnosis, EachDefectIsCountedWhereItIs) {
   EXPECT_FALSE(diagnose(TriangleMesh{}).watertight);
 }
 
-TEST(Repair, CleanComesBackUnchanged) {
+TEST(Repair, CleanMeshIsUnchanged) {
   TriangleMesh m = unitBox();
   append(m, test::box({2, 2, 2}, {5, 5, 5}), true); // a cavity
   const auto r = repair(m);
@@ -127,7 +127,7 @@ TEST(Repair, UnitesOverlappingBoxes) {
 }
 
 // 140 bars across 140 others: more crossings than a union takes in reasonable time.
-TEST(Repair, TooManyCrossingsAreTold) {
+TEST(Repair, TooManyCrossingsAreNamedAndLeftUnrepaired) {
   TriangleMesh bars;
   constexpr int kBars = 140;
   for (int i = 0; i < kBars; ++i) {

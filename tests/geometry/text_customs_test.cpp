@@ -136,20 +136,20 @@ TEST(TextCustoms, StlMayEndItsPartsInTwoWords) {
   EXPECT_THAT(readMesh(text, "a.stl").repairs, IsEmpty());
 }
 
-TEST(TextCustoms, ObjLinesMayGoOnInTheNext) {
+TEST(TextCustoms, ObjLinesMayContinueInTheNext) {
   std::string text = replaced(obj(), "v 3.75", "v \\\n 3.75");
   text = replaced(text, "f 1 3 4", "f 1\\\n 3 \\\r\n4");
   expectRead(text, "a.obj", "continued");
   EXPECT_THAT(refusal(text + "f 1 2 \\", "a.obj"), HasSubstr("at least three corners"));
 }
 
-TEST(TextCustoms, DecimalCommasAreTold) {
+TEST(TextCustoms, DecimalCommasAreNamedAsARepair) {
   EXPECT_THAT(base::english(readMesh(withCommas(stl()), "a.stl").repairs),
               ::testing::ElementsAre(HasSubstr("decimal commas")));
   EXPECT_THAT(readMesh(obj(), "a.obj").repairs, IsEmpty());
 }
 
-TEST(TextCustoms, WhatCommasMeanIsNotGuessed) {
+TEST(TextCustoms, AmbiguousCommasAreRefused) {
   const std::string triangle = "v 1,500 0 0\nv 0 2,250 0\nv 0 0 3,125\nf 1 2 3\n";
   EXPECT_THAT(refusal(triangle, "a.obj"), HasSubstr("ambiguous number '3,125': decimal comma or "
                                                     "thousands separator"));

@@ -1,4 +1,4 @@
-// 3MF: what is built stands where it is built, in mm; damage is told with its place.
+// 3MF: build items keep their place, in mm; errors name the place of the damage.
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/formats/mesh_reader.h"
@@ -63,7 +63,7 @@ TEST(ThreeMf, LengthsBecomeMillimetres) {
   EXPECT_THAT(voluta::base::english(ells.repairs.at(0)), HasSubstr("unknown unit 'ell'"));
 }
 
-TEST(ThreeMf, ObjectsStandWhereTheyAreUsed) {
+TEST(ThreeMf, ObjectsAreTransformedByItemsAndComponents) {
   const std::string resources = "<object id=\"1\">" + kMesh +
                                 "</object><object id=\"2\"><components>"
                                 "<component objectid=\"1\" transform=\"2 0 0 0 2 0 0 0 2 0 0 0\"/>"
@@ -76,7 +76,7 @@ TEST(ThreeMf, ObjectsStandWhereTheyAreUsed) {
   EXPECT_EQ(file.mesh.triangles.size(), 8u);
   EXPECT_NEAR(volume(file.mesh), 9.0 / 6.0, 1e-12);
   const Eigen::AlignedBox3d box = bounds(file.mesh);
-  // The second one is turned by a quarter: its y lies along -x.
+  // The second one is rotated by 90 degrees: its y points along -x.
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector3d(0, 0, 7)));
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector3d(5, 2, 9)));
 }
@@ -100,7 +100,7 @@ TEST(ThreeMf, ModelsBesideTheMainOneAreFound) {
   EXPECT_EQ(file.mesh.triangles.size(), 4u);
 }
 
-TEST(ThreeMf, DamageIsToldWithItsPlace) {
+TEST(ThreeMf, ErrorsNameThePlaceOfTheDamage) {
   std::string package = package3mf(plainModel(), false);
   package[package.find("<vertex x=") + 11] = '7';
   EXPECT_THAT(messageOf(package), HasSubstr("part.3mf: '3D/3dmodel.model' in it is damaged"));
@@ -125,7 +125,7 @@ TEST(ThreeMf, DamageIsToldWithItsPlace) {
               HasSubstr("a second object of the id '1'"));
 }
 
-TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {
+TEST(ThreeMf, CyclicAndDoublingObjectsAreRefused) {
   const std::string cycle = "<object id=\"1\"><components><component objectid=\"1\"/>"
                             "</components></object>";
   EXPECT_THAT(messageOf(package3mf(modelOf(cycle, "<item objectid=\"1\"/>"))),
@@ -141,7 +141,7 @@ TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {
               HasSubstr("too many to read"));
 }
 
-// ---- what is no part
+// ---- objects that are not parts
 
 std::string objectOf(const std::string& id, const std::string& type) {
   return "<object id=\"" + id + "\" type=\"" + type + "\">" + kMesh + "</object>";
@@ -167,7 +167,7 @@ TEST(ThreeMf, OnlyModelsThatArePrintedArePrinted) {
                                      HasSubstr("skipped: 1 object of type 'other'")));
 }
 
-TEST(ThreeMf, WhereNothingIsToBePrintedItSaysWhatWasSkipped) {
+TEST(ThreeMf, ErrorListsTheSkippedObjectsIfNothingIsToBePrinted) {
   EXPECT_THAT(messageOf(package3mf(modelOf(objectOf("1", "support"),
                                            "<item objectid=\"1\"/><item objectid=\"1\"/>"))),
               HasSubstr("part.3mf: contains nothing to print: skipped: 2 support objects"));
@@ -229,7 +229,7 @@ TEST(ThreeMf, SlicesAreRefusedUnlessTheMeshIsTheShape) {
 }
 
 TEST(ThreeMf, BeamsAreRoundBars) {
-  // A bar with flat ends, a cone, and balls where they are asked for.
+  // A bar with flat ends, a cone, and balls at the given nodes.
   const auto volumeOf = [](const std::string& model) {
     return volume(readMesh(package3mf(extended(model, "b")), "part.3mf").mesh);
   };

@@ -149,7 +149,7 @@ TEST(ThreeMfVolumes, NegativeOnesAreCutAway) {
   }
 }
 
-TEST(ThreeMfVolumes, WhatIsNoMaterialIsNamedWithItsPlace) {
+TEST(ThreeMfVolumes, VolumesThatAreNotMaterialAreNamedWithTheirPlace) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {prusa(kBeside, "ParameterModifier"), "modifier volume"},
       {prusa(kBeside, "SupportEnforcer"), "support enforcer"},
@@ -171,7 +171,7 @@ TEST(ThreeMfVolumes, WhatIsNoMaterialIsNamedWithItsPlace) {
   }
 }
 
-TEST(ThreeMfVolumes, CopiesAreCutAlikeAndNamedOnce) {
+TEST(ThreeMfVolumes, CopiesAreCutEquallyAndNamedOnce) {
   const auto parts =
       read3mfParts(prusa(kPocket, "NegativeVolume",
                          "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0.1 0.7 0\"/>"
@@ -281,7 +281,7 @@ TEST(ThreeMfVolumes, ExchangedNamespacesAreRead) {
   EXPECT_THAT(base::english(file.repairs), ElementsAre(HasSubstr("although its namespace is")));
 }
 
-// ---- what a file says and is not acted on is named, each once
+// ---- statements that are ignored are named, each once
 
 struct Statement {
   // Of the model
@@ -350,7 +350,7 @@ std::string packageOf(const std::vector<Statement>& statements) {
     members.insert(members.end(), s.members.begin(), s.members.end());
   }
   std::string mesh = meshOf({kBody, kBeside});
-  // Two triangles say it
+  // In two triangles
   for (std::size_t at = mesh.find("<triangle "), i = 0; i < 2;
        ++i, at = mesh.find("<triangle ", at + 9))
     mesh.insert(at + 9, onTriangle);
@@ -439,7 +439,7 @@ TEST(ThreeMfVolumes, AnotherUnitOfAFurtherModelIsNamed) {
                                     "lengths are taken in millimeter")));
 }
 
-TEST(ThreeMfVolumes, WhatIsNotActedOnIsNamedOnce) {
+TEST(ThreeMfVolumes, IgnoredStatementsAreNamedOnce) {
   ASSERT_THAT(notesOf(packageOf(std::vector<Statement>())), IsEmpty());
   for (unsigned seed = 0; seed < 60; ++seed) {
     std::mt19937 random(seed);

@@ -93,7 +93,7 @@ TEST(WindingUnion, BoxesInAndOutOfLine) {
     std::mt19937 random(seed);
     TriangleMesh m;
     for (int i = 0; i < 6; ++i) {
-      // On a grid, so that faces, edges and corners lie on each other.
+      // On a grid, so that faces, edges and corners coincide.
       const Vector3d low(random() % 5, random() % 5, random() % 5);
       const Vector3d size(1 + random() % 3, 1 + random() % 3, 1 + random() % 3);
       test::append(m, test::box(low, low + size));
@@ -134,7 +134,7 @@ TEST(WindingUnion, AThreadThatSweepsThroughItself) {
   expectUnited(m, "thread");
 }
 
-TEST(WindingUnion, ALobeThatFacesInsideOutIsToldAndNotDropped) {
+TEST(WindingUnion, InvertedLobeIsNamedAndNotDropped) {
   const TriangleMesh m = test::bowTie({0, 0, 0}, 20.0, 12.0, 8.0, 5.0);
   const RepairResult result = repair(m);
   EXPECT_EQ(result.mesh.triangles, m.triangles);
@@ -149,7 +149,7 @@ TEST(WindingUnion, ALobeThatFacesInsideOutIsToldAndNotDropped) {
               ::testing::Contains(::testing::HasSubstr("of the enclosed volume")));
 }
 
-TEST(WindingUnion, ASmallLoopGoes) {
+TEST(WindingUnion, SmallInvertedLoopIsRemoved) {
   const RepairResult result = repair(test::bowTie({0, 0, 0}, 20.0, 12.0, 0.6, 5.0));
   EXPECT_TRUE(result.remains.empty());
   EXPECT_EQ(result.diagnosis.selfIntersections.count, 0u);

@@ -1,4 +1,4 @@
-// Mode Automatic in the window: chosen in the list, planned, told, saved and opened again.
+// Mode Automatic in the window: chosen in the list, planned, shown, saved and opened again.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "pipeline/automatic.h"
@@ -30,7 +30,7 @@ protected:
   }
   QString supports() { return editorOf<QComboBox>("supports")->currentData().toString(); }
   double layerHeight() { return editorOf<QDoubleSpinBox>("layerHeightMm")->value(); }
-  // Report, notice and form say the same, and none of it counts as changed by the user.
+  // Report, notice and form agree, and none of it counts as changed by the user.
   void expectFormShowsWhatWasUsed() {
     const project::ChosenReport& chosen = document().lastResult()->job.report.item().chosen;
     EXPECT_EQ(supports().toStdString(), chosen.supports);
@@ -44,7 +44,7 @@ protected:
   }
 };
 
-TEST_F(AutomaticTest, WhatIsTakenIsTold) {
+TEST_F(AutomaticTest, ChosenWayIsShown) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
   EXPECT_TRUE(document().choices().item().automatic);
@@ -59,7 +59,7 @@ TEST_F(AutomaticTest, WhatIsTakenIsTold) {
   expectFormShowsWhatWasUsed();
 }
 
-TEST_F(AutomaticTest, WhatWasPlannedByHandIsOutOfDateAndPlanTriesTheWays) {
+TEST_F(AutomaticTest, PlanByHandIsOutOfDateAndANewPlanTriesTheWays) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("curved");
   auto choices = document().choices();
@@ -118,7 +118,7 @@ TEST_F(AutomaticTest, WaysThatAreRejectedAreListedWithTheirReason) {
   keepPicture(window(), "automatic-rejected");
 }
 
-TEST_F(AutomaticTest, AWayByHandIsWhatItWas) {
+TEST_F(AutomaticTest, ModeChosenByHandTurnsAutomaticOff) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
   chooseMode("flat");
@@ -129,7 +129,7 @@ TEST_F(AutomaticTest, AWayByHandIsWhatItWas) {
   EXPECT_EQ(mode(), "auto");
 }
 
-TEST_F(AutomaticTest, ANewProjectBeginsAsTheProgramSays) {
+TEST_F(AutomaticTest, NewProjectStartsWithTheGivenChoices) {
   project::Choices start;
   start.item().automatic = true;
   window().document().startWith(start);

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kPages[] = {Page::Prepare, Page::Layers, Page::Simulate, Page::Export,
                                   Page::Compare};
 
-// Where the view's delegate has its box: it is a style's matter, asked for as the delegate does.
+// The position of the check box in the view's delegate: the style decides it, queried as the
+// delegate does.
 QPoint boxIn(const QAbstractItemView& view, const QModelIndex& index) {
   QStyleOptionViewItem option;
   option.initFrom(&view);

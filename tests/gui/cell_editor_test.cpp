@@ -42,7 +42,7 @@ protected:
     QTest::keyClicks(name, id);
     press(editor, "cellSave");
   }
-  // Fills the dialog that comes up, and looks at what it says.
+  // Fills the dialog that comes up, and checks its text.
   void inMeasuring(const std::function<void(QDialog&, QPlainTextEdit&, QLabel&)>& work) {
     QTimer::singleShot(0, &window(), [work] {
       QDialog* dialog = nullptr;
@@ -62,7 +62,7 @@ protected:
   }
 };
 
-TEST_F(CellEditorTest, EscAsksBeforeEditsAreLost) {
+TEST_F(CellEditorTest, EscConfirmsBeforeItDiscardsEdits) {
   inEditor([&](window::CellEditor& editor) {
     choose(editor, "Nozzle");
     const robot::CellDraft before = editor.draft();
@@ -96,7 +96,7 @@ TEST_F(CellEditorTest, AnObstacleFromAFileIsInTheWay) {
     press(editor, "cellAddFile");
     ASSERT_TRUE(waitFor(
         [&] { return editor.settled() && editor.draft().bodies().back().name == "tool stand"; }));
-    // It is drawn at the robot's own foot, which is said at once.
+    // It is drawn at the robot's own foot, which is shown as a fault at once.
     EXPECT_TRUE(faults(editor).contains("tool stand")) << faults(editor).toStdString();
     EXPECT_EQ(editor.findChild<QTreeWidget*>("cellBodies")->currentItem()->text(0), "tool stand");
     type(editor, "placeX", -600.0);
@@ -122,7 +122,7 @@ TEST_F(CellEditorTest, AnObstacleFromAFileIsInTheWay) {
   })) << "arm and obstacle are checked against each other";
 }
 
-TEST_F(CellEditorTest, AFileThatIsNoMeshIsToldAndChangesNothing) {
+TEST_F(CellEditorTest, FileWithoutAMeshGivesAnErrorAndChangesNothing) {
   QFile file(path("words.stl"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("no mesh at all");
@@ -138,7 +138,7 @@ TEST_F(CellEditorTest, AFileThatIsNoMeshIsToldAndChangesNothing) {
   });
 }
 
-TEST_F(CellEditorTest, ANozzleStandsWhereItWasMeasured) {
+TEST_F(CellEditorTest, NozzleMovesToTheMeasuredPose) {
   inEditor([&](window::CellEditor& editor) {
     choose(editor, "Nozzle");
     const Eigen::Isometry3d before = body(editor, robot::DraftBody::Kind::Nozzle).pose;
@@ -231,7 +231,7 @@ TEST_F(CellEditorTest, ABodyIsMovedAndTurnedByItsHandles) {
         QTest::mouseMove(port, (from + by * step / 5).toPoint());
       QTest::mouseRelease(port, Qt::LeftButton, {}, (from + by).toPoint());
     };
-    // Along x, which ends 90 pixels from the middle if it lay across the view.
+    // Along x, which ends 90 pixels from the middle if it is across the view.
     const Vector3d at = before.translation();
     const double reach = 90.0 * camera.mmPerPixel(at) * port->devicePixelRatioF();
     const QPointF tip = onScreen(at + 0.9 * reach * Vector3d::UnitX());
@@ -288,7 +288,7 @@ TEST_F(CellEditorTest, ThePlaceForPurgesIsAddedMovedAndSaved) {
     auto* port = editor.findChild<viewer::Viewport*>();
     const auto shown = [&] {
       EXPECT_TRUE(settled(editor));
-      QTest::qWait(300); // what is swapped in is painted
+      QTest::qWait(300); // the new scene is painted
       return port->grabFrame().convertToFormat(QImage::Format_RGB32);
     };
     const auto place = [&] {
@@ -335,7 +335,7 @@ TEST_F(CellEditorTest, ThePlaceForPurgesIsAddedMovedAndSaved) {
   EXPECT_EQ(cell.purgePlaceMm()->z(), 40.0);
 }
 
-// An arm with meshes for the eye looks like them, and like its solids where these are asked for.
+// An arm with visual meshes is drawn with them, and with its solids where these are chosen.
 TEST_F(CellEditorTest, AnImportedArmLooksLikeItsMeshes) {
   base::writeFile(path("link.stl").toStdString(),
                   geometry::writeStl(box({-0.05, -0.05, 0.0}, {0.05, 0.05, 0.3})));
@@ -361,7 +361,7 @@ TEST_F(CellEditorTest, AnImportedArmLooksLikeItsMeshes) {
     auto* solids = editor.findChild<QCheckBox*>("cellSolids");
     const auto shown = [&] {
       EXPECT_TRUE(settled(editor));
-      QTest::qWait(300); // what is swapped in is painted
+      QTest::qWait(300); // the new scene is painted
       return port->grabFrame().convertToFormat(QImage::Format_RGB32);
     };
     const QImage meshes = shown();

@@ -24,7 +24,7 @@ protected:
     WindowTest::TearDown();
     qunsetenv("VOLUTA_DATA");
   }
-  // Works the editor once it is up, then goes on.
+  // Works the editor once it is up, then continues.
   void inEditor(const std::function<void(window::CellEditor&)>& work) {
     QTimer::singleShot(0, &window(), [work] {
       window::CellEditor* editor = nullptr;

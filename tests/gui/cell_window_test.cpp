@@ -62,7 +62,7 @@ protected:
              !window().presenter().busy() && !reach()->isLooking();
     });
   }
-  // Where a place is in the viewport; in the frame that stands still.
+  // The position of a place of the fixed frame in the viewport.
   QPoint onScreen(const Eigen::Vector3d& place) {
     const viewer::CameraControl camera(window().viewport().scene().renderer());
     const Eigen::Vector3d display = camera.project(place);
@@ -86,7 +86,7 @@ protected:
   }
 };
 
-TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
+TEST_F(CellTest, PartBeyondThePlateIsAmberAndOneClickMovesItBack) {
   openPart(writePart("block.stl", box({0, 0, 0}, {40.0, 40.0, 40.0})));
   find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
   ASSERT_TRUE(reachKnown());
@@ -139,7 +139,7 @@ TEST_F(CellTest, OneClickMovesThePartToTheBestPlaceOfAnotherArm) {
   EXPECT_EQ(document().choices().item().placement.centreMm, aside.centreMm);
 }
 
-// A post beside the plate, of the user's own: saved, taken, and a body of what is planned.
+// A post beside the plate, of the user's own: saved, taken, and a body of the planned job.
 TEST_F(CellTest, AnOwnCellWithAnObstacleIsPlannedIn) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   ASSERT_TRUE(reachKnown());
@@ -182,7 +182,7 @@ TEST_F(CellTest, AnOwnCellWithAnObstacleIsPlannedIn) {
   EXPECT_EQ(result->job.report.motion.collisions, 0u);
 }
 
-TEST_F(CellTest, WhatACellCannotDoIsSaidAtOnce) {
+TEST_F(CellTest, FaultsOfACellAreShownAtOnce) {
   inEditor([&](window::CellEditor& editor) {
     choose(editor, "Nozzle");
     type(editor, "placeX", 0.0);
@@ -276,8 +276,8 @@ TEST_F(CellTest, ASecondImportOfAnArmKeepsTheFirstUnlessItMayBeReplaced) {
   EXPECT_EQ(measured.readAll(), "measured");
 }
 
-// The machine stands about the part before anything is planned: that of the chosen cell, and its
-// eye takes it away.
+// The machine is drawn about the part before anything is planned: that of the chosen cell, and its
+// eye button hides it.
 TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   ASSERT_TRUE(reachKnown());
@@ -336,7 +336,7 @@ TEST_F(CellTest, ThePartIsLargeBesideTheMachineAndLargerWithoutIt) {
   EXPECT_NEAR(heightOfPart(), nearer, 0.1 * nearer);
 }
 
-// While an edit places the part anew the machine stays as it stands, its plate included.
+// While an edit places the part anew the machine keeps its place, its plate included.
 TEST_F(CellTest, ThePlateStaysWhileThePartIsPlacedAnew) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   choosePage(Page::Prepare);

@@ -128,7 +128,7 @@ TEST_F(CompareTest, AHalfTypedWeightIsTakenWhileTheWindowIsWhole) {
   EXPECT_TRUE(*wasThere);
 }
 
-TEST_F(CompareTest, WhatBlocksTheSelectedRowIsSaid) {
+TEST_F(CompareTest, VerdictNamesTheBlockingFindingOfTheSelectedRow) {
   openPart(writePart("thin.stl", box({-10, -0.2, 0}, {10, 0.2, 8}))); // no bead fits into it
   choosePage(Page::Compare);
   for (const char* mode : {"compareMode_curved", "compareMode_planar"})
@@ -165,7 +165,7 @@ TEST_F(CompareTest, StretchesWhileRowsAreThere) {
   recordLongestStretch();
 }
 
-TEST_F(CompareTest, CancelKeepsWhatIsDone) {
+TEST_F(CompareTest, CancelKeepsFinishedRows) {
   openBox();
   tick("compareGrowth_greedy");
   press("runCompare");

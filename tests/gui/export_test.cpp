@@ -1,5 +1,5 @@
-// The Export page at work: a format's own options, what a program is, where its controller is slow,
-// its text in step with the time-line; and a print that is taken up again.
+// The Export page at work: a format's own options, the size of a program, the places where its
+// controller is slow, its text in step with the time-line; and a print that is resumed.
 #include "forms/parameter_row.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
@@ -107,7 +107,7 @@ TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
   EXPECT_EQ(option("urscriptForm"), nullptr);
   chooseFormat("csv");
   EXPECT_EQ(option("motionsPerFile"), nullptr);
-  // What no program that is written has as an option leaves the programs as they are.
+  // An option that none of the chosen formats has leaves the programs as they are.
   chooseFormat("rapid");
   ASSERT_TRUE(waitFor([&] { return option("rapidModules") != nullptr; }, 5000));
   auto* modules = qobject_cast<QComboBox*>(option("rapidModules")->editor());
@@ -116,9 +116,9 @@ TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
   EXPECT_TRUE(document().upToDate(Stage::Replay));
 }
 
-// What a table does beyond its range, and a module that reads G-code on the controller.
-// A stream of joints for another maker's arm: greyed, told why, and no click orders it.
-TEST_F(ExportTest, AFormatThatCannotSayTheJobIsNotOffered) {
+// Moves of a table beyond its range, and a module that reads G-code on the controller. A stream of
+// joints for another maker's arm: greyed with a reason, and no click selects it.
+TEST_F(ExportTest, UnsuitableFormatIsNotOffered) {
   planPlinth();
   const auto* dialect = &program::dialects().front();
   for (const program::Dialect& one : program::dialects())
@@ -145,8 +145,8 @@ TEST_F(ExportTest, AFormatThatCannotSayTheJobIsNotOffered) {
   EXPECT_FALSE(why->isVisible());
 }
 
-// A small island beside a plinth begins in the air: the replay of the programs passes, as little
-// of them is unsupported, and nevertheless nothing in the window says that the plan has passed.
+// A small island beside a plinth begins in the air: the replay of the programs passes, as little of
+// them is unsupported, and nevertheless no part of the window shows the plan as passed.
 TEST_F(ExportTest, ABlockedPlanHasNotPassedAnywhere) {
   geometry::TriangleMesh mesh = box({0, 0, 0}, {40, 40, 6});
   append(mesh, box({44, 10, 3}, {49, 15, 6}));
@@ -174,7 +174,7 @@ TEST_F(ExportTest, ABlockedPlanHasNotPassedAnywhere) {
   EXPECT_EQ(answeredBoxes(), 2);
 }
 
-// What is unticked is not ticked again by a new plan, the last one included.
+// A new plan does not tick formats again that were unticked, the last one included.
 TEST_F(ExportTest, NoFormatIsTickedOnceAllAreTakenOff) {
   planPlinth();
   const auto tick = [&](const char* id, Qt::CheckState state) {
@@ -218,7 +218,7 @@ TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   keepPicture(window(), "export_reader");
 }
 
-TEST_F(ExportTest, SizePartsAndTimesAreTold) {
+TEST_F(ExportTest, ShowsSizeFilesAndTimesOfAProgram) {
   planPlinth();
   chooseFormat("urscript");
   const auto text = [&](const char* name) { return panel()->findChild<QLabel*>(name)->text(); };
@@ -250,7 +250,7 @@ TEST_F(ExportTest, TheTimeLineShowsWhereTheControllerIsSlower) {
   EXPECT_TRUE(bar()->spans().empty());
 }
 
-TEST_F(ExportTest, TextAndTimeLineGoTogether) {
+TEST_F(ExportTest, TextAndTimeLineAreInStep) {
   planPlinth();
   chooseFormat("urscript");
   const double before = bar()->timeS();
@@ -368,7 +368,7 @@ TEST_F(ExportTest, AProgramFromDiskIsJudgedByThePlanOnShow) {
   keepPicture(*bad, "verify");
   shut(bad);
 
-  // No program at all: one line, and the window goes on.
+  // No program at all: an error of one line, and the window still works.
   QDialog* none = verified(write("none.script", "\x7f\x45LF"));
   ASSERT_NE(none, nullptr);
   EXPECT_FALSE(verdict(none).contains("passed"));
@@ -416,7 +416,7 @@ TEST_F(ExportTest, OneExportAfterTheOther) {
 }
 
 // Beside another plan, part or project they would be taken for its files.
-TEST_F(ExportTest, WhatWasWrittenIsToldBesideItsOwnPlanOnly) {
+TEST_F(ExportTest, SummaryOfWrittenFilesIsShownForItsOwnPlanOnly) {
   planPlinth();
   auto* written = panel()->findChild<QLabel*>("written");
   const auto exported = [&](const char* folder) {

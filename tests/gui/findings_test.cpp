@@ -1,4 +1,4 @@
-// A click on a finding: its place is seen, and what can be done about it can be clicked.
+// A click on a finding shows its place, and its remedy can be clicked.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
@@ -49,21 +49,22 @@ protected:
   vtkCamera* camera() { return window().viewport().scene().renderer()->GetActiveCamera(); }
   Eigen::Vector3d eye() { return Eigen::Vector3d(camera()->GetPosition()); }
   double eyeDistance() { return camera()->GetDistance(); }
-  // Is the place, in the frame that stands still, within the viewport?
+  // Is the place, in the fixed frame, within the viewport?
   bool isSeen(const Eigen::Vector3d& place) {
     viewer::Viewport& viewport = window().viewport();
     const Eigen::Vector3d at = viewer::CameraControl(viewport.scene().renderer()).project(place);
     return viewport.rect().contains(viewport.fromDisplay({at.x(), at.y()}).toPoint());
   }
 
-  // Is the place in the picture, with nothing before it? What is cut away or left out is not there.
+  // Is the place in the picture, with nothing before it? Clipped and hidden geometry does not
+  // count.
   scene::Between before(const Eigen::Vector3d& place) {
     const scene::Scene& scene = window().viewport().scene();
     return scene.between(place, scene.towardsEye(), 15.0, true);
   }
 };
 
-// A table: its top hangs over where flat layers begin it.
+// A table: its top overhangs where flat layers begin it.
 geometry::TriangleMesh table() {
   geometry::TriangleMesh whole = box({-4, -4, 0}, {4, 4, 12.5});
   const geometry::TriangleMesh top = box({-16, -4, 12}, {16, 4, 15});
@@ -127,7 +128,7 @@ TEST_F(FindingsTest, APlaceOnTheOutsideNeedsNoCut) {
   openFlat(box({0, 0, 0}, {20, 20, 14}));
   const Eigen::AlignedBox3d box = window().presenter().partBox();
   plan::Finding outside = plan::verbatimFinding(Stage::Load, "thinPart", "on its far side", "");
-  // The camera looks from the front: it goes round the part.
+  // The camera looks from the front: it moves round the part.
   outside.where = Eigen::Vector3d(box.center().x(), box.max().y(), box.center().z());
   panel()->setFindings({outside});
   clickFinding(0);

@@ -1,5 +1,5 @@
-// What somebody meets who tries the window for the first time: nothing is lost, nothing is said to
-// be checked that was not, and every word is where it is looked for.
+// The first hour of a new user: nothing is lost, the window does not claim checks that were not
+// made, and every word is where users look for it.
 #include "forms/parameter_row.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
@@ -102,7 +102,7 @@ TEST_F(FirstHourTest, AMeshOpenedInASavedProjectLeavesTheProjectAsItIs) {
   ASSERT_TRUE(planned(Stage::Load));
   window().activateWindow(); // there may be no window manager to do it after a dialog
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window()));
-  // A save asks where to, with the part's name.
+  // A save opens the file dialog, with the part's name.
   answerFileDialog(path("second.voluta"));
   clickToolBar("save");
   ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
@@ -118,7 +118,7 @@ TEST_F(FirstHourTest, QuitAndDiscardQuits) {
   EXPECT_TRUE(waitFor([&] { return !window().isVisible(); }, 5000));
 }
 
-TEST_F(FirstHourTest, AfterAChangeNothingIsSaidToBeChecked) {
+TEST_F(FirstHourTest, ChangeRemovesTheCheckedState) {
   openPart(small());
   planAll();
   choosePage(Page::Export);
@@ -185,7 +185,7 @@ TEST_F(FirstHourTest, CancelLeavesThePictureAsItWas) {
   EXPECT_LT(differingShare(before, picture()), 0.002);
 }
 
-TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
+TEST_F(FirstHourTest, InvalidProcessValueIsExplainedUnderItsField) {
   openPart(plinth());
   choosePage(Page::Prepare);
   auto* height = row("layerHeightMm");
@@ -258,7 +258,7 @@ TEST_F(FirstHourTest, ANumberThatIsBeingTypedCountsWhenPlanIsPressed) {
   EXPECT_EQ(document().choices().item().parameters.at("voxelMm"), "1.1");
 }
 
-TEST_F(FirstHourTest, AReopenedProjectDoesNotSayThatThereIsSomethingToExport) {
+TEST_F(FirstHourTest, ReopenedProjectIsNotReadyForExport) {
   openPart(plinth());
   planAll();
   const bool blocked = state(Page::Export) == PageState::Blocked;
@@ -315,7 +315,7 @@ TEST_F(FirstHourTest, WithoutAnyFormatNothingIsExported) {
   EXPECT_FALSE(document().choices().formats.empty()) << "empty stands for the usual ones";
 }
 
-TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
+TEST_F(FirstHourTest, ExportConfirmsReplacementAndWritesAReport) {
   openPart(small());
   planAll();
   QDir().mkpath(path("out"));
@@ -365,14 +365,14 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   EXPECT_EQ(bytesOf(out.filePath("report.json")), "mine");
   again(QMessageBox::DestructiveRole);
   EXPECT_TRUE(waitFor([&] { return bytesOf(out.filePath("report.json")) != "mine"; }));
-  // What would run on a robot comes first.
+  // Programs that would run on a robot come first.
   const auto programs = document().result(Stage::Replay)->checked;
   const QString first = asked.section('\n', 0, 0);
   EXPECT_TRUE(first.contains(QString::fromStdString(programs.at(0)->program.files.at(0).name)))
       << asked.toStdString();
 }
 
-TEST_F(FirstHourTest, TheMarkOfAFindingGoesWhenSomethingElseIsAskedFor) {
+TEST_F(FirstHourTest, MarkOfAFindingDisappearsOnAPageChangeOrAnEdit) {
   openPart(small());
   planAll();
   auto* panel = find<panels::FindingsPanel>("findings");
@@ -411,8 +411,8 @@ TEST_F(FirstHourTest, ASmallScreenHasPlanAndCancelInSightAndFindingsToRead) {
   }
 }
 
-// Whatever a label says, the picture beside it keeps its size.
-TEST_F(FirstHourTest, ThePictureDoesNotJumpWhileAPlanComesIn) {
+// The picture beside a label keeps its size, whatever the label's text.
+TEST_F(FirstHourTest, PictureKeepsItsSizeDuringAPlan) {
   openPart(plinth());
   choosePage(Page::Layers);
   QTest::qWait(100);
@@ -431,7 +431,7 @@ TEST_F(FirstHourTest, ThePictureDoesNotJumpWhileAPlanComesIn) {
   EXPECT_EQ(window().viewport().size(), before);
 }
 
-TEST_F(FirstHourTest, TheSizeOfThePartIsNotToldFourTimes) {
+TEST_F(FirstHourTest, SizeOfThePartIsShownAtMostTwice) {
   openPart(plinth());
   choosePage(Page::Prepare);
   int told = 0;

@@ -45,7 +45,7 @@ protected:
   std::string legendTitle() { return base::english(window().viewport().scene().legend().title); }
   timeline::TimelineBar& bar() { return *find<timeline::TimelineBar>("timeline"); }
 
-  // Pixels in the colour of the step being laid, whatever the light.
+  // Pixels in the colour of the step being printed, whatever the light.
   static int pinkPixels(const QImage& image) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y)

@@ -1,5 +1,5 @@
-// Parts around a rod in the window: what goes along with the way of building, the layers unrolled
-// beside the picture, the same path chosen in both.
+// Parts around a rod in the window: settings that follow the mode, the layers unrolled beside the
+// picture, the same path chosen in both.
 #include "base/units.h"
 #include "forms/platform_editor.h"
 #include "gui/window_fixture.h"
@@ -88,14 +88,14 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   EXPECT_EQ(document().choices().tool().process, own.tool().process);
   EXPECT_EQ(document().choices().item().platform.text(), "disc:80");
 
-  // One step of undo takes back what went along.
+  // One step of undo also restores the settings that followed the mode.
   while (document().undoStack()->count() > edits && document().choices().item().mode != "curved")
     document().undoStack()->undo();
   EXPECT_EQ(document().choices().item().platform.text(), "disc:80");
   EXPECT_EQ(document().choices().cell, own.cell);
 }
 
-TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
+TEST_F(LatheWindowTest, UnsuitableCellIsExplainedAndAButtonChangesIt) {
   openPart(tubeFile());
   choose("mode", "lathe");
   choose("cell", "ur5-fixed");
@@ -114,7 +114,7 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(document().choices().item().platform.text(), "rod:5x200");
 
-  // Printing on a surface asks for it, and takes it from a dialog.
+  // Printing on a surface requires one, and takes it from a dialog.
   choose("mode", "substrate");
   ASSERT_TRUE(button->isVisible());
   const QString body = writePart("half.stl", halfCylinder(40, 60));
@@ -128,7 +128,7 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   EXPECT_TRUE(notice().contains("half.stl")) << notice().toStdString();
 }
 
-TEST_F(LatheWindowTest, TheRodIsOnShowBeforeAPlanAndThePartLiesOnIt) {
+TEST_F(LatheWindowTest, RodIsShownBeforeAPlanWithThePartOnIt) {
   openPart(tubeFile());
   const Eigen::Vector3d upright = window().presenter().partBox().sizes();
   EXPECT_NEAR(upright.z(), 16.0, 1e-4);
@@ -143,7 +143,7 @@ TEST_F(LatheWindowTest, TheRodIsOnShowBeforeAPlanAndThePartLiesOnIt) {
   EXPECT_FALSE(shown.isNull());
 }
 
-TEST_F(LatheWindowTest, LayersHaveTheirRadiusAndLieUnrolledBesideThePicture) {
+TEST_F(LatheWindowTest, LayersShowTheirRadiusAndAreUnrolledBesideThePicture) {
   planTube();
   EXPECT_TRUE(find<QDockWidget>("unrolledDock")->isVisible());
   auto* slider = find<timeline::LayerRangeSlider>("layerSlider");
@@ -160,7 +160,7 @@ TEST_F(LatheWindowTest, LayersHaveTheirRadiusAndLieUnrolledBesideThePicture) {
   ASSERT_TRUE(unrolledSettles());
   EXPECT_TRUE(find<QLabel>("unrolledTitle")->text().contains("r 3.00 mm"));
 
-  // The part up to the move slider is laid.
+  // The part up to the move slider is printed.
   auto* bar = find<timeline::TimelineBar>("timeline");
   const int half = window().presenter().movesOf(1) / 2;
   bar->setMove(half);

@@ -55,7 +55,7 @@ TEST_F(MillingTest, FromThePartToTheProgram) {
   press(*dialog, "millCompute");
   ASSERT_TRUE(waitFor([&] { return dialog->settled(); }));
   EXPECT_TRUE(figures(*dialog).startsWith("Passed")) << figures(*dialog).toStdString();
-  // Laid down: 18 x 12 x 6 mm and the block around it.
+  // On its side: 18 x 12 x 6 mm and the block around it.
   EXPECT_TRUE(figures(*dialog).contains("34 × 20 × 8 mm")) << figures(*dialog).toStdString();
   for (const char* lines : {"millShowFineA", "millShowContour", "millShowRapid"})
     dialog->findChild<QCheckBox*>(lines)->setChecked(true);

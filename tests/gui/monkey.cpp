@@ -121,7 +121,7 @@ void Monkey::run(const std::function<bool()>& enough, const std::function<void()
   loop.exec();
 }
 
-// Each step asks for the next one first: a dialog that a click opens runs a loop of its own within
+// Each step schedules the next one first: a dialog that a click opens runs a loop of its own within
 // that click, and the next step is then taken there.
 void Monkey::next() {
   QTimer::singleShot(kPauseMs, this, &Monkey::step);
@@ -216,7 +216,7 @@ QWidget* Monkey::someWidget(QWidget* top) {
 }
 
 QPoint Monkey::placeIn(const QWidget* widget) {
-  // A small widget in sight is meant, whatever its size: what is scrolled away is not clicked.
+  // A visible widget counts, however small: scrolled-out widgets are not clicked.
   const QRect seen = widget->visibleRegion().boundingRect();
   const QRect in = seen.isEmpty() ? widget->rect() : seen;
   return in.topLeft() +
@@ -253,7 +253,7 @@ void Monkey::act(QWidget* top) {
 }
 
 void Monkey::press(QWidget* target, bool twice) {
-  // On a box's indicator, most of the time: what is right of its word does nothing.
+  // On a box's indicator, most of the time: the area right of its word does nothing.
   const QPoint place = qobject_cast<QAbstractButton*>(target) && below(2)
                            ? QPoint(std::min(8, target->width() / 2), target->height() / 2)
                            : placeIn(target);
@@ -314,7 +314,7 @@ void Monkey::key(QWidget* target) {
       control ? kWithControl[below(kWithControl.size())] : kPlain[below(kPlain.size())];
   const Qt::KeyboardModifiers with = control ? Qt::ControlModifier : Qt::NoModifier;
   note("key " + QKeySequence(with | chosen).toString(), target);
-  // As from a keyboard: what has the focus gets it.
+  // Like a keyboard: the widget with the focus gets it.
   QWidget* focus = QApplication::focusWidget();
   QWidget* to = focus && focus->window() == target->window() && below(3) ? focus : target;
   const QPointer<QWidget> alive = to;

@@ -1,5 +1,5 @@
 // Hands that do anything at random in a window: clicks, drags, wheel, keys, typing, sliders, undo,
-// pages, files. Boxes and file dialogs are answered. What it does follows from its seed; when the
+// pages, files. Boxes and file dialogs are answered. Its actions follow from its seed; when the
 // program dies, the seed and the last steps are printed.
 #pragma once
 
@@ -23,7 +23,7 @@ struct MonkeyFiles {
 
 class Monkey : public QObject {
 public:
-  // `window` is asked for at each step: it may be another one after a restart.
+  // `window` is called at each step: it may be another one after a restart.
   Monkey(std::function<QWidget*()> window, unsigned seed, MonkeyFiles files);
   ~Monkey() override;
 

@@ -1,5 +1,5 @@
 // Anything done at random with a planned job of each mode; nothing breaks. ctest takes some hundred
-// steps, the same each time; VOLUTA_MONKEY_SECONDS=1800 goes on for half an hour, best in the asan
+// steps, the same each time; VOLUTA_MONKEY_SECONDS=1800 runs for half an hour, best in the asan
 // build, and VOLUTA_MONKEY_SEED begins with others.
 #include "gui/monkey.h"
 #include "gui/planned_jobs.h"
@@ -33,7 +33,7 @@ protected:
     window::chooseLanguage("en"); // it may have found another
     window::applyAppearance(application(), window::Appearance::Light);
   }
-  // The job as a file, so that it can be opened again after whatever was done.
+  // The job as a file, so that it can be opened again after any action.
   void saveJob() {
     answerFileDialog(path("job.voluta"));
     clickMenu("fileMenu", "saveAs");

@@ -1,5 +1,5 @@
-// One part after another: nothing unsaved goes without a question, undo brings all of it back, and
-// nothing of the part before is left in settings, picture and sliders.
+// One part after another: unsaved work is discarded only after a confirmation, undo brings all of
+// it back, and nothing of the part before is left in settings, picture and sliders.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "pipeline/checked_program.h"
@@ -61,7 +61,7 @@ protected:
   }
 };
 
-TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
+TEST_F(PartChangeTest, MeshOntoAnUnsavedPlanConfirmsAndUndoRestoresThePlan) {
   openPart(plinth());
   planAll();
   const auto plan = document().result(Stage::Replay);
@@ -70,7 +70,7 @@ TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
   answerBox("unsavedBox", QMessageBox::RejectRole);
   drop(other());
   ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 2; }, 5000));
-  QTest::qWait(500); // what was not cancelled would come now
+  QTest::qWait(500); // an open that was not cancelled would show by now
   EXPECT_EQ(document().name(), "plinth") << "cancelled";
   EXPECT_EQ(document().result(Stage::Replay), plan);
 
@@ -97,7 +97,7 @@ TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
   EXPECT_FALSE(window().presenter().hasPaths());
 }
 
-TEST_F(PartChangeTest, APartThatWasOnlyOpenedGoesWithoutAQuestion) {
+TEST_F(PartChangeTest, PartThatWasOnlyOpenedIsReplacedWithoutAQuestion) {
   openPart(plinth());
   window().open(other()); // a box would wait for an answer for ever
   ASSERT_TRUE(shows("other"));
@@ -150,7 +150,7 @@ TEST_F(PartChangeTest, ANewProjectLeavesNothingOfThePartBefore) {
   ASSERT_TRUE(waitFor([&] { return !document().source(); }, 5000));
   EXPECT_EQ(bar().clock(), nullptr);
   EXPECT_EQ(layers().layerCount(), 0);
-  QTest::qWait(500); // what was being drawn would come now
+  QTest::qWait(500); // a picture still being drawn would appear by now
   ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
   choosePage(Page::Simulate);
   EXPECT_LT(differingShare(empty, picture()), 0.01);

@@ -172,7 +172,7 @@ TEST_F(PiecesTest, NumbersAreInThePictureAndTheLegendStaysSmall) {
   auto* legend = find<QWidget>("legend");
   EXPECT_TRUE(legend->isVisible());
 
-  // What is framed lies beside the legend, which a key takes away.
+  // The framed part is beside the legend, which a key hides.
   clickMenu("viewMenu", "frameAll");
   picture();
   for (const double x : {-16.0, 16.0})
@@ -187,7 +187,7 @@ TEST_F(PiecesTest, NumbersAreInThePictureAndTheLegendStaysSmall) {
   EXPECT_TRUE(legend->isVisible());
 }
 
-TEST_F(PiecesTest, WhatCanBeDoneWithThePieceIsSaid) {
+TEST_F(PiecesTest, HintNamesTheActionsForASelectedPiece) {
   planTee();
   auto* hint = find<QLabel>("pieceHint");
   EXPECT_TRUE(hint->text().startsWith("Click a piece"));
@@ -258,7 +258,7 @@ TEST_F(PiecesTest, ACutIsDraggedAndUndone) {
   ASSERT_TRUE(cutAnew());
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::OutOfDate);
   EXPECT_GE(panel().selected(), 1) << "it stays chosen";
-  // Some of the arm hangs on the leg now.
+  // Some of the arm is carried by the leg now.
   EXPECT_NEAR(document().result(Stage::Decompose)->job.report.item().decomposition.riskyAreaMm2,
               8.0 * (moved[cut].plane.offsetMm - 4.0), 0.2);
 
@@ -299,7 +299,7 @@ TEST_F(PiecesTest, WithoutAPreviewADraggedCutIsMeasuredAndWaitsForPlan) {
   EXPECT_TRUE(view().moved_T_base) << "the plane is seen where it is now";
   ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
   EXPECT_TRUE(total->text().contains("Press Plan")) << total->text().toStdString();
-  // Out of the part altogether: said in one line, and no error box.
+  // Out of the part altogether: an error of one line, and no message box.
   const QPoint there = onScreen(pieces.cuts()[cut].point) + QPoint(20 * sign, 0);
   drag(there + QPoint(80 * sign, 0), there + QPoint(700 * sign, 0));
   ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
@@ -311,7 +311,7 @@ TEST_F(PiecesTest, WithoutAPreviewADraggedCutIsMeasuredAndWaitsForPlan) {
   EXPECT_TRUE(total->text().contains("192")) << total->text().toStdString();
 }
 
-TEST_F(PiecesTest, ARootIsPickedOnThePartWhereTheSchemeAsksForOne) {
+TEST_F(PiecesTest, RootIsPickedOnThePartOnlyForSchemesThatNeedOne) {
   planTee();
   window().livePreview().setEnabled(false);
   EXPECT_FALSE(find<QPushButton>("pickRoot")->isVisible());
@@ -408,7 +408,7 @@ TEST_F(PiecesTest, StretchesOfALargePart) {
   recordLongestStretch();
 }
 
-TEST_F(PiecesTest, OtherModesKnowNoPieces) {
+TEST_F(PiecesTest, OtherModesShowNoPieces) {
   openPart(writePart("tee.stl", tee()));
   choose("flat");
   clickMenu("runMenu", "planLayers");

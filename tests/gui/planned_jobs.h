@@ -13,7 +13,7 @@ protected:
   void TearDown() override;
 
   void planJob(const std::string& mode);
-  // What the window is planning is done or given up, and drawn.
+  // Whether the window's planning is finished or cancelled, and drawn.
   bool settled();
 };
 

@@ -61,7 +61,7 @@ geometry::TriangleMesh plinth() {
   return box({0, 0, 0}, {9, 9, 5});
 }
 
-// A post, an arm, and a tip that hangs from the arm's end: a wide platform's front closes under it.
+// A post, an arm, and a tip below the arm's end: the front of a wide platform closes under it.
 geometry::TriangleMesh hook() {
   geometry::TriangleMesh mesh;
   const double x[] = {0, 6, 22, 28}, z[] = {0, 6, 20, 26};
@@ -139,7 +139,7 @@ TEST_F(PreviewTest, ThePartIsInSightWhileItIsHandled) {
   EXPECT_FALSE(window().viewport().view().voxels);
   clickToolBar("toolMove");
   EXPECT_TRUE(window().viewport().view().voxels);
-  // Moved voxels would stand where the part is not.
+  // Moved voxels would be outside the part.
   QTest::keyClick(&window(), Qt::Key_C);
   geometry::Placement moved = document().choices().item().placement;
   moved.centreMm.x() += 12.0;
@@ -189,7 +189,7 @@ TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   EXPECT_EQ(missed(), before);
 }
 
-TEST_F(PreviewTest, APartInTheAirIsDroppedByTheButtonBesideWhatStoppedTheRun) {
+TEST_F(PreviewTest, PartInTheAirIsDroppedByTheButtonOfTheFinding) {
   planLayers(writePart("plinth.stl", plinth()));
   geometry::Placement lifted = document().choices().item().placement;
   lifted.liftMm = 5.0;

@@ -35,7 +35,7 @@ using window::LibraryDialog;
 
 class ProcessEditorTest : public WindowTest {
 protected:
-  // Works the dialog once it is up, then goes on.
+  // Works the dialog once it is up, then continues.
   template <typename Dialog> void inDialog(const std::function<void(Dialog&)>& work) {
     QTimer::singleShot(0, &window(), [work] {
       Dialog* dialog = nullptr;
@@ -238,8 +238,9 @@ TEST_F(ProcessEditorTest, TheHeadIsEditedAsATableFromNumbersAndFromAMesh) {
   });
 }
 
-// A drawing with the nozzle up: the dialog asks, and a head that is used as drawn stays marked.
-TEST_F(ProcessEditorTest, AHeadDrawnUpsideDownIsAskedFor) {
+// A drawing with the nozzle up: a message box comes up, and a head that is used as drawn stays
+// marked.
+TEST_F(ProcessEditorTest, HeadDrawnUpsideDownNeedsConfirmation) {
   geometry::TriangleMesh drawn = box({-10, -10, 0}, {10, 10, 30});
   append(drawn, box({-0.5, -0.5, 30}, {0.5, 0.5, 40}));
   const QString file = writePart("nozzle up.stl", drawn);

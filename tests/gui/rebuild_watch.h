@@ -13,7 +13,7 @@ namespace voluta::test {
 
 class RebuildWatch : public QObject {
 public:
-  // Also takes in what has come since; to be called often.
+  // Also watches objects created since; to be called often.
   void watchAll();
 
 private:

@@ -92,8 +92,8 @@ TEST_F(WindowTest, HelpShowsTheLog) {
   dialog->reject();
 }
 
-// Of keys that commands share with widgets: after a click the command has them, text never loses
-// them, and what was reached by Tab has them itself.
+// Keys that commands share with widgets: after a click they go to the command, text fields always
+// keep them, and a widget reached by Tab has them itself.
 TEST_F(WindowTest, SpacePlaysAndHomeShowsEverythingAfterAClickOnAnything) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   clickToolBar("plan");
@@ -134,7 +134,7 @@ TEST_F(WindowTest, SpacePlaysAndHomeShowsEverythingAfterAClickOnAnything) {
   QTest::keyClick(solids, Qt::Key_Space);
   EXPECT_NE(solids->isChecked(), ticked);
   EXPECT_FALSE(bar->playing());
-  // What is typed into is typed into.
+  // Text fields take the keys typed into them.
   choosePage(Page::Export);
   auto* folder = find<QWidget>("export")->findChild<QLineEdit*>("folder");
   QTest::mouseClick(folder, Qt::LeftButton);
@@ -162,7 +162,7 @@ TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {
   EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
 }
 
-// A key of theirs must not work what is not in sight.
+// Keys of a hidden time-line must not work it.
 TEST_F(WindowTest, TheTimeLineIsWorkedWhereItIsSeen) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   clickToolBar("plan");
@@ -239,7 +239,7 @@ TEST_F(WindowTest, AFindingIsShownByThePageThatShowsItBest) {
 }
 
 // A project that was made with `--cell FILE.json` holds the file's whole text.
-TEST_F(WindowTest, ACellThatGoesWithTheProjectIsShownByItsName) {
+TEST_F(WindowTest, CellStoredInTheProjectIsShownByItsName) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   project::Choices choices = document().choices();
   choices.cell = robot::draftOfCell("ur5-fixed").named("bench-two", "Bench two").text();

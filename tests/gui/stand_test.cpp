@@ -1,4 +1,5 @@
-// Ways to stand: shown for every part, laid by one click, and offered where a part lies badly.
+// Orientations on the plate: shown for every part, taken by one click, and offered where a part is
+// badly oriented.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/findings_panel.h"
@@ -128,8 +129,8 @@ TEST_F(StandTest, APartOnItsEdgeIsOfferedTheBestWay) {
   EXPECT_FALSE(tellsOfLyingBadly());
 }
 
-// A part that is turned by hand is shown as it lies, beside the others.
-TEST_F(StandTest, HowItLiesByHandIsAmongThem) {
+// A part that is turned by hand is shown in its orientation, beside the others.
+TEST_F(StandTest, ListIncludesTheOrientationSetByHand) {
   openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
   geometry::Placement tipped;
   tipped.rotation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 1.0, 0.0).normalized());
@@ -156,7 +157,7 @@ TEST_F(StandTest, ThereAreNoneAroundARod) {
   EXPECT_FALSE(ways()->isVisible());
 }
 
-// A vase has a wall and a bottom; its card says so as soon as that is chosen.
+// A vase has a wall and a bottom; its card shows that as soon as it is chosen.
 TEST_F(StandTest, TheTimeOnACardIsThatOfThePlan) {
   openStanding(writePart("column.stl", box({0, 0, 0}, {30.0, 30.0, 24.0})));
   project::Choices choices = document().choices();

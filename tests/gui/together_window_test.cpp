@@ -106,7 +106,7 @@ TEST_F(TogetherTest, MachinesTooCloseHaveAReasonAndAPlace) {
   EXPECT_EQ(dialog.machines().all().size(), 1u);
 }
 
-TEST_F(TogetherTest, AFileWithoutMotionSaysSo) {
+TEST_F(TogetherTest, FileWithoutMotionIsNamed) {
   planBox();
   window::TogetherDialog& dialog = open();
   dialog.addFile(path("none.voluta"));

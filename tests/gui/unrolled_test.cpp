@@ -1,4 +1,4 @@
-// A layer around an axis laid flat: lengths as on the layer, the seam in both pictures, the same
+// A layer around an axis unrolled: lengths as on the layer, the seam in both pictures, the same
 // path chosen by the mouse.
 #include "base/units.h"
 #include "window/unrolled/unrolled_canvas.h"
@@ -76,7 +76,7 @@ std::shared_ptr<const UnrolledLayer> unrolled() {
   return window::unrolledLayer(tubeLayer(), &plan, 1, {});
 }
 
-TEST(UnrolledLayer, KeepsLengthsAndGoesOnAtTheOtherSideOfTheSeam) {
+TEST(UnrolledLayer, KeepsLengthsAndContinuesAcrossTheSeam) {
   const auto layer = unrolled();
   const double period = 2 * kPi * kRadius;
   EXPECT_NEAR(layer->periodMm, period, 1e-9);
@@ -103,7 +103,7 @@ TEST(UnrolledLayer, KeepsLengthsAndGoesOnAtTheOtherSideOfTheSeam) {
       EXPECT_NEAR(before.y(), after.y(), 1e-9);
     }
   }
-  // The chords of 90 sides are what the chart is blended on.
+  // The chart is blended on the chords of 90 sides.
   EXPECT_NEAR(length, kTurns * std::hypot(period, kPitch), 1e-3 * kTurns * period);
   double outline = 0.0;
   for (const QLineF& line : layer->outline)
@@ -146,7 +146,7 @@ window::UnrolledLook plainLook() {
   return look;
 }
 
-TEST(UnrolledPicture, WhatIsLeftOfTheSeamIsThereOnceMoreOnTheRight) {
+TEST(UnrolledPicture, AreaLeftOfTheSeamIsRepeatedOnTheRight) {
   const auto layer = unrolled();
   window::UnrolledFrame frame;
   frame.pixelsPerMm = 400.0 / layer->periodMm; // a period is 400 pixels
@@ -163,7 +163,7 @@ TEST(UnrolledPicture, WhatIsLeftOfTheSeamIsThereOnceMoreOnTheRight) {
   EXPECT_GT(seen, 1000);
 }
 
-TEST(UnrolledPicture, WhatIsNotLaidYetIsFaint) {
+TEST(UnrolledPicture, UnprintedMovesAreFaint) {
   const auto layer = unrolled();
   window::UnrolledFrame frame;
   frame.pixelsPerMm = 8.0;
@@ -201,7 +201,7 @@ protected:
   window::UnrolledView view_;
 };
 
-TEST_F(UnrolledViewTest, AClickChoosesTheWaypointThatLiesThere) {
+TEST_F(UnrolledViewTest, ClickSelectsTheWaypointUnderIt) {
   std::vector<std::optional<std::size_t>> chosen;
   QObject::connect(&view_, &window::UnrolledView::chosen,
                    [&](std::optional<std::size_t> waypoint) { chosen.push_back(waypoint); });
@@ -223,7 +223,7 @@ TEST_F(UnrolledViewTest, AClickChoosesTheWaypointThatLiesThere) {
   EXPECT_NE(before, canvas().picture());
 }
 
-TEST_F(UnrolledViewTest, TellsWhatThePointerIsOn) {
+TEST_F(UnrolledViewTest, LabelShowsThePlaceUnderThePointer) {
   const std::size_t waypoint = 2 + 5;
   const QPointF mm = *window::placeOf(*canvas().content().layer, waypoint);
   QTest::mouseMove(&canvas(), canvas().pixelOf(mm).toPoint());

@@ -10,7 +10,7 @@
 namespace voluta::test {
 
 namespace {
-// What the window's thread has worked itself: on a loaded machine it waits for others too.
+// Processor time of the window's thread: on a loaded machine wall time includes other programs.
 double threadMs() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -35,7 +35,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   }
   for (Delivery& outer : under_)
     outer.opensLoop = true;
-  // The receiver may be gone afterwards.
+  // The receiver may be deleted afterwards.
   const QString what =
       QString("%1 to %2 %3 of %4")
           .arg(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type()),
@@ -51,7 +51,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   const double worked = threadMs() - workedBefore;
   const double beside = ms - (framesMs_ - framesBefore);
-  // Of one that paints, what it has not spent waiting for the picture.
+  // For one that paints, without the time spent waiting for the picture.
   const double apart = under_.back().paints ? std::min(beside, worked) : beside;
   if (frame) {
     longestFrameMs_ = std::max(longestFrameMs_, ms);

@@ -62,7 +62,7 @@ protected:
   static bool waitFor(const std::function<bool()>& condition, int ms = 180000);
   // All stages of the present choices are done and drawn.
   bool planned(project::Stage stage);
-  // Opens a part and waits until it lies on the plate.
+  // Opens a part and waits until it is on the plate.
   void openPart(const QString& file);
   // By the mouse: menu bar, then the entry.
   void clickMenu(const char* menu, const char* action);

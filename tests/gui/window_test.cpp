@@ -1,4 +1,4 @@
-// The window worked by clicks and keys, and what it shows looked at.
+// Drives the window by clicks and keys, and checks its contents.
 #include "document/mode_switch.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
@@ -135,7 +135,7 @@ TEST_F(WindowTest, AChangeWhileRunningStartsOverAndOnlyTheNewestArrives) {
   EXPECT_EQ(result->job.choices.item().parameters.at("walls"), "1");
 }
 
-TEST_F(WindowTest, AnEditMarksWhatDependsOnItAndUndoBringsItBack) {
+TEST_F(WindowTest, EditOutdatesDependentPagesAndUndoRestoresThem) {
   openPart(writePart("plinth.stl", smallBox()));
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
@@ -211,7 +211,7 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
   ASSERT_TRUE(button->isEnabled());
   answerBox("", QMessageBox::DestructiveRole);
   QTest::mouseClick(button, Qt::LeftButton);
-  // While the set moves in, a note says so.
+  // While the set moves in, there is a note about it.
   ASSERT_TRUE(waitFor([&] {
     const QStringList names = QDir(path("out")).entryList(QDir::Files);
     return names.contains("report.json") && names.filter("UNFINISHED").isEmpty();
@@ -224,7 +224,7 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
   EXPECT_FALSE(names.filter("refused-").isEmpty());
 }
 
-TEST_F(WindowTest, ClosingAsksForUnsavedChanges) {
+TEST_F(WindowTest, ClosingOffersToSaveUnsavedChanges) {
   openPart(writePart("plinth.stl", smallBox()));
   ASSERT_TRUE(document().dirty());
   answerBox("unsavedBox", QMessageBox::RejectRole);
@@ -237,7 +237,7 @@ TEST_F(WindowTest, ClosingAsksForUnsavedChanges) {
   EXPECT_TRUE(QFile::exists(path("kept.voluta")));
 }
 
-TEST_F(WindowTest, AProjectComesBackAsItWas) {
+TEST_F(WindowTest, ProjectIsReopenedUnchanged) {
   openPart(writePart("plinth.stl", smallBox()));
   document().setParameter("walls", "1");
   clickToolBar("plan");
@@ -279,7 +279,7 @@ TEST_F(WindowTest, EverySampleOpensWithTheChoicesItRequires) {
   }
 }
 
-TEST_F(WindowTest, WhatIsNoMeshIsToldInOneLineAndChangesNothing) {
+TEST_F(WindowTest, FileWithoutAMeshGivesAnErrorOfOneLineAndChangesNothing) {
   openPart(writePart("plinth.stl", smallBox()));
   document().undoStack()->setClean();
   QFile bad(path("bad.stl"));

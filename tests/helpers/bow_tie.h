@@ -6,8 +6,8 @@
 namespace voluta::test {
 
 // Two wedges edge to edge, together `length` long, of ends `first` and `second` wide: the sides
-// cross, and the second wedge faces inside out. It has second^2 / (first^2 + second^2) of what both
-// enclose.
+// cross, and the second wedge faces inside out. Its share of the enclosed volume is second^2 /
+// (first^2 + second^2).
 inline geometry::TriangleMesh bowTie(const Eigen::Vector3d& low, double length, double first,
                                      double second, double height) {
   geometry::TriangleMesh m = box({0, -0.5 * first, 0}, {length, 0.5 * first, height});

@@ -8,7 +8,7 @@
 namespace voluta::test {
 
 // A flat grid of triangles at height z over [-half, half]^2, upright, of one thickness; where the
-// step does not divide the square the grid stands over at the far sides. mm, step > 0.
+// step does not divide the square the grid overhangs at the far sides. mm, step > 0.
 inline layers::LevelSurface flatSquare(double half, double step, double z, double thickness = 0.8) {
   layers::LevelSurface s;
   const int n = static_cast<int>(std::ceil(2 * half / step - 1e-9));

@@ -1,4 +1,4 @@
-// One process for each source file of tests: what its cases share is made once.
+// One process for each source file of tests: data shared by its cases is made once.
 #pragma once
 
 namespace voluta::test {

@@ -32,7 +32,7 @@ inline geometry::TriangleMesh revolved(const std::vector<Eigen::Vector2d>& secti
     }
   return facingOutward(std::move(m));
 }
-// Of the solid that it stands for, by Pappus.
+// The volume of the solid of revolution, by Pappus.
 inline double revolvedVolume(const std::vector<Eigen::Vector2d>& section) {
   double sum = 0.0;
   for (std::size_t k = 0; k < section.size(); ++k) {
@@ -114,7 +114,7 @@ inline std::vector<Eigen::Vector2d> shoulderSection() {
 inline std::vector<Eigen::Vector2d> taperedSection() {
   return {{-25, kBore}, {-25, 2.5}, {-15, 5}, {15, 5}, {25, 2.5}, {25, kBore}};
 }
-// Of a section, what is left where a rod of radius r was: its inner edge is moved out to r.
+// Cuts a rod of radius r out of a section: its inner edge is moved out to r.
 inline std::vector<Eigen::Vector2d> onRod(std::vector<Eigen::Vector2d> section, double r) {
   for (Eigen::Vector2d& p : section)
     p.y() = std::max(p.y(), r);

@@ -1,4 +1,4 @@
-// Measures of meshes that only tests ask for.
+// Measures of meshes that only tests need.
 #pragma once
 
 #include "geometry/edges.h"

@@ -103,7 +103,7 @@ private:
   std::uint64_t count_ = 0;
 };
 
-// Adds what every package has; the model is to be added.
+// Adds the files that every package has; the model is to be added.
 inline void addRelations(ZipWriter& zip) {
   zip.add("[Content_Types].xml",
           "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"

@@ -20,7 +20,7 @@ inline geometry::TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vecto
   return m;
 }
 
-// Whichever way it was put together.
+// For either orientation of its triangles.
 inline geometry::TriangleMesh facingOutward(geometry::TriangleMesh mesh) {
   if (geometry::volume(mesh) < 0.0)
     for (auto& t : mesh.triangles)
@@ -28,7 +28,7 @@ inline geometry::TriangleMesh facingOutward(geometry::TriangleMesh mesh) {
   return mesh;
 }
 
-// Adds the triangles of `other` to `mesh`, turned inside out where asked.
+// Adds the triangles of `other` to `mesh`, turned inside out if `reversed`.
 inline void append(geometry::TriangleMesh& mesh, const geometry::TriangleMesh& other,
                    bool reversed = false) {
   const int offset = static_cast<int>(mesh.vertices.size());

@@ -109,7 +109,7 @@ Made blade(Dice& d) {
           0.6 * taper};
 }
 
-// A box with a rim, stand-offs, a rib and vents.
+// A box with a rim, bosses, a rib and vents.
 Made printerCase(Dice& d) {
   const double w = d.between(30, 55), depth = d.between(25, 45), h = d.between(10, 22),
                t = d.between(1.2, 2.4), floor = d.between(1.6, 3), r = d.between(2.0, 3.0);

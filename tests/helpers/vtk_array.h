@@ -1,4 +1,4 @@
-// Arrays of a VTK XML file, found as its header says.
+// Arrays of a VTK XML file, found by its header.
 #pragma once
 
 #include <cstdint>

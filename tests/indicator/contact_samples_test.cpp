@@ -51,7 +51,7 @@ TEST(ContactSamples, AreTrueAndApart) {
     for (std::size_t o = 0; o < i && i >= kFirst; ++o)
       EXPECT_GE((points[i] - points[o]).norm(), 0.5 * sampling.borderRad - 1e-12) << i << " " << o;
   }
-  // Half of them are projected, and some of the others lie there by chance.
+  // Half of them are projected, and some of the others are there by chance.
   const double share = static_cast<double>(onLine) / static_cast<double>(samples.size() - kFirst);
   EXPECT_GT(share, 0.4);
   EXPECT_LT(share, 0.6);
@@ -79,7 +79,7 @@ TEST(ContactSamples, AreTheSameForAnyThreads) {
 }
 
 // Where nothing collides there is no border: sampling ends by itself once samples are even.
-TEST(ContactSamples, EndWhereThereIsNothingToTell) {
+TEST(ContactSamples, SamplingEndsWhereThereIsNoContact) {
   test::PlanarArm arm;
   arm.disc = {100.0, 0.0};
   indicator::ContactSampling sampling;

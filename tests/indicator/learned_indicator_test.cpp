@@ -34,7 +34,7 @@ std::vector<JudgedJoints> taught(const test::PlanarArm& arm, const std::vector<J
 }
 
 struct Rates {
-  double freeFound = 0.0, missed = 0.0; // of what is free; of what collides
+  double freeFound = 0.0, missed = 0.0; // shares of the free and of the colliding samples
 };
 
 Rates rates(const LearnedIndicator& learned, const test::PlanarArm& arm,
@@ -103,7 +103,7 @@ TEST(LearnedIndicator, OfTwoSamplesIsKnown) {
   }
 }
 
-TEST(LearnedIndicator, OfOneKindSaysItEverywhere) {
+TEST(LearnedIndicator, SamplesOfOneKindGiveAConstantIndicator) {
   const std::vector<robot::JointLimits> limits{kTurning, kTurning};
   std::vector<JudgedJoints> samples{{joints(0, 0), false}, {joints(1, 1), false}};
   EXPECT_TRUE(LearnedIndicator(samples, limits, {}).saysFree(joints(3, -2)));
@@ -147,8 +147,8 @@ TEST(LearnedIndicator, GradientIsThatOfDifferences) {
   }
 }
 
-// Taught about a disc, it finds most of what is free, and what it calls free is, on the line and
-// beside it.
+// Trained on a disc, it finds most of the free samples, and samples it calls free are free, on the
+// line and beside it.
 TEST(LearnedIndicator, LearnsADisc) {
   const test::PlanarArm arm;
   indicator::ContactSampling sampling;
@@ -166,7 +166,7 @@ TEST(LearnedIndicator, LearnsADisc) {
   }
 }
 
-// The bias is what makes it careful: less of what collides is missed, less of what is free found.
+// The bias makes it careful: fewer colliding samples are missed, fewer free ones found.
 TEST(LearnedIndicator, MoreBiasIsMoreCareful) {
   const test::PlanarArm arm;
   const std::vector<JudgedJoints> samples = taught(arm, arm.onTheLine(500, 1));
@@ -186,7 +186,7 @@ TEST(LearnedIndicator, MoreBiasIsMoreCareful) {
   EXPECT_LT(all.back().freeFound, all.front().freeFound);
 }
 
-// Held to a share of what collides among samples that it has not seen, it keeps to it among others.
+// A bias fitted to a share of missed collisions on unseen samples keeps to it on others.
 TEST(LearnedIndicator, CarefulBiasKeepsItsShare) {
   const test::PlanarArm arm;
   const LearnedIndicator learned(taught(arm, arm.onTheLine(500, 1)), arm.limits(), {});

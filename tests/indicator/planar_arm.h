@@ -1,5 +1,5 @@
 // An arm of three links of length 1 in a plane, whose tip is to follow the line y = 1, and a disc
-// in its way: what collides is known in closed form (the setting of Dai 2020, 4.4.3).
+// in its way: collisions are known in closed form (the setting of Dai 2020, 4.4.3).
 #pragma once
 
 #include "base/units.h"

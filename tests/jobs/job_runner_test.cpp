@@ -26,7 +26,7 @@ int valueOf(const Outcome<int>& outcome) {
   return value ? *value : -1;
 }
 
-// Only what never comes is waited for so long.
+// The timeout for events that should come.
 constexpr int kPatienceMs = 60000;
 
 void sleepMs(int ms) {
@@ -69,8 +69,8 @@ TEST(JobRunner, ErrorsAreOutcomes) {
   EXPECT_EQ(message, "wrong");
 }
 
-// The work hangs in a call that knows of no cancel, until the test lets it go: a cancel that waited
-// for it would wait for ever.
+// The work blocks in a call that cannot be cancelled until the test releases it: a cancel that
+// waited for it would wait for ever.
 TEST(JobRunner, CancelIsDoneAtOnceEvenIfTheWorkIsNot) {
   struct Hanging {
     std::binary_semaphore begun{0}, freeStorage{0};
@@ -136,8 +136,8 @@ TEST(JobRunner, ACancelStopsWorkThatListens) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return stopped->load(); }, kPatienceMs));
 }
 
-// Of all that is reported between two looks of the window only the latest is told; how often the
-// window looks is its timer's.
+// Of all reports between two polls of the window only the latest is passed on; a timer of the
+// window sets the interval.
 TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
   struct Bursts {
     std::binary_semaphore told{0}, seen{0};
@@ -233,8 +233,8 @@ TEST(JobRunner, ANewRunMayBeginInTheResultOfTheOld) {
   EXPECT_EQ(finished.size(), 1);
 }
 
-// Its run never ends: that the program is gone says that it did not wait for it.
-TEST(JobRunner, TheProgramLeavesWithItsStatusThoughARunHangs) {
+// Its run never ends: that the program exits shows that it did not wait for it.
+TEST(JobRunner, ProgramExitsWithItsStatusDespiteABlockedRun) {
   for (const int status : {0, 7}) {
     QProcess leaver;
     leaver.start(QStringLiteral(HASTY_LEAVER), {QString::number(status)});
@@ -260,7 +260,7 @@ TEST(TimeLeft, HidesTheFirstTwoSecondsAndThenCountsDown) {
   }
 }
 
-TEST(TimeLeft, NothingIsSaidAfterAStageThatJumpsUntilTheEstimatesAgreeAgain) {
+TEST(TimeLeft, NoEstimateAfterAJumpUntilEstimatesAgreeAgain) {
   TimeLeft left;
   for (double t = 0.0; t < 10.0; t += 0.1)
     left.update(t, 0.02 * t);
@@ -275,7 +275,7 @@ TEST(TimeLeft, NothingIsSaidAfterAStageThatJumpsUntilTheEstimatesAgreeAgain) {
 }
 
 // The second half of the work takes another share of the time than the first.
-TEST(TimeLeft, WhatIsSaidIsRightWithinAFactorOfTwo) {
+TEST(TimeLeft, EstimateIsRightWithinAFactorOfTwo) {
   constexpr double kFirstS = 10.0, kNoticedS = 2.0;
   for (const double slowdown : {0.25, 1.0, 2.0, 4.0}) {
     TimeLeft left;
@@ -296,7 +296,7 @@ TEST(TimeLeft, WhatIsSaidIsRightWithinAFactorOfTwo) {
 }
 
 // Half of the work was kept from the run before and came at once; the other half takes 16 s.
-TEST(TimeLeft, WhatCameAtOneStrokeSaysNothingOfThePace) {
+TEST(TimeLeft, InitialJumpDoesNotCountForThePace) {
   TimeLeft left;
   left.update(0.05, 0.0);
   left.update(0.11, 0.5);
@@ -307,7 +307,7 @@ TEST(TimeLeft, WhatCameAtOneStrokeSaysNothingOfThePace) {
   EXPECT_NEAR(*now, 14.0, 1.5);
 }
 
-TEST(TimeLeft, NothingIsSaidOnceARunStandsStillForLongerThanItWasToTake) {
+TEST(TimeLeft, EstimateEndsOnceARunStallsLongerThanItWasToTake) {
   TimeLeft left;
   for (double t = 0.0; t < 9.0; t += 0.05)
     left.update(t, t / 10.0);
@@ -317,7 +317,7 @@ TEST(TimeLeft, NothingIsSaidOnceARunStandsStillForLongerThanItWasToTake) {
   EXPECT_FALSE(left.update(12.05, 0.91)) << "going on again, at a pace that nobody knows yet";
 }
 
-TEST(TimeLeft, NothingIsSaidOfWorkThatHasHardlyBegun) {
+TEST(TimeLeft, NoEstimateForWorkThatHasHardlyBegun) {
   TimeLeft left;
   EXPECT_FALSE(left.update(5.0, 0.0));
   EXPECT_FALSE(left.update(6.0, 0.001));

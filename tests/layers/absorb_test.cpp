@@ -1,4 +1,4 @@
-// What becomes of slivers, by an account of its own: which vertices rise, how far, and how much.
+// Absorbed slivers, by independent measures: which vertices rise, how far, and how much.
 #include "helpers/flat_square.h"
 #include "layers/absorb.h"
 
@@ -82,7 +82,7 @@ TEST(AbsorbSlivers, PatchesUnderAndOverRiseEvenlyUntilTheyAreFull) {
       }
       EXPECT_LT(aside, kHalf + 0.5 * options.beadWidthMm);
       EXPECT_NEAR(rise, std::min(room, most), 1e-12);
-      // Its far side stays; what is under the sliver grows up, what is over it down.
+      // Its far side stays; patches under the sliver grow up, patches over it down.
       const double way = p == 0 ? -0.5 * rise : 0.5 * rise;
       EXPECT_LT((to - from - Vector3d(0, 0, way)).norm(), 1e-12);
       taken += rise * area[v];
@@ -95,8 +95,8 @@ TEST(AbsorbSlivers, PatchesUnderAndOverRiseEvenlyUntilTheyAreFull) {
   EXPECT_NEAR(a.mergedVolumeMm3, kVolume, 1e-9);
 }
 
-// Room is found in full: all that is offered is used, and what is left has its share of the area.
-TEST(AbsorbSlivers, WhatFindsNoRoomIsLeft) {
+// All available room is used, and the rest of the sliver has its share of the area.
+TEST(AbsorbSlivers, VolumeWithoutRoomIsDropped) {
   for (const double roomMm : {0.02, 0.06}) {
     std::vector<Patch> patches{square(5, 0.25, 1.0, 0.7, 1)};
     const std::vector<Patch> before = patches;
@@ -118,8 +118,8 @@ TEST(AbsorbSlivers, WhatFindsNoRoomIsLeft) {
   }
 }
 
-// Of a sliver with room for a given share: refused where more is asked for, merged where hardly
-// anything is left.
+// A sliver with room for a given share: refused where the required share is greater, merged where
+// hardly anything remains.
 TEST(AbsorbSlivers, AreRefusedMergedOrDroppedByTheShareThatFindsRoom) {
   const auto absorbed = [](double roomMm, double leastShare, std::vector<Patch>& patches) {
     patches = {square(5, 0.25, 1.0, 0.7, 1)};
@@ -145,7 +145,7 @@ TEST(AbsorbSlivers, AreRefusedMergedOrDroppedByTheShareThatFindsRoom) {
   }
 }
 
-TEST(AbsorbSlivers, OnlyWhatLiesRightUnderOrOverTakesPart) {
+TEST(AbsorbSlivers, OnlyPatchesDirectlyUnderOrOverTakePart) {
   const auto takes = [](Patch patch) {
     std::vector<Patch> patches{std::move(patch)};
     const std::vector<double> before = patches[0].thicknessMm;

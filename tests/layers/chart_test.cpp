@@ -30,7 +30,7 @@ template <typename Surface> double worstChart(const Surface& s, const geometry::
   return worst;
 }
 
-TEST(Chart, DifferencesAndBlendsGoTheShortWayRound) {
+TEST(Chart, DifferencesAndBlendsTakeTheShortWayRound) {
   Chart c;
   c.periodMm = 10.0;
   c.at = {{4.5, 0.0}, {-4.5, 2.0}, {-3.5, 1.0}};

@@ -40,7 +40,7 @@ TEST(FollowTop, EndsLayersOnARampThatRunsNearlyAlongThem) {
       const auto r = flatLayersOf(part, spacing);
       const auto v = test::checkStack(r.stack, part, 0.4, 1.0);
       EXPECT_GT(v.flatTopShare, 0.15);
-      EXPECT_LT(v.flatTopMeanMm, 0.07); // a quarter of a height is what plain levels give
+      EXPECT_LT(v.flatTopMeanMm, 0.07); // a quarter of a height is the value for plain levels
       EXPECT_LT(v.flatTopP99Mm, 0.2);
       EXPECT_NEAR(v.volumeRatio, 1.0, 0.01);
       EXPECT_GT(r.statistics.withinLimitsFraction, 0.9999);
@@ -52,7 +52,7 @@ TEST(FollowTop, EndsLayersOnARampThatRunsNearlyAlongThem) {
     }
 }
 
-TEST(FollowTop, SharesWhatIsTooMuchForOneLayerWithTheOneBelow) {
+TEST(FollowTop, SharesExcessThicknessWithTheLayerBelow) {
   const auto part =
       test::box({-8, -8, 0}, {8, 8, 4.35}); // five layers of 0.8 and more than a limit
   const auto r = flatLayersOf(part, 0.8);

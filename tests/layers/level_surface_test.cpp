@@ -1,4 +1,4 @@
-// Vertices between others, and what of a surface no triangle uses.
+// Vertices between others, and vertices that no triangle uses.
 #include "layers/level_surface.h"
 
 #include "layers/layer_findings.h"
@@ -74,7 +74,7 @@ TEST(LevelSurface, AVertexInATriangleHasItsCornersShares) {
   EXPECT_EQ(s.innerRim[5], 0);
 }
 
-TEST(LevelSurface, UnusedVerticesGoAndTheOthersKeepTheirValues) {
+TEST(LevelSurface, UnusedVerticesAreDroppedAndOthersKeepTheirValues) {
   LevelSurface s = quad();
   s.surface.triangles = {{4, 2, 3}};
   const LevelSurface before = s;
@@ -99,7 +99,7 @@ TEST(LevelSurface, UnusedVerticesGoAndTheOthersKeepTheirValues) {
 
 // By which corners have values below nothing: each of the eight ways keeps its share of a triangle,
 // its side up.
-TEST(LevelSurface, KeepsOfATriangleWhatIsPositive) {
+TEST(LevelSurface, KeepPositiveCutsEveryTriangleAtZero) {
   for (int set = 0; set < 8; ++set) {
     LevelSurface s;
     s.surface.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}};
@@ -131,7 +131,7 @@ TEST(LevelSurface, KeepsOfATriangleWhatIsPositive) {
   }
 }
 
-TEST(LayerFindings, WhatIsNotLaidIsCountedAndBlocksFromAShareOn) {
+TEST(LayerFindings, UnprintedSliversAreCountedAndBlockFromAShareOn) {
   EXPECT_EQ(notLaid({}).pieces, 0u);
   EXPECT_FALSE(sliversFinding(notLaid({}), 100.0, 0.01));
   const NotLaid lost =

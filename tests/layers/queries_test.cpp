@@ -51,7 +51,7 @@ TEST(PartBoundary, AGrazeIsLeftOut) {
   EXPECT_TRUE(found.empty()) << "the first block is 4 mm wide";
 }
 
-TEST(PartBoundary, WhatPassesByMayNotCross) {
+TEST(PartBoundary, LinesOutsideThePartDoNotCross) {
   const geometry::TriangleMesh part = twoBlocks();
   const PartBoundary boundary(part, 1.0, base::RunContext());
   EXPECT_TRUE(boundary.mayCross({-2, 5, 5}, {14, 5, 5}));
@@ -64,8 +64,8 @@ TEST(PartBoundary, WhatPassesByMayNotCross) {
   EXPECT_FALSE(boundary.mayCross({7.8, 3, 3}, {10.2, 7, 7})) << "well inside";
 }
 
-// Of the outline of a patch in a block one long side lies on a face, or none.
-TEST(BoundaryChecks, TellTheShareOfTheOutlineOnTheSurface) {
+// Of the outline of a patch in a block one long side is on a face, or none.
+TEST(BoundaryChecks, FindTheShareOfTheOutlineOnTheSurface) {
   LayerStack stack;
   Patch patch;
   patch.surface.vertices = {{2, 0, 5}, {8, 0, 5}, {8, 1.5, 5}, {2, 1.5, 5}};
@@ -83,8 +83,8 @@ TEST(BoundaryChecks, TellTheShareOfTheOutlineOnTheSurface) {
   }
 }
 
-// What crosses a facet is never said to pass by, however it lies.
-TEST(PartBoundary, WhatCrossesIsNeverMissed) {
+// Lines that cross a facet are always found, whatever their position.
+TEST(PartBoundary, CrossingsAreNeverMissed) {
   const geometry::TriangleMesh part = twoBlocks();
   std::mt19937 random(6);
   std::uniform_real_distribution<double> u(-3, 14);
@@ -120,8 +120,8 @@ TEST(PartBoundary, WhatCrossesIsNeverMissed) {
   EXPECT_GT(passing, 200);
 }
 
-// Flat triangles far enough apart that planes and edges tell the nearest point by hand.
-TEST(StackQuery, TheClosestIsThatOfAllPatchesAskedFor) {
+// Flat triangles far enough apart that the nearest point follows from planes and edges by hand.
+TEST(StackQuery, ClosestIsOverAllPatchesInTheQuery) {
   std::vector<Patch> patches;
   for (int k = 0; k < 4; ++k) {
     Patch patch;
@@ -139,7 +139,7 @@ TEST(StackQuery, TheClosestIsThatOfAllPatchesAskedFor) {
   EXPECT_LT((over.point - Vector3d(3.5, 0.5, 0.5)).norm(), 1e-12);
   EXPECT_EQ(query.closest({0, 1, 2, 3}, {3.5, 0.5, 1.4}, 0.8).patch, -1) << "out of reach";
   EXPECT_EQ(query.closest({0, 2, 3}, {3.5, 0.5, 1.4}, 0.8).patch, -1) << "not asked for";
-  // Between two: nearer to the corner of the second, whichever comes first.
+  // Between two: nearer to the corner of the second, for both orders.
   for (const std::vector<int>& asked : {std::vector<int>{0, 1}, {1, 0}}) {
     const StackQuery::Place beside = query.closest(asked, {2.7, 0.0, 0.5}, 2.0);
     EXPECT_EQ(beside.patch, 1);
@@ -152,7 +152,7 @@ TEST(StackQuery, TheClosestIsThatOfAllPatchesAskedFor) {
   EXPECT_EQ(query.near(box(2.5, 7.0), 2, 4), (std::vector<int>{2}));
   EXPECT_EQ(query.near(box(-5.0, 20.0), 0, 3), (std::vector<int>{0, 1, 2}));
   EXPECT_TRUE(query.near(box(2.2, 2.8), 0, 4).empty());
-  // Only what comes near what it is made around is known.
+  // Only patches near the boxes it is made for are known.
   const StackQuery some(patches, {box(0.0, 2.5)}, 1.0, base::RunContext());
   EXPECT_EQ(some.near(box(-5.0, 20.0), 0, 4), (std::vector<int>{0, 1}));
 }

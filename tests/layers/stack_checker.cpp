@@ -254,7 +254,7 @@ private:
         continue;
       }
       ++v_.looseVertices;
-      // Farther than this says enough.
+      // Distances beyond this need not be exact.
       v_.boundaryFarthestMm =
           std::max(v_.boundaryFarthestMm, surface_.nearest(i.point, 10.0, kAny).distance);
     }
@@ -296,7 +296,7 @@ private:
         continue;
       }
       onOf[at(f.patch)] += area;
-      // To the patch that it lies on: another may end beside it, where a level ends.
+      // To the patch below it: another may end beside it, where a level ends.
       double measured = onPlate ? top.z() : 2.0 * t;
       if (lower >= 0)
         measured = std::min(

@@ -1,5 +1,5 @@
-// Whole stacks before the tests' own checker: what it says of good ones, that it sees faults, and
-// levels that leave the height limits.
+// Whole stacks before the tests' own checker: its results for good ones, the faults it finds, and
+// levels beyond the height limits.
 #include "base/run_context.h"
 #include "curved/curved_layers.h"
 #include "geometry/measures.h"
@@ -37,7 +37,7 @@ test::StackVerdict check(const layers::LayerStack& stack) {
   return test::checkStack(stack, block(), kMin, kMax);
 }
 
-TEST(StackChecker, HasNothingToSayOfFlatLayers) {
+TEST(StackChecker, FindsNoFaultInFlatLayers) {
   const auto r = layersOf(block(), [](const Vector3d& p) { return p.z(); });
   const auto v = check(r.stack);
   EXPECT_NEAR(v.volumeRatio, 1.0, 1e-3);
@@ -102,7 +102,7 @@ TEST(StackChecker, SeesFaults) {
   }
 }
 
-TEST(PartialLevels, HalveWhatIsTooThickAndJoinWhatIsTooThin) {
+TEST(PartialLevels, SplitThickLayersAndJoinThinOnes) {
   struct Case {
     double slope, expected;
   };
@@ -207,7 +207,7 @@ TEST(AbsorbSlivers, GivesTheirVolumeToThePatchBelow) {
   }
 }
 
-TEST(AbsorbSlivers, DropsWhatDoesNotFit) {
+TEST(AbsorbSlivers, DropsSliversWithoutRoom) {
   std::vector<layers::Patch> patches{patchOf(flatSquare(5, 0.5, 1.0, 0.98), 1)};
   const auto sliver = patchOf(flatSquare(0.4, 0.2, 1.7, 0.5), 2);
   const auto far = patchOf(flatSquare(0.4, 0.2, 9.0, 0.5), 3);
@@ -220,7 +220,7 @@ TEST(AbsorbSlivers, DropsWhatDoesNotFit) {
   EXPECT_NEAR(a.dropped[1].centre.z(), 9.0, 1e-9);
 }
 
-TEST(AbsorbIslands, HangsAPatchInTheAirOnTheOneOverIt) {
+TEST(AbsorbIslands, SupportsAnIslandByThePatchOverIt) {
   layers::LayerStack s;
   for (int layer = 0; layer < 4; ++layer)
     s.patches.push_back(patchOf(flatSquare(4, 0.5, 0.3 + 0.6 * layer, 0.6), layer));
@@ -228,7 +228,7 @@ TEST(AbsorbIslands, HangsAPatchInTheAirOnTheOneOverIt) {
   for (auto& v : island.surface.vertices)
     v.x() += 11.5;
   s.patches.push_back(patchOf(std::move(island), 3));
-  s.patches.push_back(patchOf(flatSquare(15, 0.5, 0.3 + 0.6 * 4, 0.6), 4)); // lies on both
+  s.patches.push_back(patchOf(flatSquare(15, 0.5, 0.3 + 0.6 * 4, 0.6), 4)); // rests on both
   layers::orderForPrinting(s);
   const double before = layers::layerStatistics(s).volumeMm3();
   const auto taken = layers::absorbIslands(s, {}, {1.0, 1.2}, {});

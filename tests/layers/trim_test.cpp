@@ -50,7 +50,7 @@ TEST(TrimToPart, CutsABoxAtAnyAngleWithItsCorners) {
   }
 }
 
-TEST(TrimToPart, FollowsFacesThatLieInTheGridsOwnPlanes) {
+TEST(TrimToPart, FollowsFacesInThePlanesOfTheGrid) {
   // The part's walls run along rows of vertices, where every test is a tie.
   const auto part = test::box({-7, -4.2, -5}, {7, 4.2, 5});
   const PartBoundary boundary(part, 0.8, {});
@@ -85,7 +85,7 @@ double fromBoundary(const LevelSurface& s, const Vector3d& x) {
   return nearest;
 }
 
-TEST(TrimToPart, FindsCornersWhereverTheyFall) {
+TEST(TrimToPart, FindsCornersAtAnyPlaceInTheGrid) {
   // Blocks and fins as wide as a fifth of a triangle, their top 0.03 mm above the level: corners
   // fall inside triangles, poke through their edges by a hair, and no place is far from a facet.
   std::mt19937 random(3);
@@ -149,7 +149,7 @@ TEST(FillPolygon, AreaIsKeptOnRandomStars) {
   }
 }
 
-TEST(MakePatches, SetsApartWhatIsTooSmall) {
+TEST(MakePatches, SetsSmallPiecesApart) {
   LevelSurface s = flatSquare(5, 0.5, 1.0);
   const LevelSurface sliver = flatSquare(0.4, 0.2, 2.0); // 0.64 mm2: less than a round bead
   const int base = static_cast<int>(s.surface.vertices.size());
@@ -168,7 +168,7 @@ TEST(MakePatches, SetsApartWhatIsTooSmall) {
   EXPECT_NEAR(geometry::area(patches.slivers[0].surface), 0.64, 1e-9);
 }
 
-// A strip is as wide as it is, wherever it lies and however long: from half a bead on it is laid.
+// A strip's width does not depend on its place and length: from half a bead on it is kept.
 TEST(MakePatches, StripsNarrowerThanHalfABeadAreSlivers) {
   for (const double width : {0.4, 0.55, 0.65, 1.0})
     for (const double atX : {-15.0, 40.0}) {
@@ -192,8 +192,8 @@ TEST(MakePatches, StripsNarrowerThanHalfABeadAreSlivers) {
     }
 }
 
-// Two holes that meet in a corner, and two squares that do: each boundary goes on in one way.
-TEST(MakePatches, BoundariesThatTouchInAVertexComeApart) {
+// Two holes that meet in a corner, and two squares that do: each boundary continues in one way.
+TEST(MakePatches, BoundariesThatTouchInAVertexAreSeparated) {
   for (const bool holes : {true, false}) {
     LevelSurface s = flatSquare(4, 2.0, 1.0);
     std::erase_if(s.surface.triangles, [&](const std::array<int, 3>& t) {
@@ -277,7 +277,7 @@ TEST(LayerStatistics, AreaTimesMeanIsTheVolume) {
   EXPECT_NEAR(s.thicknessP99Mm, 0.9, 1e-9);
 }
 
-TEST(VtpWriter, DeclaresWhatItHolds) {
+TEST(VtpWriter, DeclaresItsArraysAndCounts) {
   LayerStack stack;
   Patch p;
   p.surface = flatSquare(1, 1, 0.4).surface;
@@ -291,7 +291,8 @@ TEST(VtpWriter, DeclaresWhatItHolds) {
   EXPECT_EQ(test::vtkArray<float>(xml, "thickness"), std::vector<float>(9, 0.8f));
 }
 
-// One piece after the other: points go on counting, and each triangle is told whose it is.
+// One piece after the other: point numbers continue, and each triangle has the numbers of its
+// patch.
 TEST(VtpWriter, HoldsEveryPatchWithItsOwnPointsAndMarks) {
   LayerStack stack;
   for (int k = 0; k < 3; ++k) {

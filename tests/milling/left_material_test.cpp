@@ -72,7 +72,7 @@ TEST(LeftMaterial, CornersAreOnlyNamed) {
 }
 
 // Lines end 1.5 mm before both walls of the pocket, which have 8 mm of material then.
-TEST(LeftMaterial, WhatLinesMissAtAWallStays) {
+TEST(LeftMaterial, MaterialMissedByTheLinesAtAWallRemains) {
   const MillVerdict v = milled(without(kBlock, {-12, -6, 4}, {12, 6, 20}));
   EXPECT_FALSE(v.isComplete());
   EXPECT_GT(v.left.volumeMm3, 24.0 * 2.0 * 1.0 * 8.0);
@@ -87,7 +87,7 @@ TEST(LeftMaterial, AHollowStays) {
   EXPECT_NEAR(v.left.atMm.z(), 6.0, 0.1);
 }
 
-// No contour frees what the sides leave in a hole.
+// No contour removes the web that the sides leave in a hole.
 TEST(LeftMaterial, TheWebInAHoleStays) {
   const MillVerdict v = milled(without(kBlock, {-8, -6, -5}, {8, 6, 20}));
   EXPECT_FALSE(v.isComplete());

@@ -1,4 +1,4 @@
-// Parts milled out of a block: what is left, what is missing, and programs with a change.
+// Parts milled out of a block: material left, material missing, and programs with a tool change.
 #include "milling/drop_cutter.h"
 #include "milling/mill_passes.h"
 #include "milling/mill_program.h"
@@ -122,7 +122,7 @@ TEST(MilledPart, RidgesAreThoseOfTheory) {
   EXPECT_GT(ridges, 6);
 }
 
-TEST(MilledPart, TheBlockLosesWhatTheCutterSweeps) {
+TEST(MilledPart, RemovedVolumeEqualsTheSweptVolume) {
   Stock stock({Vector3d(-10, -10, 0), Vector3d(10, 10, 10)}, 0.05);
   const Cutter cutter{4.0, 1};
   const double before = stock.volumeMm3();

@@ -48,7 +48,7 @@ TEST(Outlines, EachPartHasItsOwn) {
   EXPECT_TRUE(outlinesAround(discs({}), 1.0).empty());
 }
 
-// The contour frees a disc but for a strip at its lower end along y, by which it stays in its
+// The contour frees a disc except for a strip at its lower end along y, by which it stays in its
 // block.
 TEST(Contour, LeavesTheStripThatHoldsThePart) {
   const double radius = 8.0;

@@ -32,7 +32,7 @@ double lowestBall(double radius, const Vector3d& from, const Vector3d& to, const
   return lowest;
 }
 
-TEST(Stock, LosesWhatABallSweeps) {
+TEST(Stock, BallRemovesItsSweptVolume) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> across(-4.0, 4.0), height(1.0, 9.0);
   for (int k = 0; k < 10; ++k) {

@@ -73,7 +73,7 @@ TEST_F(ChangePlace, IsBesideThePlateInEveryCellWithAPlate) {
       EXPECT_TRUE(trip->back.back().at.q.isApprox(cell.home()));
       if (cell.nozzleMount() != robot::Mount::Flange)
         return;
-      // A moving nozzle goes low, points down and wipes.
+      // A moving nozzle is low, points down and wipes.
       const Eigen::Isometry3d base_T_tool =
           cell.base_T_work(places.front().at) * cell.work_T_tool(places.front().at);
       EXPECT_LT(base_T_tool.linear().col(2).z(), -0.999);

@@ -60,7 +60,7 @@ TEST(Clearance, IsSoughtWhereThereIsRoom) {
     EXPECT_LT(sought.near, kept.near / 2) << cell;
     EXPECT_LT(sought.lack, 0.5 * kept.lack) << cell;
     EXPECT_EQ(sought.points, kept.points);
-    // The head has no room at the dome's foot, however the arm stands.
+    // The head has no room at the dome's foot in any pose of the arm.
     EXPECT_EQ(sought.result.skipped, kept.result.skipped);
     EXPECT_EQ(sought.result.statistics.collisions, kept.result.statistics.collisions);
   }

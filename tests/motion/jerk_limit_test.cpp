@@ -153,7 +153,7 @@ TEST(JerkLimit, IsKeptByAWholeMotion) {
   EXPECT_TRUE(std::none_of(limited.findings.begin(), limited.findings.end(), isOverLimit));
 }
 
-TEST(JerkLimit, WhatRemainsIsReportedWithItsPlace) {
+TEST(JerkLimit, RemainingExcessBecomesAFindingWithItsPlace) {
   const motion::MotionResult limited = planned(test::cylinder(12.0, 1), 1e-4);
   const auto found = std::find_if(limited.findings.begin(), limited.findings.end(), isOverLimit);
   ASSERT_NE(found, limited.findings.end());

@@ -58,7 +58,7 @@ TEST(Jerk, OfOneStepFromRestToRest) {
   EXPECT_NEAR(jerk.sumSquared, 2 * 256.0, 1e-9);
 }
 
-// Five points on even times do not see what goes to and fro; four do.
+// Five points at even times do not show an alternating motion; four do.
 TEST(Jerk, ToAndFroIsSeen) {
   std::vector<double> times;
   for (int i = 0; i < 9; ++i)

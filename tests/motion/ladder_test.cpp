@@ -90,7 +90,7 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
   return {reached, best};
 }
 
-// As the nodes stand; costs: zero by default.
+// Starts at the nodes; costs: zero by default.
 std::vector<motion::LadderStart> startsOf(const std::vector<Rung>& rungs,
                                           const std::vector<double>& cost = {}) {
   std::vector<motion::LadderStart> starts;
@@ -188,7 +188,7 @@ TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
   EXPECT_GT(cut, 3);
 }
 
-// What stands where it has to be costs nothing, however far it goes.
+// External joints that have to be at their place cost nothing, however far they move.
 TEST(Ladder, RodIsNoStepOfTheArms) {
   std::vector<Rung> rungs;
   for (int r = 0; r < 5; ++r) {
@@ -206,7 +206,7 @@ TEST(Ladder, RodIsNoStepOfTheArms) {
 }
 
 // A slide counts as robot::asTurn has it, and never by whole turns.
-TEST(Ladder, WhatSlidesIsNotWrapped) {
+TEST(Ladder, SlidingJointsAreNotWrapped) {
   const double turn = 2 * base::kPi;
   const std::vector<robot::JointLimits> slide{{-150, 0, 1, 1, robot::JointKind::Sliding}};
   const auto wayTo = [&](double mm) {

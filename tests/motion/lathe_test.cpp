@@ -99,7 +99,7 @@ struct Wound {
   double rod(std::size_t i) const { return result.trajectory.at(i)[6]; }
 };
 
-// What a finished motion on a rod promises, from its joints alone.
+// Invariants of a finished motion on a rod, from its joints alone.
 void expectSound(const Wound& w) {
   const plan::Trajectory& t = w.result.trajectory;
   ASSERT_EQ(t.dof, 7);
@@ -163,7 +163,7 @@ TEST(Lathe, RodTurnsUnderANozzleThatPointsDown) {
   EXPECT_NEAR(high - low, 30 * base::kTurn, 0.2);
 }
 
-// Where the axis begins, how far it can go, what a direction along the rod does.
+// Where the axis begins, how far it can turn, and directions along the rod.
 TEST(Lathe, UprightAngles) {
   const process::Process process = process::loadProcess("fdm-0.35");
   const robot::Cell cell = Wound::cellOf(process, [](json& j) {
@@ -360,7 +360,7 @@ TEST(Lathe, RodIsTurnedOnWhereTheUprightNozzleMeetsSomething) {
 }
 
 // A steady rest that the part turns in, and grows into.
-TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
+TEST(Lathe, PartMustNotGrowIntoTheRestOfTheRod) {
   plan::ToolPlan plan;
   for (int layer = 0; layer < 24; ++layer)
     wind(plan, 2.75 + 0.25 * layer, -3, 0.65, 9, 0.0, layer);
@@ -384,7 +384,7 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
     }
 }
 
-TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
+TEST(Lathe, WaypointsBeyondTheCellsRodAreNamed) {
   plan::ToolPlan plan = winding(3.75, -2, 0.65, 3);
   const std::size_t first = plan.waypointCount();
   wind(plan, 50.5, 40, 0.65, 0.1, 0.0, 1);

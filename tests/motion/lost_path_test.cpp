@@ -26,7 +26,7 @@ protected:
   static constexpr double kHole = 8.5, kCollar = 25.0, kLow = 48.0;
 
   PathUnderACollar() {
-    // As wide as a collar's hole is not, then a neck that goes through it.
+    // Too wide for a collar's hole, then a neck that fits through it.
     process_.head.sections = {{0.0, 0.9},   {12.0, 6.0}, {12.0, 10.0},
                               {44.0, 10.0}, {44.0, 3.0}, {110.0, 3.0}};
     for (const double x : {-kApart, 0.0, kApart}) {
@@ -70,7 +70,7 @@ TEST_F(PathUnderACollar, WithoutTheCollarAllIsPrinted) {
 }
 
 // No way leads to the middle ring: it is lost and named, and nothing else is.
-TEST_F(PathUnderACollar, IsLostAlone) {
+TEST_F(PathUnderACollar, IsTheOnlyPathLost) {
   const motion::MotionResult moved = planned(collar());
   const plan::ToolPath& middle = plan_.paths[1];
   std::vector<std::size_t> ring;
@@ -86,7 +86,7 @@ TEST_F(PathUnderACollar, IsLostAlone) {
   ASSERT_TRUE(lost->where);
   EXPECT_LT((*lost->where - plan_.position[middle.first]).norm(), 1e-9);
 
-  // What is there is sound: it starts and ends at rest where the arm stands at home.
+  // The trajectory is sound: it starts and ends at rest in the home pose.
   const plan::Trajectory& t = moved.trajectory;
   ASSERT_GT(t.pointCount(), 2u);
   EXPECT_EQ(moved.statistics.waypoints, plan_.waypointCount() - middle.count);
@@ -97,8 +97,8 @@ TEST_F(PathUnderACollar, IsLostAlone) {
             0);
 }
 
-// A head so wide that it meets the arm at rest: that is told once, at once, and nothing is tried.
-TEST_F(PathUnderACollar, AnArmThatMeetsSomethingAtRestIsToldFirst) {
+// A head so wide that it meets the arm at rest: one finding names it at once, and nothing is tried.
+TEST_F(PathUnderACollar, CollisionInTheHomePoseIsFoundFirst) {
   process_.head.sections = {{0.0, 0.9}, {12.0, 6.0}, {12.0, 700.0}, {110.0, 700.0}};
   const motion::MotionResult moved = planned(nullptr);
   ASSERT_FALSE(moved.findings.empty());

@@ -1,5 +1,5 @@
-// Small measures that the planners go by, each against its definition: external axes, how far the
-// nozzle bends off its way, what is soft, what surrounds, what joints cost, the last look.
+// Small measures that the planners go by, each against its definition: external axes, deviation of
+// the nozzle from its way, soft beads, surrounding beads, costs of joints, the final check.
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
@@ -62,7 +62,7 @@ struct Scene {
 
 } // namespace
 
-TEST(ExternalAxes, MoveWhatStandsOnThemAsTheCellDoes) {
+TEST(ExternalAxes, MoveTheWorkFrameAsTheCellDoes) {
   std::mt19937 random(51);
   std::uniform_real_distribution<double> u(-1, 1);
   for (const char* id : {"irb1200-irbp", "kr10-r1100-slide", "lathe"}) {
@@ -97,7 +97,7 @@ TEST(ExternalAxes, MoveWhatStandsOnThemAsTheCellDoes) {
   }
 }
 
-TEST(ExternalAxes, StandAtTheirStepsAndRestAtWholeTurns) {
+TEST(ExternalAxes, SnapToTheirStepsAndRestAtWholeTurns) {
   const robot::Cell lathe = cellOf("lathe");
   const robot::ExternalAxis& axis = lathe.externalAxes().front();
   ASSERT_GT(axis.step, 0.0);
@@ -125,8 +125,8 @@ TEST(ExternalAxes, StandAtTheirStepsAndRestAtWholeTurns) {
 }
 
 // With the plate on the flange the nozzle bends off its straight way on the part where the flange
-// goes straight: by no more than is said, and not far less in the worst of cases.
-TEST(MotionScene, TheNozzleBendsNoFurtherThanToldAndEachDivisionStaysNear) {
+// goes straight: by no more than the bound, and not far less in the worst case.
+TEST(MotionScene, NozzleDeviationIsBoundedAndEachDivisionStaysNear) {
   Scene s(test::cylinder(10.0, 1));
   std::mt19937 random(53);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -140,7 +140,7 @@ TEST(MotionScene, TheNozzleBendsNoFurtherThanToldAndEachDivisionStaysNear) {
     const Quaterniond to =
         Quaterniond(Eigen::AngleAxisd(angle, Vector3d(u(random), u(random), 1).normalized())) *
         from;
-    // The plate's poses as the nozzle, which stands, sees them: straight and even.
+    // The plate's poses relative to the fixed nozzle: straight and even.
     const auto farthest = [&](double t0, double t1) {
       const auto tool = [&](double t) {
         return motion::toolPose(a + t * (b - a), from.slerp(t, to));
@@ -188,7 +188,7 @@ TEST(MotionScene, StatesAreAsFarApartAsTheirLargestStep) {
 }
 
 // Two widths of way back, of the same path: as near to that as waypoints allow.
-TEST(HeadBefore, IsTheFirstWaypointOfWhatIsSoft) {
+TEST(HeadBefore, IsTheFirstWaypointOfTheSoftBead) {
   plan::ToolPlan plan;
   std::mt19937 random(54);
   std::uniform_real_distribution<double> u(0.05, 1.5);
@@ -211,8 +211,8 @@ TEST(HeadBefore, IsTheFirstWaypointOfWhatIsSoft) {
     }
 }
 
-// A ring whose third layer is below the plate, and whose fourth leans into what is printed.
-TEST(HeadRefusals, TellWhatTheHeadItselfWouldMeet) {
+// A ring whose third layer is below the plate, and whose fourth leans into printed beads.
+TEST(HeadRefusals, NameTheWaypointsWhereTheHeadCollides) {
   plan::ToolPlan plan = test::cylinder(10.0, 6);
   const std::size_t below = plan.paths[2].first + 10, into = plan.paths[5].first + 30;
   plan.position[below].z() = -5.0;
@@ -230,10 +230,10 @@ TEST(HeadRefusals, TellWhatTheHeadItselfWouldMeet) {
   EXPECT_NE(refusals[into], motion::Refusal::None);
 }
 
-// What a path laid more than two widths ago is hard: the nozzle that comes back to it, too low,
-// would plough through.
+// Beads that a path deposited more than two widths ago are hard: a nozzle that returns to them too
+// low would plough through.
 TEST(HeadRefusals, TwoWidthsAreSoftAndNoMore) {
-  for (const double x : {8.2, 9.2}) { // 2.8 and 1.8 mm of way from what lies there
+  for (const double x : {8.2, 9.2}) { // 2.8 and 1.8 mm of way from the bead there
     plan::ToolPlan plan;
     std::vector<Vector3d> points;
     for (int i = 0; i <= 10; ++i)
@@ -276,7 +276,7 @@ TEST(Levers, OfARodAreThePlansRadius) {
   EXPECT_TRUE(motion::leversOf(plan, cellOf("ur5-fixed")).empty());
 }
 
-// No point of what they carry goes further by a radian than its lever.
+// No point of the bodies they carry moves further by a radian than its lever.
 TEST(Levers, OfTurnsHoldAllThatTheyCarry) {
   const robot::Cell cell = cellOf("irb1200-irbp");
   plan::ToolPlan plan;
@@ -311,7 +311,7 @@ TEST(Surrounds, HoldAllThatIsPrintedBefore) {
       EXPECT_LE((plan.position[w] - balls[k].centre).norm(), balls[k].radius + 1e-12);
 }
 
-// Nothing up to four fifths of a joint's range, from there with the square, alike on both sides.
+// Nothing up to four fifths of a joint's range, from there with the square, equal on both sides.
 TEST(JointCosts, RiseTowardsLimits) {
   const std::vector<robot::JointLimits> limits{{-2, 4, 1, 1}, {-1, 1, 1, 1}};
   const auto cost = [&](double a, double b) {
@@ -391,8 +391,8 @@ double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scen
 }
 } // namespace
 
-// A finished motion is clear; with a point of it moved into what is printed it is not, there.
-TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
+// A finished motion is clear; with a point moved into printed beads it collides, there.
+TEST(LastLook, FindsCollisionsAndTheLeastClearance) {
   Scene s(test::cylinder(10.0, 4));
   plan::Trajectory t =
       motion::MotionPlanner(s.plan, s.cell, process::Tooling(s.process), s.part, s.options)
@@ -430,7 +430,7 @@ TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
   EXPECT_NEAR(motion::checkTrajectory(t, s.scene, before, 0.5 * least, {}).minClearanceMm,
               0.5 * least, 1e-12);
 
-  // A travel that goes through the ring instead of over it.
+  // A travel through the ring instead of over it.
   std::size_t last = t.pointCount() - 1;
   while (t.waypoint[last] == plan::kNoWaypoint)
     --last;

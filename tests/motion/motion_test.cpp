@@ -77,7 +77,7 @@ void expectSound(const Planned& p) {
       EXPECT_LE(dq[j] / dt, p.cell.limits()[static_cast<std::size_t>(j)].velocity);
     if (t.move[i] == plan::MoveKind::Print) {
       EXPECT_LE(dq.maxCoeff(), 0.25); // no jump
-      // What the controller drives: flange poses interpolated, half way.
+      // The controller's motion: flange poses interpolated, half way.
       const Isometry3d a = p.cell.robot().kinematics->flange(q(i - 1)) * p.cell.flange_T_moved();
       const Isometry3d b = p.cell.robot().kinematics->flange(q(i)) * p.cell.flange_T_moved();
       Isometry3d half = Isometry3d::Identity();
@@ -302,7 +302,7 @@ TEST(Motion, EachToolMovesByItsProcess) {
   }
 }
 
-// Far out of reach: nothing is printed, and it is said where and why.
+// Far out of reach: nothing is printed, and the finding names the place and the reason.
 TEST(Motion, OutOfReachIsNamed) {
   auto plan = test::cylinder(15, 2);
   std::vector<Vector3d> far, up;
@@ -343,9 +343,9 @@ TEST(Motion, HeadInThePlateIsNamed) {
   EXPECT_FALSE(result.skipped.empty());
 }
 
-// A nozzle that would go through what is printed at a few places of many: they are left out, told,
-// and nothing blocks.
-TEST(Motion, FewPlacesAreLeftOutAndTold) {
+// A nozzle that would pass through printed beads at a few places of many: these are skipped with a
+// finding, and nothing blocks.
+TEST(Motion, FewCollidingWaypointsAreSkippedWithAFinding) {
   auto plan = test::cylinder(15, 12);
   const std::size_t at = plan.paths[6].first + 30;
   plan.direction[at] = Vector3d(1, 0, -0.2).normalized();
@@ -363,7 +363,7 @@ TEST(Motion, FewPlacesAreLeftOutAndTold) {
   EXPECT_EQ(plan::reportId(result.findings.back()), "leftOut");
 }
 
-TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
+TEST(Motion, AvoidedWaypointsAreNotPrinted) {
   const auto plan = test::cylinder(15, 8);
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));

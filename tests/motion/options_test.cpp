@@ -36,7 +36,7 @@ TEST(MotionOptions, AreTheDefaultsWhereNothingIsSet) {
   EXPECT_EQ(o.leans(), 0.0) << "of whole paths only";
 }
 
-TEST(MotionOptions, AreWhatIsSet) {
+TEST(MotionOptions, TakeTheValuesOfTheParameters) {
   const MotionOptions o = optionsWith({"bodyClearanceMm=7", "partClearanceMm=3", "liftMm=0.6",
                                        "wipeMm=4", "redundancySamples=36", "tiltToleranceDeg=6"});
   EXPECT_EQ(o.printing.bodiesMm, 7.0);

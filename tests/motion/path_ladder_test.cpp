@@ -1,4 +1,4 @@
-// The ladder over one path: where its rungs are, what its ways cost, and how they begin.
+// The ladder over one path: places of its rungs, costs of its ways, and their starts.
 #include "collision/growing_part.h"
 #include "motion/ladder/path_ladder.h"
 #include "motion/motion_options.h"
@@ -161,7 +161,7 @@ TEST(PathLadder, AWayCostsItsStartItsNodesAndItsSteps) {
     for (std::size_t r = 0; r < way.reached; ++r) {
       const LadderNode& node = ladder.node(r, way.node[r]);
       EXPECT_NEAR(node.cost, motion::limitCost(node.q, s.cell.robot().limits), 1e-12);
-      // It is there, turned about the nozzle as its sample says.
+      // It is there, turned about the nozzle as in its sample.
       const Eigen::Isometry3d pose = s.cell.work_T_tool(way.q[r]);
       const std::size_t w = ladder.waypointOf(r);
       EXPECT_LT((pose.translation() - s.plan.position[w]).norm(), 1e-6);
@@ -200,8 +200,8 @@ TEST(PathLadder, ACourseIsLinearBetweenItsRungs) {
   }
 }
 
-// Joint 6 stands a turn further than at home: short ways are gone as it stands. Only where it would
-// stay near its limit is it turned back, once, before the path begins.
+// Joint 6 is a turn further than at home: short ways begin from there. Only where it would stay
+// near its limit is it turned back, once, before the path begins.
 TEST(PathLadder, AnArmUnwindsOnlyWhereThatIsCheaper) {
   Scene s(quarterRing(8.0));
   const robot::JointLimits& limit = s.cell.limits()[5];
@@ -271,7 +271,7 @@ TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
   }
   EXPECT_GT(met, 0);
   EXPECT_LT(met, count);
-  // The reason told is the one that most nodes have.
+  // The reason given is the one that most nodes have.
   const motion::Refused refused = judged.refusalOf(0);
   EXPECT_EQ(refused.waypoint, 0u);
   EXPECT_EQ(refused.why, motion::Refusal::Collision);
@@ -287,8 +287,8 @@ TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
     EXPECT_FALSE(lifted.node(0, n).blocked);
 }
 
-// Where the way comes near to something, what is nearer costs more: at most nearCost, and nothing
-// from enoughMm on.
+// Where the way comes near to a body, nearer poses cost more: at most nearCost, and nothing from
+// enoughMm on.
 TEST(PathLadder, NearnessCostsTheMoreTheNearer) {
   Scene s(quarterRing(30.0));
   s.options.enoughMm = 60.0;
@@ -323,14 +323,14 @@ TEST(PathLadder, NearnessCostsTheMoreTheNearer) {
       EXPECT_LT(cost, nearness[n - 1].second);
     }
   }
-  // None of it where it is not asked for.
+  // No such cost by default.
   s.options.nearCost = 0.0;
   PathLadder other = s.ladder(s.cell.home());
   other.setRungs(2, {});
   EXPECT_FALSE(other.seekClearance(other.bestWay({}), {}));
 }
 
-TEST(PathLadder, WideningStandsTheLastAxisAsideAtACost) {
+TEST(PathLadder, WideningAddsNodesOfTheLastAxisAtACost) {
   Scene s(quarterRing(15.0), "irb1200-irbp");
   PathLadder ladder = s.ladder(s.cell.home());
   ASSERT_TRUE(ladder.movesPart());

@@ -107,7 +107,7 @@ TEST(Positioner, StaysWhereItIsWhileTheNozzleLeansLittle) {
     EXPECT_EQ(p.q(i).tail(2).norm(), 0.0);
 }
 
-// A nozzle straight down to a direction that lies: the plate is tilted to it, whatever the side.
+// A nozzle straight down to a horizontal direction: the plate is tilted to it, whatever the side.
 TEST(Positioner, TiltsThePlateToDirectionsThatLean) {
   for (const double azimuth : {0.4, 2.5, 4.4}) {
     const Printed p(leaning(base::degreesToRadians(80), azimuth));
@@ -126,7 +126,7 @@ TEST(Positioner, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.result.trajectory.timeS, two.result.trajectory.timeS);
 }
 
-// What turns by the axes' own chain: base_T_work without the first axis' place.
+// The work frame by the axes' own chain: base_T_work without the first axis' place.
 TEST(Positioner, AxesMoveDirectionsAndPointsAsTheCellDoes) {
   const robot::Cell cell = robot::loadCell("irb1200-irbp", process::loadProcess("fdm-1.0"), disc());
   JointVector q = cell.home();
@@ -143,7 +143,7 @@ TEST(Positioner, AxesMoveDirectionsAndPointsAsTheCellDoes) {
   EXPECT_LT((motion::axesTurn(cell, axes) * d - motion::turnedByAxes(cell, d, axes)).norm(), 1e-12);
 }
 
-// The arm stands still beside the plate, which tilts into it between two points that are clear.
+// The arm rests beside the plate, which tilts into it between two points that are clear.
 TEST(Positioner, APlateThatTiltsIntoTheArmIsFound) {
   const Printed p(leaning(0.0, 0.0, 1));
   const collision::CellCollision collision(p.cell, p.process);

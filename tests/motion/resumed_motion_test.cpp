@@ -1,4 +1,4 @@
-// A motion taken up again: where, and what stays as it was.
+// A resumed motion: its start, and the part that stays as it was.
 #include "collision/growing_part.h"
 #include "motion/motion_options.h"
 #include "motion/resumed_motion.h"
@@ -100,7 +100,7 @@ protected:
 
 } // namespace
 
-TEST(ResumePoint, IsAWaypointFromWhichPrintingGoesOn) {
+TEST(ResumePoint, IsAWaypointFromWhichPrintingCanContinue) {
   const plan::Trajectory t = resolved();
   const std::size_t wanted[] = {1, 1, 1, 3, 7, 7, 7, 7};
   for (std::size_t i = 0; i < 8; ++i)
@@ -171,7 +171,7 @@ TEST_F(ResumeMotion, TheRestIsAsItWasPlanned) {
       EXPECT_EQ(all.move[i], t_.move[i]);
       EXPECT_EQ(all.extrudedMm3[i], t_.extrudedMm3[i]);
     }
-    // Home, by the way on which the rest comes, and nothing is laid meanwhile.
+    // Home, then the way to the rest of the path, without deposition.
     EXPECT_LT((at(all, r.firstPoint) - cell_.home()).norm(), 1e-12);
     EXPECT_EQ(at(all, r.firstPoint - 1), at(all, r.firstPoint));
     EXPECT_EQ(all.timeS[r.firstPoint - 1], all.timeS[r.firstPoint]);
@@ -198,7 +198,7 @@ TEST_F(ResumeMotion, TheRestIsAsItWasPlanned) {
       if (i != r.firstPoint) {
         EXPECT_GT(all.timeS[i], all.timeS[i - 1]) << i;
       }
-    // Times but for the run that is cut.
+    // Times change only in the run that is cut.
     const std::size_t end = t_.move[point] == MoveKind::Print ? endOfRun(point) : point;
     for (std::size_t i = end + 1; i < t_.pointCount(); ++i)
       EXPECT_NEAR(all.timeS[begin + i - point] - all.timeS[begin + i - point - 1],
@@ -207,8 +207,8 @@ TEST_F(ResumeMotion, TheRestIsAsItWasPlanned) {
   }
 }
 
-// In the middle of a straight line, at speed when it was planned: from rest it takes as much longer
-// as the ramp to that speed does, and goes no faster than before.
+// In the middle of a straight line, at speed in the first plan: from rest it takes longer by the
+// ramp to that speed, and is no faster than before.
 TEST_F(ResumeMotion, TheRunThatIsCutBeginsFromRest) {
   const std::size_t point = pointOf(plan_.paths[1].first + 19); // 12 mm lines of 1 mm steps
   ASSERT_EQ(t_.move[point], MoveKind::Print);
@@ -235,7 +235,7 @@ TEST_F(ResumeMotion, TheRunThatIsCutBeginsFromRest) {
   EXPECT_NEAR(later, 0.5 * speed / acceleration, 1e-3);
 }
 
-// The way there and back meets nothing of the cell nor of what is laid by then.
+// The way there and back is clear of the cell and of the beads printed by then.
 TEST_F(ResumeMotion, TheWayThereIsClear) {
   const collision::CellCollision collision(cell_, process_);
   const std::size_t waypoint = plan_.paths[1].first + 30, point = pointOf(waypoint);

@@ -78,8 +78,8 @@ TEST(ScaraMotion, ACylinderIsPrintedWithinLimits) {
   EXPECT_GT(margins.isotropy, 0.05);
 }
 
-// One line for all that leans, whatever the rest does.
-TEST(ScaraMotion, WhatLeansIsToldOnce) {
+// One finding for all leaning directions, independent of the rest.
+TEST(ScaraMotion, LeaningDirectionsGiveOneFinding) {
   plan::ToolPlan plan = test::cylinder(15, 6);
   std::size_t leaning = 0;
   for (std::size_t i = 100; i < plan.waypointCount(); i += 7, ++leaning)
@@ -102,7 +102,7 @@ TEST(ScaraMotion, WhatLeansIsToldOnce) {
 }
 
 // The slide's lever makes its steps comparable: a tree that has to go round by it gets there.
-TEST(ScaraMotion, ATreeGoesRoundByTheSlide) {
+TEST(ScaraMotion, TreeFindsAWayRoundByTheSlide) {
   const std::vector<robot::JointLimits> limits{{-2, 2, 1, 1},
                                                {-150, 0, 1000, 5000, JointKind::Sliding}};
   // A wall about joint 1 = 0 that is open above 30 mm below the top.

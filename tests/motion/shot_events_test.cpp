@@ -74,7 +74,7 @@ TEST(ShotEvents, LastAsLongAsTheFlowNeeds) {
 }
 
 // 212 mm3 at 12 mm3/s are 17.7 s in a pocket that a nozzle may stay in for 4 s.
-TEST(ShotEvents, LongShotsAreReported) {
+TEST(ShotEvents, LongShotsGiveAFinding) {
   process::Process process;
   process.maxFlowMm3PerS = 12.0;
   const plan::ToolPlan plan = shotPlan();

@@ -1,4 +1,4 @@
-// What slides: the plate in the cell "kr10-r1100-slide", the arm in "kr10-r1100-track".
+// Sliding axes: of the plate in the cell "kr10-r1100-slide", of the arm in "kr10-r1100-track".
 #include "base/data_files.h"
 #include "base/files.h"
 #include "base/run_context.h"
@@ -61,7 +61,7 @@ plan::ToolPlan lines(double half) {
   return plan;
 }
 
-// What every point of the trajectory keeps; how far it goes along the slide.
+// Checks every point of the trajectory; returns its range along the slide.
 std::pair<double, double> checkedWay(const Printed& p) {
   EXPECT_TRUE(p.result.skipped.empty()) << p.result.skipped.size();
   const plan::Trajectory& t = p.result.trajectory;
@@ -109,12 +109,12 @@ TEST(Slide, TheArmRidesToTheEndsOfALongPart) {
   for (std::size_t i = 0; i < t.pointCount(); ++i)
     if (t.waypoint[i] != plan::kNoWaypoint) {
       const double y = p.plan.position[t.waypoint[i]].y();
-      // Where the arm stands in the world it reaches the tip without reaching over a metre aside.
+      // The arm's place in the world lets it reach the tip less than a metre aside.
       EXPECT_LT(std::abs(y - p.q(i)[kSlide]), 1000.0);
     }
 }
 
-// What stands in the world is met by what rides: a post where the arm would pass with its carriage.
+// A fixed body blocks the carriage: a post where the arm would pass with it.
 TEST(Slide, APostBesideTheTrackStopsTheCarriage) {
   Printed free(lines(1050.0), "kr10-r1100-track");
   nlohmann::json description =
@@ -145,7 +145,8 @@ TEST(Slide, APostBesideTheTrackStopsTheCarriage) {
     q[kSlide] = at;
     EXPECT_FALSE(post(q, free.cell)) << at;
   }
-  // Planned, the arm keeps off it; what it does not get to on this side is named, and why.
+  // Planned, the arm keeps off it; the waypoints out of reach on this side are named, with the
+  // reason.
   const motion::MotionResult result =
       motion::MotionPlanner(free.plan, cell, process::Tooling(free.process), free.part, {})
           .plan({});
@@ -160,7 +161,7 @@ TEST(Slide, APostBesideTheTrackStopsTheCarriage) {
         << base::english(plan::factOf(f));
 }
 
-TEST(Slide, StaysWhereTheArmGetsByItself) {
+TEST(Slide, StaysWhereTheArmReachesByItself) {
   for (const char* id : {"kr10-r1100-slide", "kr10-r1100-track"}) {
     const Printed p(lines(50.0), id);
     EXPECT_TRUE(p.result.skipped.empty());

@@ -1,4 +1,4 @@
-// External axes among what is smoothed: a tilting and turning plate, and one that slides.
+// External axes in the smoothed motion: a tilting and turning plate, and one that slides.
 #include "base/units.h"
 #include "motion/external_axes.h"
 #include "motion/motion_scene.h"
@@ -92,7 +92,7 @@ TEST_P(SmoothAxes, RatesAreTheDerivativesOfTheInverse) {
 }
 
 // Standing still is without jerk, and where axes have the room for it they come to that.
-TEST_P(SmoothAxes, WhatAxesNeedNotDoGoes) {
+TEST_P(SmoothAxes, NeedlessMotionOfAxesIsRemoved) {
   const AxesCell c(GetParam());
   constexpr std::size_t kPoints = 41;
   constexpr double kRad = 0.05;
@@ -127,7 +127,7 @@ TEST_P(SmoothAxes, WhatAxesNeedNotDoGoes) {
   EXPECT_GT(most, 0.4 * kRad);
 }
 
-// However far they may go.
+// For any range that they may use.
 TEST_P(SmoothAxes, LimitsAreKept) {
   const AxesCell c(GetParam());
   const auto points = carriedAbout(c.cell, 30, 0.02);

@@ -1,4 +1,4 @@
-// What tests of smoothed runs share.
+// Helpers shared by tests of smoothed runs.
 #pragma once
 
 #include "base/run_context.h"

@@ -61,9 +61,9 @@ struct Wall {
 
 } // namespace
 
-// Of this arm the turn about the nozzle is joint 4 alone, so that the least jerk of a stretch whose
-// ends stand alike is joint 4 standing still, whatever the other joints do.
-TEST(TurnSmoother, TheWristOfAScaraStandsStill) {
+// Of this arm the turn about the nozzle is joint 4 alone, so that the least jerk of a stretch with
+// equal ends keeps joint 4 at rest, whatever the other joints do.
+TEST(TurnSmoother, WristOfAScaraRests) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("t3", process, test::disc(20.0));
   const robot::ArmTwists twists(*cell.robot().kinematics);
@@ -140,7 +140,7 @@ TEST(TurnSmoother, NeverWorseAndEveryPointStaysWhereItIs) {
 }
 
 // A firm hold on turns brings them back to the points' own; one on their differences makes them
-// alike.
+// equal.
 TEST(TurnSmoother, HoldsBringTurnsBack) {
   const Wall wall(3);
   const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
@@ -164,7 +164,7 @@ TEST(TurnSmoother, HoldsBringTurnsBack) {
   EXPECT_GT(away, 0.05);
 }
 
-// Joints of points near which the rates are asked: the tool leans and turns a little, the tip
+// Joints of points near which the rates are taken: the tool leans and turns a little, the tip
 // stays.
 TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
   const Wall wall(2);
@@ -202,7 +202,7 @@ TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
 
 namespace {
 
-// The nozzle on the spot, its direction with one kink of `rad` in the middle, both ends alike.
+// The nozzle on the spot, its direction with one kink of `rad` in the middle, both ends equal.
 std::vector<RunPoint> kinked(const robot::Cell& cell, std::size_t count, double rad) {
   std::vector<RunPoint> points;
   const motion::RobotState home = motion::stateAt(cell, cell.home());
@@ -223,7 +223,7 @@ std::vector<RunPoint> kinked(const robot::Cell& cell, std::size_t count, double 
 } // namespace
 
 // Standing still is without jerk: where the cone has room, directions with a kink come to that.
-TEST(TurnSmoother, AKinkWithinTheConeGoes) {
+TEST(TurnSmoother, KinkWithinTheConeIsRemoved) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
   const robot::ArmTwists twists(*cell.robot().kinematics);
@@ -242,7 +242,7 @@ TEST(TurnSmoother, AKinkWithinTheConeGoes) {
   const auto wide = smoothed(2.0 * kKink);
   for (std::size_t i = 0; i < kPoints; ++i)
     EXPECT_LT((wide[i].q - cell.home()).norm(), 1e-4) << i;
-  const auto narrow = smoothed(0.5 * kKink); // takes what there is
+  const auto narrow = smoothed(0.5 * kKink); // uses the whole cone
   const auto angle = [&](std::size_t i) {
     return motion::angleBetween(narrow[i].tool(points[i].at.tool), points[0].at.tool);
   };
@@ -252,7 +252,7 @@ TEST(TurnSmoother, AKinkWithinTheConeGoes) {
   EXPECT_LT(angle(kPoints / 2), 0.6 * kKink);
 }
 
-// What already is as smooth as can be stays.
+// Motion that is already as smooth as possible stays.
 TEST(TurnSmoother, OneDirectionOnTheSpotIsKept) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
@@ -363,13 +363,13 @@ struct SmoothScene {
 
 } // namespace
 
-TEST(SmoothRun, GoesBackWhereSomethingMeets) {
+TEST(SmoothRun, RestoresTheOriginalAtCollisions) {
   for (int seed = 1; seed <= 4; ++seed) {
     const SmoothScene s(seed);
     const auto& points = s.wall.points;
     const auto clear = s.smoothed([](const JointVector&, std::size_t) { return false; });
     ASSERT_EQ(clear.points.size(), points.size());
-    // Where joints left what they were furthest, half of that is too much.
+    // Where joints moved furthest from the original, half of that distance is too much.
     std::size_t furthest = 0;
     double most = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -381,11 +381,11 @@ TEST(SmoothRun, GoesBackWhereSomethingMeets) {
     const motion::Meets meets = [&](const JointVector& q, std::size_t w) {
       return w == furthest && (q - points[w].at.q).norm() > 0.5 * most;
     };
-    // Ends whose lift is not clear stay as the ladder laid them.
+    // Ends whose lift is not clear stay as the ladder gave them.
     const auto kept = s.smoothed(meets, false);
     const double off = (kept.points[furthest].at.q - points[furthest].at.q).norm();
     EXPECT_LE(off, 0.5 * most);
-    // And is not simply what it was.
+    // And does not simply equal the original.
     double moved = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
       moved = std::max(moved, (kept.points[i].at.q - points[i].at.q).norm());
@@ -395,7 +395,7 @@ TEST(SmoothRun, GoesBackWhereSomethingMeets) {
   }
 }
 
-// A kick that stands at an end goes; the nozzle stays near where the next path finds it.
+// A kick at an end is removed; the nozzle stays near the start of the next path.
 TEST(SmoothRun, EndsTurnALittleWhereTheyCanBeLifted) {
   constexpr double kLittle = 0.2; // rad
   const motion::Meets nothing = [](const JointVector&, std::size_t) { return false; };

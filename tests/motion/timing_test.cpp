@@ -51,9 +51,9 @@ TEST(Timing, ALoadedArmTravelsGently) {
   EXPECT_LT(before, 2.0);
 }
 
-// Joint moves on one line take as long as one; where they bend the arm stands, and both take as
-// long as each alone.
-TEST(Timing, JointMovesStandWhereTheyBend) {
+// Joint moves on one line take as long as one; where they bend the arm stops, and both take as long
+// as each alone.
+TEST(Timing, JointMovesStopWhereTheyBend) {
   TimedPoint from, middle, to, aside;
   from.q = middle.q = to.q = robot::JointVector::Zero(2);
   middle.jointMove = to.jointMove = true;
@@ -63,7 +63,7 @@ TEST(Timing, JointMovesStandWhereTheyBend) {
   aside.q = Eigen::Vector2d(1.0, 1.0);
   motion::TimingLimits limits = limitsOf(2);
   limits.travelRadPerS2 = 1.4;
-  middle.tip = {300, 0, 0}; // wherever the tip goes meanwhile
+  middle.tip = {300, 0, 0}; // for any motion of the tip
   to.tip = {310, 0, 0};
   EXPECT_NEAR(motion::timesOf({from, middle, to}, limits).back(),
               motion::timesOf({from, to}, limits).back(), 1e-9);
@@ -75,7 +75,7 @@ TEST(Timing, JointMovesStandWhereTheyBend) {
 
 // Through a corner as fast as the circle that cuts it by cornerMm allows; straight on at speed, and
 // back or where it is to stop from rest.
-TEST(Timing, CornersArePassedAtWhatTheirCutAllows) {
+TEST(Timing, CornerSpeedFollowsTheAllowedCut) {
   const motion::TimingLimits limits = limitsOf(2);
   const double a = limits.accelerationMmPerS2, v = 40.0, leg = 15.0;
   for (const double turn : {0.0, 0.3, 0.5 * base::kPi, 2.5, base::kPi})
@@ -100,7 +100,7 @@ TEST(Timing, CornersArePassedAtWhatTheirCutAllows) {
     }
 }
 
-// The same wherever the arm begins: on, but not back, not aside, and not on the spot.
+// The same from any start: on, but not back, not aside, and not on the spot.
 TEST(Timing, JointMovesGoOnFromAnyPose) {
   const motion::TimingLimits limits = limitsOf(2);
   const auto stands = [&](const Eigen::Vector2d& begin, const Eigen::Vector2d& first,
@@ -128,9 +128,9 @@ TEST(Timing, JointMovesGoOnFromAnyPose) {
   }
 }
 
-// A straight move on the way of which a joint goes far faster than from end to end, as near a
-// singular pose: it takes as long as if it went that fast all the way.
-TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {
+// A straight move during which a joint is far faster than from end to end, as near a singular pose:
+// it takes as long as at that speed all the way.
+TEST(Timing, MoveIsTimedByTheGreatestSpeedOfAJoint) {
   TimedPoint from, to;
   from.q = to.q = robot::JointVector::Zero(2);
   to.tip = {1, 0, 0};
@@ -144,8 +144,8 @@ TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {
   EXPECT_LT(even, 0.5);
 }
 
-// A nozzle that stands still over a turning rod, r 2.75: its way is the tip's over the part, and
-// the ramps are those of the rod where it is the slower one.
+// A fixed nozzle over a turning rod, r 2.75: its way is the tip's over the part, and the ramps are
+// those of the rod where it is the slower one.
 TEST(Timing, RodTurnsUnderTheTip) {
   const double r = 2.75, speed = 20.0;
   std::vector<TimedPoint> points;

@@ -35,12 +35,12 @@ motion::MotionResult ringOf(const char* cellId, double radius, double height,
 
 } // namespace
 
-TEST(TooLarge, WhatIsInReachIsNot) {
+TEST(TooLarge, PartWithinReachIsNotTooLarge) {
   EXPECT_FALSE(ringOf("ur5-fixed", 30.0, 20.0).tooLarge);
   EXPECT_FALSE(ringOf("kr6-r900-moving", 60.0, 20.0).tooLarge);
 }
 
-TEST(TooLarge, AtTheSizeThatIsToldTheRobotGetsToIt) {
+TEST(TooLarge, PartScaledToTheNamedSizeIsWithinReach) {
   for (const char* cell : {"kr6-r900-moving", "ur5-moving"})
     for (const auto& [radius, height] : {std::pair(150.0, 1200.0), std::pair(700.0, 80.0)}) {
       const motion::MotionResult whole = ringOf(cell, radius, height);
@@ -58,8 +58,8 @@ TEST(TooLarge, AtTheSizeThatIsToldTheRobotGetsToIt) {
     }
 }
 
-// The nozzle would come from beneath the plate at any size.
-TEST(TooLarge, NoSizeIsToldWhereNoneHelps) {
+// The nozzle would come from below the plate at any size.
+TEST(TooLarge, NoSizeIsNamedWhereNoneHelps) {
   const motion::MotionResult result =
       ringOf("kr6-r900-moving", 15.0, 2.0, Vector3d(0.0, 0.0, -1.0));
   if (result.tooLarge) {

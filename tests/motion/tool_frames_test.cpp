@@ -61,7 +61,7 @@ TEST(ToolFrames, EachRuleHasItsOwnX) {
     const Vector3d& d = plan.direction[i];
     for (const Quaterniond& q : {tangent[i], axis[i], rodrigues[i], free[i]})
       EXPECT_LT((q * Vector3d::UnitZ() + d).norm(), 1e-12);
-    // The tangent lies in the plane of x and z, ahead.
+    // The tangent is in the plane of x and z, ahead.
     const Vector3d t = (plan.position[std::min(i + 1, plan.waypointCount() - 1)] -
                         plan.position[i > 0 ? i - 1 : 0])
                            .normalized();
@@ -81,7 +81,7 @@ TEST(ToolFrames, EachRuleHasItsOwnX) {
 }
 
 // A tangent that has no way across the direction, and a standstill: the frame before is carried.
-TEST(ToolFrames, WhereARuleSaysNothingTheFrameBeforeIsCarried) {
+TEST(ToolFrames, FrameIsCarriedOverWhereTheRuleIsUndefined) {
   plan::ToolPlan plan;
   const Vector3d up = Vector3d::UnitZ();
   test::appendPath(plan, {{0, 0, 1}, {0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {0, 1, 3}, {0, 1, 3}},

@@ -67,8 +67,8 @@ protected:
   }
   static Vector3d up(const RobotState& s, double mm) { return s.tip + mm * s.direction(); }
 
-  // Each point is the state that it says, steps are as long as they may be, and the bodies and the
-  // head stay clear of all that is printed.
+  // The pose of each point matches its joints, steps are as long as they may be, and the bodies and
+  // the head stay clear of all that is printed.
   void expectSound(const RobotState& from, const std::vector<TransferPoint>& points,
                    std::size_t before) const {
     JointVector last = from.q;
@@ -160,7 +160,7 @@ TEST_F(Transfers, AHopLiftsLittleAndATravelMore) {
   }
 }
 
-// Over a ring that stands between, from beside it: by 2, 4, 10 or 20 mm, the first that is enough.
+// Over a ring in between, from beside it: by 2, 4, 10 or 20 mm, the first that is enough.
 TEST(TransferLifts, AreNoHigherThanTheyHaveToBe) {
   struct Case {
     int layers; // of 0.8 mm
@@ -212,7 +212,7 @@ TEST_F(Transfers, AroundTheBallWhereDirectionsAreFarApart) {
   EXPECT_EQ(way->kind, TransferKind::Arc);
   expectAt(way->points.back().at, to);
   expectSound(from, way->points, before);
-  // Out along the nozzle, then in pieces of ten degrees at most, no nearer than that but for the
+  // Out along the nozzle, then in pieces of ten degrees at most, no nearer than that except for the
   // first and the last one.
   const double lift = 10.0 * options_.liftMm;
   const Vector3d a = up(from, lift) - middle, b = up(to, lift) - middle;
@@ -276,8 +276,8 @@ TEST_F(Transfers, AnApproachComesDownFromOutsideTheBall) {
   }
 }
 
-// Back over what was printed, or on where a ring closes; no further than is asked for.
-TEST_F(Transfers, AWipeFollowsItsBeadAsFarAsAskedFor) {
+// Back over the printed bead, or on where a ring closes; no further than the given length.
+TEST_F(Transfers, WipeFollowsItsBeadForTheGivenLength) {
   const plan::ToolPath& path = plan_.paths[4];
   for (const bool closed : {true, false}) {
     motion::Run run;

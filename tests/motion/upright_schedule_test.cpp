@@ -101,7 +101,7 @@ TEST_F(UprightSchedule, TurnsEvenlyWhereTheTurnIsFree) {
 }
 
 // A whole turn about the normal turns the table by one, not back and forth.
-TEST_F(UprightSchedule, GoesAroundWithThePath) {
+TEST_F(UprightSchedule, FollowsThePathAround) {
   std::vector<Vector3d> around;
   for (int i = 0; i <= 720; i += 2)
     around.push_back(leaning(40, i));

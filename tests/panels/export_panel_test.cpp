@@ -48,7 +48,7 @@ protected:
 };
 } // namespace
 
-TEST_F(ExportPanelTest, OneClickExportsWhatIsChecked) {
+TEST_F(ExportPanelTest, OneClickExportsTheCheckedFormats) {
   panel.setChecked({"urscript"});
   ASSERT_TRUE(button()->isEnabled());
   button()->click();
@@ -100,7 +100,7 @@ TEST_F(ExportPanelTest, ProgramsOfABlockedPlanOnlyAfterTheUsersWord) {
   EXPECT_FALSE(requested[0][2].toBool());
 }
 
-TEST_F(ExportPanelTest, CheckingAndChoosingAreTold) {
+TEST_F(ExportPanelTest, CheckingAndChoosingAreSignalled) {
   QSignalSpy formats(&panel, &panels::ExportPanel::formatsChanged);
   QSignalSpy preview(&panel, &panels::ExportPanel::previewFormatChanged);
   panel.setChecked({"urscript"});
@@ -127,7 +127,7 @@ TEST_F(ExportPanelTest, NewResultsKeepChecksFormatAndPlaceInTheText) {
   EXPECT_EQ(panel.findChild<panels::TextPreview*>()->currentLine(), 1204u);
 }
 
-// Ticks of what is not there any more would say that something was checked.
+// Ticks of removed values would claim a check.
 TEST_F(ExportPanelTest, AVerdictFromBeforeAChangeHasNoTicks) {
   auto formats = gallery::sampleFormats();
   for (auto& format : formats)
@@ -149,7 +149,7 @@ TEST_F(ExportPanelTest, AVerdictFromBeforeAChangeHasNoTicks) {
   EXPECT_EQ(verdict->item(0, 1)->text(), value) << "still there to be read";
 }
 
-TEST_F(ExportPanelTest, AClickedLineIsTold) {
+TEST_F(ExportPanelTest, ClickedLineIsSignalled) {
   QSignalSpy clicked(&panel, &panels::ExportPanel::lineClicked);
   auto* preview = panel.findChild<panels::TextPreview*>();
   QTest::mouseClick(preview->viewport(), Qt::LeftButton, {}, QPoint(80, 3));
@@ -158,7 +158,7 @@ TEST_F(ExportPanelTest, AClickedLineIsTold) {
   EXPECT_EQ(clicked[0][1].toULongLong(), 1u);
 }
 
-TEST_F(ExportPanelTest, ATypedFolderIsToldOnce) {
+TEST_F(ExportPanelTest, TypedFolderIsSignalledOnce) {
   QSignalSpy folder(&panel, &panels::ExportPanel::folderChanged);
   auto* line = panel.findChild<QLineEdit*>(QStringLiteral("folder"));
   line->setFocus();
@@ -241,7 +241,7 @@ TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
   EXPECT_EQ(measures[5].value, "4.00 %");
 }
 
-// The limit of what the material bridges decides on the way of building.
+// The bridging limit depends on the mode.
 TEST(VerdictMeasures, ALongUnsupportedRunIsBesideItsLimit) {
   project::ReplayReport r;
   r.longestUnsupportedMm = 13.4;
@@ -252,7 +252,7 @@ TEST(VerdictMeasures, ALongUnsupportedRunIsBesideItsLimit) {
   EXPECT_FALSE(run.blocks);
 }
 
-TEST(VerdictMeasures, ARefusedFigureDoesNotReadAsItsLimit) {
+TEST(VerdictMeasures, RefusedFigureIsNotRoundedToItsLimit) {
   project::ReplayReport r;
   r.massRatio = 1.030004;
   r.coveredFraction = 0.969996;

@@ -76,7 +76,7 @@ TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
   EXPECT_EQ(button("remedy_turn")->text(), "Turn it");
   EXPECT_EQ(button("remedy_turn")->toolTip(), "about");
   QSignalSpy chosen(&panel, &panels::FindingsPanel::remedyChosen);
-  // Findings that come in anew leave what is held down by the mouse.
+  // New findings do not disturb a button that is held down by the mouse.
   QTest::mousePress(button("remedy_prop"), Qt::LeftButton);
   panel.setFindings(some());
   QTest::mouseRelease(button("remedy_prop"), Qt::LeftButton);
@@ -88,7 +88,7 @@ TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
 }
 
 // To answer takes its time: every cell there is may be read for it.
-TEST(FindingsPanel, RemediesAreAskedForOnceAChange) {
+TEST(FindingsPanel, RemediesAreQueriedOncePerChange) {
   panels::FindingsPanel panel;
   int asked = 0;
   panel.setRemedies([&](const plan::Finding&) {
@@ -111,7 +111,7 @@ TEST(FindingsPanel, RemediesAreAskedForOnceAChange) {
   EXPECT_FALSE(panel.findChild<QWidget*>("actions")->isVisibleTo(&panel));
 }
 
-TEST(FindingsPanel, ClickEnterAndButtonTellWhichFinding) {
+TEST(FindingsPanel, ClickEnterAndButtonActivateTheFinding) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);
   panel.setPlanned(true);
@@ -132,7 +132,7 @@ TEST(FindingsPanel, ClickEnterAndButtonTellWhichFinding) {
   EXPECT_TRUE(panel.findChild<QWidget*>(QStringLiteral("details"))->isVisible());
 }
 
-TEST(FindingsPanel, AnEmptyListSaysWhatItMeans) {
+TEST(FindingsPanel, EmptyListExplainsWhyItIsEmpty) {
   panels::FindingsPanel panel;
   panel.show();
   const auto says = [&](const char* text) {
@@ -151,7 +151,7 @@ TEST(FindingsPanel, AnEmptyListSaysWhatItMeans) {
   EXPECT_TRUE(says("No blocking findings."));
 }
 
-TEST(FindingsPanel, WhatNobodyHasLookedForIsSaid) {
+TEST(FindingsPanel, UncheckedStagesAreNamed) {
   panels::FindingsPanel panel;
   panel.show();
   const auto* nothing = panel.findChild<QLabel*>("nothing");
@@ -168,7 +168,7 @@ TEST(FindingsPanel, WhatNobodyHasLookedForIsSaid) {
   EXPECT_FALSE(notChecked->isVisible());
 }
 
-TEST(FindingsModel, FindingsFromBeforeAChangeComeLastAndAreNotCounted) {
+TEST(FindingsModel, OutOfDateFindingsAreLastAndNotCounted) {
   panels::FindingsModel model;
   model.setFindings({finding("layers", "thin", false)}, some());
   EXPECT_EQ(model.rowCount(), 5);
@@ -195,7 +195,7 @@ plan::Finding refused(const char* format) {
       {{"format", std::string(format)}, {"failed", std::vector<base::Message>{}}});
 }
 
-TEST(ListedFindings, AFactIsOneLineHoweverManyProgramsTellIt) {
+TEST(ListedFindings, EqualFindingsOfSeveralProgramsShareOneRow) {
   const auto rows = panels::listed({uncovered("urscript", 5.01), refused("urscript"),
                                     uncovered("csv", 5.04), refused("csv"), refused("rapid")});
   ASSERT_EQ(rows.size(), 2u);
@@ -219,7 +219,7 @@ TEST(ListedFindings, OtherPlacesAndOtherThingsAreOtherFacts) {
       << "twice in one program";
 }
 
-// In a dock 280 high: what is left of a small screen.
+// In a dock 280 high: the room on a small screen.
 TEST(FindingsPanel, LeavesRowsToReadAboveLongWords) {
   panels::FindingsPanel panel;
   plan::Findings findings;
@@ -267,7 +267,7 @@ TEST(FindingsPanel, WordsAndButtonsAreInSightWhereThereIsRoom) {
       << "a short one leaves the list its room";
 }
 
-// What is left of a screen of 1280 by 800 at 150 %, in the words of a language that has more.
+// The room on a screen of 1280 by 800 at 150 %, in the words of a language with longer ones.
 TEST(FindingsPanel, ButtonsAreInSightOnASmallScreen) {
   panels::FindingsPanel panel;
   panel.setRemedies([](const plan::Finding&) {
@@ -301,7 +301,7 @@ TEST(FindingsPanel, ButtonsAreInSightOnASmallScreen) {
   }
 }
 
-TEST(FindingsPanel, ABlockedFindingWithoutAButtonSaysWhy) {
+TEST(FindingsPanel, FindingWithoutAButtonExplainsWhy) {
   panels::FindingsPanel panel;
   panel.resize(260, 500);
   panel.show();

@@ -1,4 +1,4 @@
-// What the gallery shows: values as a window would have them.
+// Contents of the gallery: values as a window would have them.
 #pragma once
 
 #include "panels/format_list.h"

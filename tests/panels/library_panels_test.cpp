@@ -102,7 +102,7 @@ TEST(ItemForm, ShowsAProblemBesideItsField) {
   EXPECT_FALSE(texts("beadWidthMm.default").contains("'max'"));
 }
 
-TEST(ItemForm, SaysWhenThereIsNoValue) {
+TEST(ItemForm, ShowsUnknownForAMissingValue) {
   panels::ItemForm form;
   LibraryItem item = process::loadItem(Shelf::Materials, "petg");
   std::get<process::Material>(item.data).bedC.reset();
@@ -167,7 +167,7 @@ TEST(HeadDrawing, ShowsHeadAndBeadOfEveryProcess) {
 }
 
 // Half-typed heads and sizes are drawn or left out.
-TEST(HeadDrawing, DrawsWhateverIsTyped) {
+TEST(HeadDrawing, DrawsAnyTypedValues) {
   panels::HeadDrawing drawing;
   drawing.resize(340, 260);
   std::mt19937_64 random(4);

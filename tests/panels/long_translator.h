@@ -1,4 +1,4 @@
-// A made-up language: every text a third longer, in marks that tell it from English.
+// A made-up language: every text a third longer, with marks that distinguish it from English.
 #pragma once
 
 #include <QTranslator>

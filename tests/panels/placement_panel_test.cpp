@@ -51,7 +51,7 @@ TEST_F(PlacementPanelTest, TypedAnglesStayAsTypedAtARightAngleToo) {
   EXPECT_DOUBLE_EQ(box("turnZ")->value(), 30.0);
 }
 
-TEST_F(PlacementPanelTest, QuarterTurnsAreAboutTheFixedAxesFromHowThePartLies) {
+TEST_F(PlacementPanelTest, QuarterTurnsAreAboutFixedAxesFromTheCurrentPose) {
   press("moreX");
   press("moreZ");
   ASSERT_EQ(told.size(), 2u);

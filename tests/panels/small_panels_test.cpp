@@ -11,7 +11,7 @@
 using namespace voluta;
 using panels::SceneItem;
 
-TEST(MeshPanel, TellsWhatWasFoundRepairedAndRemains) {
+TEST(MeshPanel, ListsFoundRepairedAndRemainingFaults) {
   panels::MeshPanel panel;
   QSignalSpy toggled(&panel, &panels::MeshPanel::repairToggled);
   auto* repair = panel.findChild<QCheckBox*>();
@@ -58,7 +58,7 @@ TEST(ObjectTree, EyesToggleByClickAndByKey) {
   EXPECT_TRUE(tree.isShown(SceneItem::Part));
 }
 
-TEST(ObjectTree, TellsWhatIsSelectedByTheUserOnly) {
+TEST(ObjectTree, SignalsSelectionsByTheUserOnly) {
   panels::ObjectTree tree;
   std::vector<SceneItem> told;
   QObject::connect(&tree, &panels::ObjectTree::selected,

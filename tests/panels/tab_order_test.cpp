@@ -19,7 +19,7 @@
 using namespace voluta;
 
 namespace {
-// What Tab goes through inside `top`, from its first field on; but for what scrolls others.
+// The widgets that Tab reaches inside `top`, from its first field on; without scroll areas.
 std::vector<QWidget*> tabbed(QWidget* top) {
   std::vector<QWidget*> all;
   QWidget* const first = forms::inReadingOrder(top).front();
@@ -47,7 +47,7 @@ void expectReadingOrder(QWidget* top) {
   }
 }
 
-TEST(TabOrder, GoesThroughASettingsFormAsItIsRead) {
+TEST(TabOrder, FollowsTheReadingOrderOfASettingsForm) {
   auto* choices = new forms::ChoicesForm; // made first, shown second
   forms::ParameterForm form(pipeline::allParameters());
   form.setHeader(choices);
@@ -59,7 +59,7 @@ TEST(TabOrder, GoesThroughASettingsFormAsItIsRead) {
   expectReadingOrder(&form);
 }
 
-TEST(TabOrder, GoesThroughThePlacementAsItIsRead) {
+TEST(TabOrder, FollowsTheReadingOrderOfThePlacementPanel) {
   panels::PlacementPanel panel;
   panel.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
@@ -68,7 +68,7 @@ TEST(TabOrder, GoesThroughThePlacementAsItIsRead) {
 }
 
 // Its buttons come and go with the finding that is chosen.
-TEST(TabOrder, GoesThroughTheRemediesOfAFindingBeforeWhatComesNext) {
+TEST(TabOrder, VisitsTheRemediesOfAFindingBeforeTheNextPanel) {
   QWidget window;
   auto* column = new QVBoxLayout(&window);
   auto* findings = new panels::FindingsPanel;
@@ -100,7 +100,7 @@ TEST(TabOrder, GoesThroughTheRemediesOfAFindingBeforeWhatComesNext) {
   }
 }
 
-TEST(TabOrder, GoesFromOneToTheNext) {
+TEST(TabOrder, ContinuesFromOnePanelToTheNext) {
   QWidget window;
   auto* column = new QVBoxLayout(&window);
   auto* second = new panels::PlacementPanel; // made in another order than shown

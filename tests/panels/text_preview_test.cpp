@@ -40,7 +40,7 @@ TEST(TextLines, EveryLineIsFoundAcrossTheKeptPlaces) {
     EXPECT_EQ(lines.line(i), QStringLiteral("line %1").arg(i + 1).toStdString());
 }
 
-TEST(TextPreview, ShowLineScrollsThereAndTellsNobody) {
+TEST(TextPreview, ShowLineScrollsThereWithoutASignal) {
   panels::TextPreview preview;
   preview.resize(300, 200);
   preview.show();
@@ -60,7 +60,7 @@ TEST(TextPreview, ShowLineScrollsThereAndTellsNobody) {
   EXPECT_EQ(clicked.size(), 0);
 }
 
-TEST(TextPreview, ClickAndKeysTellTheLine) {
+TEST(TextPreview, ClickAndKeysSignalTheLine) {
   panels::TextPreview preview;
   preview.resize(300, 200);
   preview.show();

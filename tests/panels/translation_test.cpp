@@ -23,7 +23,7 @@
 using namespace voluta;
 
 namespace {
-// What a user reads on a widget and beneath it, tool tips included.
+// The texts on a widget and its children, tool tips included.
 QStringList textsOf(const QWidget& top) {
   QStringList texts;
   for (const QWidget* widget : top.findChildren<QWidget*>()) {
@@ -52,8 +52,8 @@ QStringList textsOf(const QWidget& top) {
   return texts;
 }
 
-// Shows `panel` in English, then in the longer language, and names what stayed English though it
-// has words that are no data.
+// Shows `panel` in English, then in the longer language, and names texts that stayed English though
+// they have words that are not data.
 void expectFollows(QWidget& panel, const QStringList& data) {
   panel.show();
   const QStringList english = textsOf(panel);

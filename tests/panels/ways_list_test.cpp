@@ -39,7 +39,7 @@ protected:
   panels::WaysList list;
 };
 
-TEST_F(WaysListTest, AClickIsToldAndMarksNothingByItself) {
+TEST_F(WaysListTest, ClickIsSignalledAndMarksNothingByItself) {
   QSignalSpy chosen(&list, &panels::WaysList::chosen);
   list.setWays(someWays(4));
   list.setNow(3);
@@ -52,7 +52,7 @@ TEST_F(WaysListTest, AClickIsToldAndMarksNothingByItself) {
   EXPECT_FALSE(card(1)->isChecked());
 }
 
-TEST_F(WaysListTest, SaysWhatItIsAt) {
+TEST_F(WaysListTest, StateTextFollowsTheSearchAndTheChoice) {
   EXPECT_FALSE(state().isEmpty()) << "none";
   list.setLooking(true);
   const QString looking = state();
@@ -70,7 +70,7 @@ TEST_F(WaysListTest, SaysWhatItIsAt) {
   EXPECT_THROW(list.setWays(someWays(5)), base::Error);
 }
 
-TEST_F(WaysListTest, EveryFigureIsSaidInWordsAndHasRoom) {
+TEST_F(WaysListTest, EveryFigureHasATextAndRoom) {
   list.setWays(someWays(4));
   EXPECT_LE(list.minimumSizeHint().width(), 320);
   for (int n = 0; n < 4; ++n) {
@@ -94,7 +94,7 @@ double inkShare(const QImage& image) {
   return static_cast<double>(ink) / (image.width() * image.height());
 }
 
-TEST(StandPicture, ShowsThePartAsItStandsInsideTheFrame) {
+TEST(StandPicture, ShowsThePartInItsOrientationInsideTheFrame) {
   const geometry::TriangleMesh plank = test::box({0, 0, 0}, {60, 20, 4});
   const auto pictures = panels::standPictures(
       plank,

@@ -1,4 +1,4 @@
-// Mode auto: which ways are tried, and what is taken.
+// Mode auto: which ways are tried, and which is taken.
 #include "curved/decomposition.h"
 #include "helpers/given_parameters.h"
 #include "pipeline/automatic.h"
@@ -84,7 +84,7 @@ TEST(Automatic, WaysAreOfKnownModesAndPlatformsTheyTake) {
   }
 }
 
-// What a cell can tilt says which ways there are, not its name.
+// The ways depend on the tilt of a cell, not on its name.
 TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   project::Choices choices = automatic();
   choices.cell = "t3";
@@ -97,7 +97,7 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   EXPECT_EQ(automaticChoices(choices).front().item().mode, "curved");
 }
 
-TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
+TEST(Automatic, WaysKeepTheirIdsWhenOthersAreInserted) {
   std::set<std::string_view> ids;
   for (const pipeline::AutomaticWay& way : pipeline::automaticWays())
     EXPECT_TRUE(ids.insert(way.id).second) << way.id;
@@ -113,7 +113,7 @@ TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
   EXPECT_EQ(resolved(choices).item().parameters.at("supports"), "auto");
 }
 
-TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
+TEST(Automatic, PlanByHandDiffersFromTheFirstWay) {
   pipeline::PlanRequest request = automaticRequest();
   request.choices.item().automatic = false;
   for (const char* platform : {"fit", "fit:10"}) {
@@ -128,13 +128,13 @@ TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
     left.choices = first;
     EXPECT_EQ(pipeline::stageKeys(left), begun);
   }
-  // The way that was taken stays what it stands for.
+  // The way that was taken keeps its name.
   for (const project::Choices& way : automaticChoices(automaticRequest().choices))
     EXPECT_EQ(pipeline::wayOrFirst(way).item().automaticWay, way.item().automaticWay);
   EXPECT_FALSE(pipeline::wayOrFirst(request.choices).item().automatic);
 }
 
-TEST(Automatic, WaysGoWithTheCell) {
+TEST(Automatic, WaysSuitTheCell) {
   for (const project::Choices& way : automaticChoices(automatic()))
     EXPECT_FALSE(modes::findMode(way.item().mode).aroundRod) << way.item().mode;
   project::Choices lathe = automatic();
@@ -159,7 +159,7 @@ TEST(Automatic, APlatformOfTheUsersStays) {
   }
 }
 
-TEST(Automatic, WhatTheUserHasChangedIsNotChangedByAWay) {
+TEST(Automatic, WaysKeepParametersChangedByTheUser) {
   project::Choices choices = automatic();
   choices.item().parameters["supports"] = "none";
   for (project::Choices way : automaticChoices(choices)) {
@@ -189,7 +189,7 @@ TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
 }
 
-TEST(Automatic, NoTwoWaysComeToTheSame) {
+TEST(Automatic, AllWaysDiffer) {
   const auto differ = [](const std::vector<project::Choices>& ways) {
     for (std::size_t i = 0; i < ways.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
@@ -222,7 +222,7 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   EXPECT_TRUE(job.choices.item().automatic);
   EXPECT_EQ(job.choices.item().mode, pipeline::automaticWays().front().mode);
   EXPECT_TRUE(job.choices.item().parameters.empty()); // a way's own are not the user's
-  // What was planned is up to date for whoever asks with the choices that came of it.
+  // A plan is up to date for the choices that it resulted in.
   pipeline::PlanRequest again = automaticRequest();
   again.choices = job.choices;
   EXPECT_EQ(pipeline::stageKeys(again), job.keys());
@@ -250,7 +250,7 @@ TEST(Automatic, TheWayStaysWhenFormatsChange) {
   EXPECT_GT(ways, 0);
 }
 
-TEST(Automatic, WhatBlocksAWayIsTold) {
+TEST(Automatic, FindingThatBlocksAWayIsGiven) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   ASSERT_FALSE(result.job.report.item().tried.empty());
   const project::TriedReport& first = result.job.report.item().tried.front();
@@ -269,7 +269,7 @@ TEST(Automatic, WhatBlocksAWayIsTold) {
             result.job.report.item().tried.size());
 }
 
-TEST(Automatic, WaysAreNamedByWhatTheyDo) {
+TEST(Automatic, WaysAreNamedByTheirMethod) {
   std::vector<std::string> names;
   for (const project::Choices& way : automaticChoices(automatic()))
     names.push_back(base::english(pipeline::nameOfWay(way)));
@@ -285,7 +285,7 @@ TEST(Automatic, WaysAreNamedByWhatTheyDo) {
   EXPECT_EQ(base::english(pipeline::tryingText({"pieces"_text, 2, 4})), "Trying pieces (2 of 4)");
 }
 
-TEST(Automatic, WhatIsSaidOfABoxIsConsistent) {
+TEST(Automatic, TextsForABoxAreConsistent) {
   std::vector<std::string> tried;
   const auto note = [&](const pipeline::WayInTurn& way) {
     tried.push_back(base::english(way.name));
@@ -300,13 +300,13 @@ TEST(Automatic, WhatIsSaidOfABoxIsConsistent) {
             "cell)");
 }
 
-TEST(Automatic, WhatIsSaidIsConsistentWhereWaysAreRejected) {
+TEST(Automatic, TextsAreConsistentWhereWaysAreRejected) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   expectConsistent(result);
   EXPECT_GT(result.job.report.item().tried.size(), 1U);
 }
 
-// The field is what takes long in curved layers: it is not fitted where voxels are missed.
+// The field takes most of the time of curved layers: it is not fitted where voxels are missed.
 TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
   pipeline::PlanRequest request = plateInTheAir();
   request.choices = automaticChoices(request.choices).front();
@@ -342,7 +342,7 @@ TEST(Automatic, APartThatNoWayTakesIsAnError) {
   EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
 }
 
-// Growth misses nothing of a box, so columns would change nothing of what blocks it.
+// Growth misses nothing of a box, so columns would not change the blocking finding.
 TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   pipeline::PlanRequest request = automaticRequest();
   // A skin over nothing.
@@ -362,8 +362,8 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   EXPECT_EQ(curved, 1);
 }
 
-// A pocket whose roof is wider than the material bridges, laid level and without supports.
-TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
+// A pocket whose roof is wider than the material bridges, with flat layers and without supports.
+TEST(Automatic, LeastUnsupportedWayIsTakenIfAllAreUnsupported) {
   geometry::TriangleMesh part = test::box({-15, -15, 0}, {15, 15, 5});
   test::append(part, test::box({-15, -15, 4.9}, {-4.5, 15, 26}));
   test::append(part, test::box({4.5, -15, 4.9}, {15, 15, 26}));
@@ -393,7 +393,7 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
     taken += tried.taken;
   }
   EXPECT_EQ(taken, 1);
-  // By hand both: none of them hangs less.
+  // By hand both: neither has less unsupported length.
   for (const project::Choices& way : automaticChoices(request.choices)) {
     pipeline::PlanRequest one = request;
     one.choices = resolved(way);

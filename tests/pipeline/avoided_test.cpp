@@ -1,4 +1,4 @@
-// What is left out of a motion, round by round.
+// Waypoints left out of a motion, round by round.
 #include "pipeline/avoided.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +37,9 @@ TEST(Avoided, EachOnceAndNothingBesides) {
   EXPECT_TRUE(avoided.next(twoPaths(), {7, 50}).empty());
 }
 
-// The path goes on further and further behind what was left out, as long as the nozzle meets there.
-TEST(Avoided, BesideWhatWasLeftOutMoreAndMore) {
+// The path resumes further and further behind the waypoints left out, as long as the nozzle
+// collides there.
+TEST(Avoided, MoreWaypointsAreSkippedBesideSkippedOnes) {
   pipeline::Avoided avoided;
   const plan::ToolPlan plan = twoPaths();
   EXPECT_EQ(avoided.next(plan, {10}), (Waypoints{10}));

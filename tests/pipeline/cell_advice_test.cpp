@@ -1,5 +1,5 @@
 // Advice on cells for a part: the rules of Boge 2019 (table 6.7) and Castelli 2020 (6.6) over six
-// cells, and the sentence that says why.
+// cells, and the sentence with the reason.
 #include "base/text.h"
 #include "pipeline/cell_advice.h"
 
@@ -22,7 +22,7 @@ class CellAdviser : public ::testing::Test {
 protected:
   void SetUp() override { setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1); }
 
-  // A solid block that stands on the plate.
+  // A solid block on the plate.
   static CellNeeds block(double width, double depth, double height, double tiltRad,
                          double gPerCm3 = 1.24) {
     CellNeeds needs;
@@ -131,15 +131,15 @@ TEST_F(CellAdviser, aBulkyHeadDoesNotLean) {
           .out.empty());
 }
 
-TEST_F(CellAdviser, noneSaysWhyForEach) {
+TEST_F(CellAdviser, noneHasAReasonForEach) {
   const CellComparison all = over({"ur5-fixed", "t3"}, block(280, 280, 60, kTilt));
   EXPECT_FALSE(all.best);
   EXPECT_THAT(base::english(all.reason), StartsWith("none of these cells: ur5-fixed is out: "));
   EXPECT_THAT(base::english(all.reason), HasSubstr("t3 is out: "));
 }
 
-// The order of forms, whatever the order of the rows; of equals the first, or the one that reaches
-// more.
+// The order of forms is independent of the order of the rows; of equals the first, or the one that
+// reaches more.
 TEST_F(CellAdviser, formsAreTakenInTheirOrder) {
   const std::vector<CellAdvice> rows = {
       made("floor", CellForm::TableOnFloor, 1.0), made("raised", CellForm::RaisedPlate, 0.9),

@@ -1,5 +1,5 @@
 // The program as its users meet it: started as a process, judged by its exit code, its one line on
-// stderr and what it leaves on the disk.
+// stderr and the files it writes.
 #include "base/files.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
@@ -148,7 +148,7 @@ TEST_F(CommandLine, AMilledPartIsVerifiedFromItsFolder) {
   EXPECT_EQ(run({"verify", program, "--job", job}).code, 4);
 }
 
-// What the reader leaves out and holes that stay are said of a part to be milled, too.
+// A part to be milled also has notes on data that the reader skips and on holes that stay.
 TEST_F(CommandLine, AMilledPartHasTheNotesOfItsReader) {
   geometry::TriangleMesh mesh = test::box({-10, -9, 0}, {10, 9, 8});
   mesh.triangles.resize(10); // A side is missing
@@ -219,7 +219,7 @@ TEST_F(CommandLine, AnOldKeyOfAParameterIsTakenWithANote) {
                        "note: parameter infillTurn was renamed to infillRotation\n");
 }
 
-TEST_F(CommandLine, OrientListsTheWaysToStandAndPlanTakesOne) {
+TEST_F(CommandLine, OrientListsTheOrientationsAndPlanTakesOne) {
   const std::string part =
       stl("plate.stl", test::box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(50, 6, 40)));
   const Ended listed = run({"orient", part, "--scale", "0.5", "--json"});
@@ -254,7 +254,7 @@ TEST_F(CommandLine, OrientListsTheWaysToStandAndPlanTakesOne) {
   expectOneLine(run({"orient", (folder_ / "none.stl").string()}), 3, {"none.stl"});
 }
 
-TEST_F(CommandLine, InputThatCannotBeUsedSaysWhatAndWhere) {
+TEST_F(CommandLine, ErrorsForUnusableInputNameTheFileAndTheReason) {
   const std::string out = (folder_ / "out").string();
   base::writeFile(folder_ / "text.stl", "this is a letter, not a mesh\n");
   base::writeFile(folder_ / "empty.stl", "");
@@ -277,7 +277,7 @@ TEST_F(CommandLine, InputThatCannotBeUsedSaysWhatAndWhere) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST_F(CommandLine, AFolderThatCannotBeWrittenIsSaidFirst) {
+TEST_F(CommandLine, UnwritableFolderIsRefusedFirst) {
   const std::string part = smallBox();
   base::writeFile(folder_ / "file", "x");
   expectOneLine(run({"plan", part, "-o", (folder_ / "file").string()}), 2, {"file"});
@@ -375,7 +375,7 @@ TEST_F(CommandLine, RobotAnswersInDegreesAndMillimetres) {
   EXPECT_EQ(nlohmann::json::parse(inverse.out).at("solutions").size(), 8u);
 }
 
-TEST_F(CommandLine, ASmallPartGoesTheWholeRoad) {
+TEST_F(CommandLine, SmallPartIsPlannedFromMeshToPrograms) {
   const std::string part = smallBox();
   const std::string out = (folder_ / "out").string();
   const Ended ended = run({"plan", part, "-o", out, "--set", "output.debug=true"});
@@ -395,7 +395,7 @@ TEST_F(CommandLine, ASmallPartGoesTheWholeRoad) {
   }
 }
 
-// What must not depend on the number of threads, nor on the run.
+// Parts of a report that must not depend on the number of threads, nor on the run.
 nlohmann::json comparable(nlohmann::json report) {
   report.erase("timingS");
   report.erase("threads");
@@ -504,7 +504,7 @@ nlohmann::json jsonOf(const fs::path& file) {
   return nlohmann::json::parse(base::readFile(file));
 }
 
-TEST_F(CommandLine, TheTableOfAComparisonIsWhatTheReportsSay) {
+TEST_F(CommandLine, ComparisonTableEqualsTheReports) {
   const fs::path out = folder_ / "out";
   const Ended ended =
       run({"compare", smallBox(), "-o", out.string(), "--until", "layers", "--growths",

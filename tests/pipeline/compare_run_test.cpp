@@ -18,14 +18,14 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using record::ErrorKind;
 
-// What differs from the plan, by the plan's time.
+// Differences from the plan, by the plan's time.
 struct Differences {
   double slowFromS = 0.0, slowToS = 0.0, speed = 1.0;
   double asideFromS = 0.0, asideToS = 0.0;
   Vector3d aside{0, 0, 0};
 };
 
-// Returns what RTDE records of the box's motion at 125 Hz: poses of the TCP in the robot's base.
+// Returns an RTDE record of the box's motion at 125 Hz: poses of the TCP in the robot's base.
 std::string rtdeRecord(const Differences& d) {
   const PlanResult& plan = test::boxPlan();
   const plan::Trajectory& t = *plan.job.trajectory;

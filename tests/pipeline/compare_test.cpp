@@ -103,13 +103,13 @@ TEST(Compare, CellsVaryEveryWay) {
   }
 }
 
-TEST(Compare, UnknownNamesAreToldBeforeAnythingIsPlanned) {
+TEST(Compare, UnknownNamesAreRefusedBeforePlanning) {
   CompareOptions options = boxOptions(Stage::Decompose);
   options.modes = {"nonsense"};
   EXPECT_THROW(compare(options, context()), base::Error);
 }
 
-TEST(Compare, RowsAreWhatASinglePlanReportsAndTheTableSaysThat) {
+TEST(Compare, RowsEqualSinglePlansAndTheTableShowsThem) {
   const CompareOptions options = boxOptions(Stage::Replay);
   std::size_t begun = 0;
   std::vector<std::shared_ptr<PlanResult>> results;
@@ -197,7 +197,7 @@ TEST(Compare, ItStopsWhenItIsCancelled) {
   EXPECT_EQ(ended, 1u);
 }
 
-TEST(Compare, ProgressNeverGoesBack) {
+TEST(Compare, ProgressNeverDecreases) {
   double last = 0.0;
   bool back = false;
   const base::RunContext ctx(base::CancelToken(), 1,
@@ -210,7 +210,7 @@ TEST(Compare, ProgressNeverGoesBack) {
   EXPECT_LE(last, 1.0);
 }
 
-TEST(CompareRule, WhatIsBlockedComesAfterWhatIsNotWhateverItsFigures) {
+TEST(CompareRule, BlockedRowsRankBehindAllOthers) {
   const std::vector<CompareRow> rows{failedRow(), row(0, 10, true), row(5, 900), row(5, 800)};
   const Ranking ranking = rank(rows, defaultWeights());
   EXPECT_THAT(ranking.order, ElementsAre(3, 2, 1, 0));
@@ -232,7 +232,7 @@ TEST(CompareRule, WeightsDecide) {
     EXPECT_THROW(setWeight(weights, wrong), base::Error) << wrong;
 }
 
-TEST(CompareRule, AWeightIsNamedByWhatItCountsAgainst) {
+TEST(CompareRule, WeightIsNamedByItsLoss) {
   for (const Figure& figure : figures())
     EXPECT_EQ(figure.loss == figure.label, !figure.moreIsBetter) << figure.key;
 }

@@ -1,6 +1,5 @@
-// The examples that stand in the headers of the stages, run one after the other: the whole way from
-// a file to a verdict by hand. A header's lines are here word for word, and the last test sees to
-// it.
+// The examples in the headers of the stages, run one after the other: the whole way from a file to
+// a verdict by hand. A header's lines are here word for word, and the last test checks it.
 #include "collision/growing_part.h"
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"

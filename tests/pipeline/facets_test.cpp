@@ -1,4 +1,5 @@
-// The cover of a part does not hang on the size of its mesh's facets: the curved bar of Dai 5.4.2.
+// The cover of a part does not depend on the size of its mesh's facets: the curved bar of Dai
+// 5.4.2.
 #include "helpers/given_parameters.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/road.h"

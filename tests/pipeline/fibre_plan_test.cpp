@@ -45,7 +45,7 @@ std::size_t eventsOf(const plan::Trajectory& trajectory, plan::EventKind kind) {
       std::ranges::count(trajectory.events, kind, &plan::TrajectoryEvent::kind));
 }
 
-// What holds for every example: tapes of that length, each cut, as many grams as planned.
+// Checks every example: tapes of that length, each cut, as many grams as planned.
 void expectTapes(const PlanResult& plan, std::size_t tapes, double lengthMm) {
   const plan::ToolpathStatistics& s = plan.job.report.toolpath;
   EXPECT_EQ(s.tapes, tapes);

@@ -30,10 +30,10 @@ namespace {
 
 const base::RunContext kCtx;
 
-// What a slicer for a router with a tilting spindle may write: tenths of a millimetre in inches'
-// place taken by centimetres, one long line a row and no points between, frames that look down into
-// the part and are turned about it by a half, sections by a constant modifier, rows of every other
-// layer across.
+// A possible file of a slicer for a router with a tilting spindle: tenths of a millimetre in
+// inches' place taken by centimetres, one long line a row and no points between, frames that look
+// down into the part and are turned about it by a half, sections by a constant modifier, rows of
+// every other layer across.
 std::string routersFile(bool withObject) {
   constexpr double kWidth = 1.2, kHeight = 0.8;
   const double hatch = process::hatchOf(kWidth, kHeight);
@@ -55,7 +55,7 @@ std::string routersFile(bool withObject) {
     std::string points;
     for (int row = 0; row < kRows; ++row) {
       const double across = (row + 0.5) * hatch, z = (layer + 1) * kHeight;
-      // A turn lies half a hatch within the edge, so that the material is the box's.
+      // A turn is half a hatch within the edge, so that the material is the box's.
       for (const double along : {0.5 * hatch, side - 0.5 * hatch}) {
         const double l = row % 2 ? side - along : along;
         points += layer % 2 ? point(100 + across, 50 + l, z) : point(100 + l, 50 + across, z);
@@ -94,7 +94,8 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
     EXPECT_TRUE(checked->passed) << checked->program.format;
   EXPECT_EQ(planned.job.report.toolpath.paths, 6u);
   EXPECT_EQ(planned.job.report.item().layers.count, 6);
-  // It stood somewhere in centimetres; it lies in the middle of the plate, and looks up.
+  // The file has it off the origin in centimetres; the plan has it in the middle of the plate, and
+  // upright.
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : planned.job.toolPlan->position)
     box.extend(p);
@@ -108,7 +109,7 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
                 1.5 * planned.tooling->first().process.stepMm);
 }
 
-TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
+TEST(GivenPaths, WithoutAnObjectTheirBeadsAreTheReference) {
   const PlanResult planned = plannedFrom(routersFile(false));
   EXPECT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
   EXPECT_NEAR(planned.job.report.replay.massRatio, 1.0, 0.03);
@@ -116,7 +117,7 @@ TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
 
 TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
   PlanRequest request = test::boxRequest();
-  request.choices.item().placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
+  request.choices.item().placement.centreMm = {12, -5}; // the work frame is kept, wherever it is
   request.choices.parameters["output.build3mf"] = "true";
   PlanResult planned = planPart(request, kCtx);
   ASSERT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
@@ -138,7 +139,7 @@ TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
   }
 }
 
-TEST(GivenPaths, TheObjectIsPlannedAnewWhereThatIsAskedFor) {
+TEST(GivenPaths, ObjectIsPlannedAnewOnRequest) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "router.build.3mf", routersFile(true));
   PlanRequest request;
@@ -175,7 +176,7 @@ PlanResult beadOfProfile(const std::string& profile) {
   return planPart(request, kCtx);
 }
 
-TEST(GivenPaths, WhatTheFileLeavesOpenIsTheProcesss) {
+TEST(GivenPaths, ProcessFillsValuesMissingInTheFile) {
   const PlanResult planned =
       beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
                     "beadwidth=\"1.2\"");
@@ -198,7 +199,7 @@ TEST(GivenPaths, NoMoreThanTheExtruderGives) {
   }));
 }
 
-TEST(GivenPaths, BeadsOutsideTheProcessAreReportedWithTheWorst) {
+TEST(GivenPaths, WorstBeadOutsideTheProcessGivesTheFinding) {
   const auto findingFor = [](const std::string& section) -> std::optional<plan::Finding> {
     const PlanResult planned =
         beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" " + section);
@@ -223,7 +224,7 @@ TEST(GivenPaths, BeadsOutsideTheProcessAreReportedWithTheWorst) {
 }
 
 // Turning the part or another way of building does not change the tool-paths of a file.
-TEST(GivenPaths, FaultsNameWhatToChangeInTheSlicer) {
+TEST(GivenPaths, RemediesForGivenPathsReferToTheSlicer) {
   using enum plan::FindingKind;
   plan::Findings planned{
       plan::makeFinding(Unsupported, {{"length", base::mm(7.0)}}),

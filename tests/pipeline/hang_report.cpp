@@ -1,9 +1,8 @@
 // hang_report [--keep DIR] [--mode M] [--platform P] [--set KEY=VALUE]... [--over MM] [--list N]
-// [--threads N] PART...
-// Which beads of real parts lie on nothing: planned up to the tool-paths, laid as a replay lays
-// them, and told by what they are (path, height, how far aside the next material below is).
+// [--threads N] PART... Lists unsupported beads of real parts: planned up to the tool-paths,
+// deposited as in a replay, and listed by path, height and distance to the next material below.
 // --keep: plans up to the decomposition are kept in DIR and read from there. PART may be a project
-// (.voluta): of that, what its motion lays is looked at. --over: stretches longer than that are
+// (.voluta): then the beads of its motion are checked. --over: stretches longer than that are
 // listed, else those longer than the process bridges.
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -38,11 +37,11 @@ constexpr double kDownMm = 60.0; // how far down is looked
 constexpr std::array<const char*, 6> kKinds = {"wall",  "infill",  "gap",
                                                "skirt", "support", "prime"};
 
-// What is right beneath a piece; and how far aside from its middle, to the left and to the right,
-// the first material lies.
+// The share of a piece with material right below; and the distances from its middle to the first
+// material, to the left and to the right.
 struct Found {
   double carried = 0.0, leftMm = 0.0, rightMm = 0.0;
-  double downMm = 0.0; // to the first material beneath, along its direction
+  double downMm = 0.0; // to the first material below, along its direction
 };
 Found found(const replay::Beneath& beneath) {
   Found out;
@@ -113,7 +112,7 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
               job.report.item().layers.thicknessStdMm, job.report.item().layers.thicknessP01Mm,
               job.report.item().layers.thicknessP99Mm);
 
-  // What the tool-paths' own stage takes for hanging.
+  // The unsupported beads by the tool-paths' own stage.
   const collision::GrowingPart growing(
       plan, collision::growingPitch(plan, process::Tooling(process)), ctx);
   const std::vector<char> hanging =

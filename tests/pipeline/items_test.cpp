@@ -85,8 +85,8 @@ TEST(Items, AreCachedEachByItself) {
   EXPECT_NE(moved.job.keys(), first.job.keys());
 }
 
-// A cache keeps three results of a stage unless told otherwise; each item has its own.
-TEST(Items, AreAllFoundAgainHoweverMany) {
+// A cache keeps three results of a stage by default; each item has its own.
+TEST(Items, AreAllFoundAgainForAnyCount) {
   pipeline::StageCache cache;
   pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
   for (const double y : {-30.0, 30.0, 50.0}) {
@@ -181,7 +181,7 @@ TEST(Items, FindingsOfPathsAndMotionNameThePartAtTheirPlace) {
   EXPECT_EQ(findings[2].item, -1) << "no place";
 }
 
-TEST(Items, ComeBackFromAProject) {
+TEST(Items, AreReadBackFromAProject) {
   const test::TemporaryFolder folder;
   const pipeline::PlanResult result = pipeline::planPart(twoBoxes(layers::PrintOrder::ByLayer), {});
   project::writeJob(folder / "job.voluta", result.job);

@@ -65,7 +65,7 @@ TEST_F(JobFile, IsWrittenAsItsBytesAre) {
   EXPECT_EQ(base::readFile(folder_ / "written.voluta"), project::jobBytes(job));
 }
 
-TEST_F(JobFile, ComesBackAsItWas) {
+TEST_F(JobFile, IsReadBackUnchanged) {
   const Job job = sampleJob();
   const std::string bytes = project::jobBytes(job);
   const Job back = readBack(bytes);
@@ -88,7 +88,7 @@ TEST_F(JobFile, ComesBackAsItWas) {
 }
 
 // Files without rings are those of older versions.
-TEST_F(JobFile, RingsOfWallsComeBack) {
+TEST_F(JobFile, RingsOfWallsAreReadBack) {
   Job job = sampleJob();
   EXPECT_EQ(project::jobBytes(job).find("toolPlan.rings"), std::string::npos);
   plan::ToolPlan ringed = *job.toolPlan;
@@ -101,7 +101,7 @@ TEST_F(JobFile, RingsOfWallsComeBack) {
   EXPECT_NE(errorOf(project::jobBytes(job)), "no error");
 }
 
-TEST_F(JobFile, ThePartComesBackAsItWasRead) {
+TEST_F(JobFile, PartIsReadBackUnchanged) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
   EXPECT_EQ(back.item().loaded->name, "box.stl");
@@ -121,7 +121,7 @@ TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   EXPECT_TRUE(back.choices.item().repair);
 }
 
-TEST_F(JobFile, PiecesComeBack) {
+TEST_F(JobFile, PiecesAreReadBack) {
   const Job job = test::sampleJobOfPieces();
   const Job back = readBack(project::jobBytes(job));
   EXPECT_EQ(back.item().decomposition(), nullptr);
@@ -143,7 +143,7 @@ TEST_F(JobFile, PiecesComeBack) {
   EXPECT_EQ(back.item().pieces()->seconds.cut, 0.5);
 }
 
-TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
+TEST_F(JobFile, VoxelsLayersAndReportAreReadBack) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
   const curved::Decomposition &d = *back.item().decomposition(), &was = *job.item().decomposition();
@@ -194,7 +194,7 @@ TEST_F(JobFile, APartAloneIsAJob) {
   EXPECT_EQ(back.item().loaded->source->vertices, job.item().loaded->source->vertices);
 }
 
-TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
+TEST_F(JobFile, NewerFormatIsNamedWithARemedy) {
   std::string bytes = project::jobBytes(sampleJob());
   bytes.replace(0, 8, "VOLUTA 4");
   const std::string said = errorOf(bytes);

@@ -106,7 +106,7 @@ TEST(LatheRoad, HalfTurnSector) {
   expectPrinted(planPart(request, context()), "sector");
 }
 
-// Layers on what a file holds, in the files' own places.
+// Layers on a body from a file, in the files' own coordinates.
 class SurfaceRoad : public ::testing::Test {
 protected:
   PlanRequest request(const TriangleMesh& body, TriangleMesh part,
@@ -129,7 +129,7 @@ protected:
 constexpr double kHatch = 0.657079633; // table 5.1, h 0.2
 
 TEST_F(SurfaceRoad, RibOverAGableRoof) {
-  // Both moved alike: the platform's body stands in the middle, the rib goes with it.
+  // Both moved equally: the platform's body is in the middle, the rib moves with it.
   TriangleMesh body = test::gableRoof(40, 30),
                part = test::gableRib(40, 10 * kHatch, 0.25 + 9 * 0.2, 20);
   for (TriangleMesh* mesh : {&body, &part})
@@ -165,7 +165,7 @@ TEST_F(SurfaceRoad, PentagonThatFlattens) {
   expectPrinted(planned, "pentagon");
 }
 
-TEST(LatheRoad, CandelabrumIsPlannedOrSaysWhyNot) {
+TEST(LatheRoad, CandelabrumGivesLayersAndAnOverhangFinding) {
   VOLUTA_MODEL_OR_SKIP(file, "candelabrum_tentacles.stl");
   PlanRequest request = latheRequest(geometry::readMesh(file).mesh, {{"rodAxis", "z"}});
   request.choices.tool().process = "fdm-1.0";
@@ -193,7 +193,7 @@ void expectRefusal(const PlanRequest& request, base::ErrorCode code, const std::
   }
 }
 
-TEST(LatheRoad, BadInputIsToldInOneLine) {
+TEST(LatheRoad, BadInputGivesAnErrorOfOneLine) {
   const TriangleMesh tube = test::revolved(test::tubeSection(), 96);
   const auto with = [&](auto&& change, TriangleMesh part) {
     PlanRequest request = latheRequest(std::move(part));

@@ -1,4 +1,4 @@
-// supports and orient on the road: a part that growth alone cannot lay whole.
+// Parameters supports and orient in whole plans: a part that growth alone cannot print completely.
 #include "curved/decomposition.h"
 #include "helpers/given_parameters.h"
 #include "layers/layer_stack.h"
@@ -27,8 +27,8 @@ using namespace voluta::project;
 
 namespace {
 
-// Two posts, a beam, and a tooth that hangs down between the posts, inside the front of whatever is
-// laid before it.
+// Two posts, a beam, and a tooth from the beam down between the posts, inside the front of all
+// voxels before it.
 std::shared_ptr<const LoadedPart> toothPart(bool asCells) {
   voxel::VoxelObject object;
   object.size = {24, 6, 19};
@@ -47,7 +47,7 @@ std::shared_ptr<const LoadedPart> toothPart(bool asCells) {
                     {}, true, {});
 }
 
-// With a front that loses the tooth unless `parameters` say otherwise.
+// With a front that loses the tooth unless `parameters` change that.
 PlanResult planned(const std::map<std::string, std::string>& parameters, Stage until,
                    bool asCells = false) {
   PlanRequest request;
@@ -75,7 +75,7 @@ TEST(Lossless, WithoutSupportsTheToothIsMissed) {
   EXPECT_TRUE(plan.job.item().decomposition()->support.empty());
 }
 
-TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
+TEST(Lossless, SupportsCarryTheToothOnAColumn) {
   const PlanResult plan = planned({{"supports", "auto"}}, Stage::Toolpath);
   const Report& report = plan.job.report;
   const DecompositionReport& r = report.item().decomposition;
@@ -94,7 +94,7 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   for (std::size_t c = 0; c < d.rank.size(); ++c)
     EXPECT_TRUE(d.support[c] == 0 || d.rank[c] > 0);
 
-  // Told apart all the way to the beads, and not taken for the part.
+  // Separate from the part all the way to the beads.
   std::size_t patches = 0, paths = 0;
   for (const layers::Patch& patch : plan.job.item().layers->patches)
     patches += patch.group == layers::kSupportGroup;
@@ -132,9 +132,9 @@ TEST(Lossless, ByItselfModeCurvedMissesNothing) {
   EXPECT_TRUE(nothingBlocks(plan.job.report));
 }
 
-// A block that hangs over a wide plate on a stem at its side: as wide as the stem's foot, a
-// platform leaves the head room below it.
-TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
+// A block over a wide plate on a stem at its side: a platform as wide as the stem's foot leaves the
+// head room below it.
+TEST(Lossless, VolumeThatAPedestalWouldSaveIsNamed) {
   voxel::VoxelObject object;
   object.size = {30, 8, 16};
   for (int k = 0; k < 16; ++k)
@@ -154,7 +154,7 @@ TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
                                       &plan::Finding::kind);
   EXPECT_EQ(told->count, wide.job.report.item().decomposition.missedVoxels);
 
-  // As it says: without columns, on a pedestal.
+  // As in the finding: without columns, on a pedestal.
   request.choices.item().platform = Platform("fit:0");
   request.choices.item().parameters["supports"] = "none";
   const PlanResult fit = planPart(request, {});
@@ -177,7 +177,7 @@ TEST(Lossless, TurnedItNeedsNoSupport) {
   }
 }
 
-TEST(Lossless, LeastRiskyTellsWhatWasWon) {
+TEST(Lossless, LeastRiskyNamesTheAreaBeforeAndAfter) {
   const PlanResult plan = planned({{"orient", "leastRisky"}}, Stage::Load);
   ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
   const plan::Finding& f = plan.job.report.findings.back();
@@ -198,7 +198,7 @@ TEST(Lossless, LeastResidualStatesBothAreas) {
   EXPECT_NE(text.find("residual area on XY 0 mm2 instead of"), std::string::npos) << text;
 }
 
-TEST(Lossless, LeastAfterCutsStatesWhatPiecesLeave) {
+TEST(Lossless, LeastAfterCutsNamesTheOverhangOfThePieces) {
   const PlanResult plan = planned({{"orient", "leastAfterCuts"}}, Stage::Load);
   ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
   const std::string text = plan::englishReason(plan.job.report.findings.back());
@@ -206,8 +206,8 @@ TEST(Lossless, LeastAfterCutsStatesWhatPiecesLeave) {
       << text;
 }
 
-// In mode planar the sentence states what the plan's own cuts leave, not the estimate.
-TEST(Lossless, LeastAfterCutsStatesWhatThePlansCutsLeave) {
+// In mode planar the sentence has the overhang of the plan's own cuts, not the estimate.
+TEST(Lossless, LeastAfterCutsNamesTheOverhangOfThePlansCuts) {
   PlanRequest request;
   request.item().loaded = toothPart(false);
   request.until = Stage::Decompose;

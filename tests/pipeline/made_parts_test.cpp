@@ -23,7 +23,7 @@ TEST(MadeParts, AreSoundAndTheSameForASeed) {
     EXPECT_GT(found.volumeMm3, 500.0) << part.name;
     EXPECT_NEAR(geometry::bounds(part.mesh).min().z(), 0.0, 1e-9) << part.name;
     EXPECT_LT(geometry::bounds(part.mesh).sizes().maxCoeff(), 130.0) << part.name;
-    // CGAL may number vertices and lay diagonals another way; the solid is the same.
+    // CGAL may number vertices and place diagonals another way; the solid is the same.
     const test::MadePart again = test::madePart(seed);
     EXPECT_EQ(again.name, part.name);
     EXPECT_NEAR(geometry::volume(again.mesh), geometry::volume(part.mesh), 1e-6) << part.name;
@@ -34,7 +34,7 @@ TEST(MadeParts, AreSoundAndTheSameForASeed) {
 // bin/write_made_parts.
 class PlannedMadePart : public testing::TestWithParam<unsigned> {};
 
-TEST_P(PlannedMadePart, ComesThroughByItself) {
+TEST_P(PlannedMadePart, PassesWithoutFindingsThatBlock) {
   const test::MadePart part = test::madePart(GetParam());
   pipeline::PlanRequest request;
   request.item().loaded =

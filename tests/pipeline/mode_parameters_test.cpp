@@ -1,4 +1,4 @@
-// What a mode does not take has no say in what it makes: the form leaves it out.
+// Parameters that a mode does not take have no effect on its results: the form hides them.
 #include "helpers/given_parameters.h"
 #include "helpers/other_text.h"
 #include "modes/mode_table.h"
@@ -18,7 +18,7 @@ std::string keyOf(const Mode& mode, const project::Choices& choices) {
   return mode.decompose.key(in) + mode.layers.key(in) + mode.place.key(in);
 }
 
-TEST(ModeParameters, WhatAModeDoesNotTakeHasNoSayInIt) {
+TEST(ModeParameters, ParametersThatAModeDoesNotTakeHaveNoEffect) {
   const base::ParameterTable all = modeParameters();
   for (const Mode& mode : modeTable()) {
     project::Choices choices;

@@ -1,4 +1,4 @@
-// What holds of every way of building.
+// Properties of every mode.
 #include "helpers/given_parameters.h"
 #include "modes/mode_table.h"
 
@@ -111,7 +111,7 @@ TEST(Modes, EveryParameterMeansSomethingToOne) {
   }
 }
 
-TEST(Modes, TheirUsualCompanionsGoTogether) {
+TEST(Modes, TheirDefaultsAreCompatible) {
   for (const Mode& mode : modes::modeTable()) {
     project::Choices choices;
     choices.item().mode = mode.id;
@@ -137,7 +137,7 @@ TEST(Modes, GrowthCountsWhereTheyGrow) {
   }
 }
 
-TEST(Modes, ResultsAreWhatTheRowSays) {
+TEST(Modes, ResultsMatchTheRowOfTheMode) {
   for (const Mode& mode : modes::modeTable()) {
     pipeline::PlanRequest request = requestFor(mode);
     if (mode.requiresParameter("rodAxis"))

@@ -1,4 +1,4 @@
-// From an obstacle's file to a plan that keeps off it, or says that it is in the way.
+// From an obstacle's file to a plan that keeps off it, or a finding that it is in the way.
 #include "base/files.h"
 #include "box_request.h"
 #include "cells/obstacle_file.h"
@@ -25,7 +25,7 @@ protected:
   void SetUp() override { setenv("VOLUTA_DATA", (folder_ / "data").c_str(), 1); }
   void TearDown() override { unsetenv("VOLUTA_DATA"); }
 
-  // The cell with what the mesh's file holds, saved as a cell of one's own.
+  // The cell with the mesh as an obstacle, saved as a cell of one's own.
   std::string cellWith(const char* id, const geometry::TriangleMesh& mesh) {
     const std::filesystem::path file = folder_ / "obstacle.stl";
     base::writeFile(file, geometry::writeStl(mesh));
@@ -93,7 +93,7 @@ bool names(const pipeline::PlanResult& result, const std::string& body) {
   });
 }
 
-// A shelf over all of the plate is told before anything is planned.
+// A shelf over all of the plate is found before anything is planned.
 TEST_F(Obstacle, FromAMeshesFileIsNamedWhereNothingCanBePrinted) {
   const pipeline::PlanResult result =
       planned(cellWith("covered", test::box({450, -150, 190}, {750, 150, 210})));

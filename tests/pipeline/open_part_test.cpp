@@ -94,7 +94,7 @@ TEST(OpenPart, BecomesAWallOfTwoBeads) {
   EXPECT_NEAR(result.job.report.item().model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
 }
 
-// The cup, and beside it something that hangs in the air.
+// The cup, and beside it a body in the air.
 std::shared_ptr<const project::LoadedPart> cupBeside(const geometry::TriangleMesh& other) {
   geometry::TriangleMesh m = *cup()->source;
   test::append(m, other);
@@ -182,7 +182,7 @@ TEST(OpenPart, IsRefusedAsAWallIfItCrossesItself) {
   EXPECT_THROW(plannedWall(std::move(part), "flat", false), base::Error);
 }
 
-TEST(OpenPart, WhatClosingMendsAndWhatItLeavesIsTold) {
+TEST(OpenPart, RepairedAndRemainingDefectsAreNamed) {
   const PlanResult closed = planned(cup(), "close");
   EXPECT_THAT(base::english(closed.job.report.item().model.repairs),
               ::testing::Contains(::testing::HasSubstr("closed 1 hole")));
@@ -228,7 +228,7 @@ TEST(OpenPart, ItsVoxelsAreOfTheMeshAsChosen) {
   EXPECT_GT(solid, wall + 1000);
 }
 
-TEST(OpenPart, ItsRemediesLeadThere) {
+TEST(OpenPart, ItsRemediesUnblockThePlan) {
   const PlanResult refused = planned(cup(), "refuse");
   const std::vector<pipeline::RemedyAction> offers =
       pipeline::remediesFor(first(refused), refused.job.choices);

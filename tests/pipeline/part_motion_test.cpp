@@ -19,7 +19,7 @@ namespace {
 
 class Rings : public ::testing::Test {
 protected:
-  // The growing part is laid anew for every round: nothing of what it is depends on when.
+  // The growing part is built anew for every round: its contents do not depend on when.
   static bool prints(const MotionStage& stage, std::size_t waypoint) {
     return std::ranges::count(stage.trajectory->waypoint, waypoint) > 0;
   }
@@ -30,7 +30,7 @@ protected:
   const robot::Cell cell_ = robot::loadCell("ur5-fixed", process_, plate_);
 };
 
-TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
+TEST_F(Rings, AreReplannedWithoutTheAvoidedWaypoints) {
   PartMotion moving(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {});
   const auto all = moving.plan({});
   EXPECT_EQ(all->report.waypoints, plan_.waypointCount());
@@ -51,7 +51,7 @@ TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
   EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, least->trajectory->joints);
 }
 
-TEST_F(Rings, TakeThePartThatIsLaidAlready) {
+TEST_F(Rings, TakeAPartThatIsGrownAlready) {
   const auto grown = std::make_shared<const collision::GrowingPart>(
       plan_, collision::growingPitch(plan_, process::Tooling(process_)), base::RunContext{});
   PartMotion taking(plan_, plate_, cell_, process::Tooling(process_), {}, grown, {}),
@@ -79,14 +79,14 @@ TEST_F(Rings, AreGivenUpOnceMoreIsLostThanMayBeLeftOut) {
   EXPECT_TRUE(tried->findings.front().blocking);
 }
 
-TEST_F(Rings, AreMovedTheSameWayWhereNothingIsLost) {
+TEST_F(Rings, MoveTheSameWayWhereNothingIsLost) {
   PartMotion tried(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {}),
       whole(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {});
   EXPECT_EQ(tried.plan({}, plan::kBlockingShare)->trajectory->joints,
             whole.plan({})->trajectory->joints);
 }
 
-TEST_F(Rings, NothingToPrintIsTold) {
+TEST_F(Rings, NothingToPrintGivesAFinding) {
   const plan::ToolPlan none;
   PartMotion moving(none, plate_, cell_, process::Tooling(process_), {}, {}, {});
   for (const auto& stage : {moving.plan({}), moving.planWithout({}, {})}) {

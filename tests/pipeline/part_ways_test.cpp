@@ -1,4 +1,4 @@
-// Where a part lies badly: told with the way that is best, which the remedy then takes.
+// A badly oriented part: a finding with the best orientation, which its remedy takes.
 #include "pipeline/part_ways.h"
 
 #include "base/error.h"
@@ -37,7 +37,7 @@ const plan::Finding* toldIn(const PlanResult& result) {
   return told == all.end() ? nullptr : &*told;
 }
 
-TEST(PartWays, APlateOnItsEdgeIsToldAndTheRemedyLaysIt) {
+TEST(PartWays, PlateOnItsEdgeGivesAFindingAndItsRemedyTurnsIt) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().placement.liftMm = 2.0;
   const PlanResult result = pipeline::planPart(request, {});
@@ -57,7 +57,7 @@ TEST(PartWays, APlateOnItsEdgeIsToldAndTheRemedyLaysIt) {
   EXPECT_NEAR(geometry::bounds(*laid.job.item().part).min().z(), 0.0, 1e-9) << "on the plate";
 }
 
-TEST(PartWays, TheRemedyIsOfThePartAndNotOfHowItLay) {
+TEST(PartWays, RemedyDoesNotDependOnTheFormerOrientation) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().placement.rotation =
       Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitY());
@@ -70,7 +70,7 @@ TEST(PartWays, TheRemedyIsOfThePartAndNotOfHowItLay) {
               1e-3);
 }
 
-TEST(PartWays, NothingIsToldOfWhatASearchOrTheModeLays) {
+TEST(PartWays, NoFindingIfASearchOrTheModeOrientsThePart) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().parameters["orient"] = "leastRisky";
   EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
@@ -83,7 +83,7 @@ TEST(PartWays, NothingIsToldOfWhatASearchOrTheModeLays) {
   EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
 }
 
-TEST(PartWays, AreOfThePlacedPartAndStandItWhereItWas) {
+TEST(PartWays, AreOfThePlacedPartAndKeepItsCentre) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().scale = "0.5";
   request.choices.item().placement.centreMm = {8.0, -3.0};
@@ -130,7 +130,7 @@ TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   EXPECT_EQ(keyOf(1.0, choices, {}), key);
 }
 
-// The estimate of a part as it stands and the time of its plan.
+// The estimate of a part in its orientation and the time of its plan.
 TEST(PartWays, TheirTimesAreThoseOfThePlans) {
   constexpr double kRough = 0.15;
   const auto column = [](double side, double height) {

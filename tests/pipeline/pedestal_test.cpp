@@ -1,4 +1,4 @@
-// What a designer gets to have the pedestal made, and how a platform stands in its cell.
+// Files for making the pedestal, and the place of a platform in its cell.
 #include "base/files.h"
 #include "geometry/append_mesh.h"
 #include "geometry/convex_polygon.h"
@@ -67,7 +67,7 @@ TEST(Pedestal, IsTheOutlineAndTheSolidOfThePlatform) {
   EXPECT_NEAR(geometry::bounds(solid).max().z(), 0.0, 1e-6);
 }
 
-TEST(Pedestal, HasAFootWherePartsStandBesideTheirMiddle) {
+TEST(Pedestal, HasAFootWherePartsAreBesideTheirMiddle) {
   geometry::TriangleMesh table = test::box({20, -5, 0}, {30, 5, 10}); // one leg, at its end
   geometry::appendMesh(table, test::box({-30, -5, 9}, {30, 5, 15}));
   const PlanResult plan = planned(flat("fit:2"), table);
@@ -111,13 +111,13 @@ TEST(PlatformsPlace, OnesThatWouldFloatBlock) {
   const PlanResult adrift = planned(beside, box);
   ASSERT_TRUE(tells(adrift, plan::FindingKind::PlatformAdrift));
   EXPECT_FALSE(nothingBlocks(adrift.job.report));
-  // The plate's edge lies 11 mm nearer, the stem is 14 mm thick.
+  // The plate's edge is 11 mm nearer, the stem is 14 mm thick.
   EXPECT_NEAR(robot::platformGapMm(*adrift.cell), 150.0 - 11.0 - 14.0, 1.5);
   beside.item().platform = project::Platform("disc:80");
   EXPECT_EQ(robot::platformGapMm(*planned(beside, box).cell), 0.0) << "it is where the cell has it";
 }
 
-TEST(PartSize, OddSizesAskForUnitsAndStop) {
+TEST(PartSize, OddSizesGiveAFindingAboutUnitsAndStopThePlan) {
   project::Choices choices = flat("disc:80");
   const geometry::TriangleMesh metres = test::box({0, 0, 0}, {0.02, 0.03, 0.01});
   const PlanResult tiny = planned(choices, metres);
@@ -132,7 +132,7 @@ TEST(PartSize, OddSizesAskForUnitsAndStop) {
       tells(planned(choices, test::box({0, 0, 0}, {2500, 100, 100})), plan::FindingKind::HugePart));
 }
 
-TEST(PartSize, ThinPartsSayFirstAtWhichScaleTheyPrint) {
+TEST(PartSize, ThinPartsFirstNameTheScaleAtWhichTheyPrint) {
   const PlanResult plan = planned(flat("disc:80"), test::box({-15, -0.25, 0}, {15, 0.25, 10}));
   ASSERT_FALSE(plan.job.report.findings.empty());
   const plan::Finding& first = plan.job.report.findings.front();

@@ -46,7 +46,7 @@ TEST(SearchPieces, BothSchemesGiveThePartWhole) {
               1u);
 }
 
-TEST(SearchPieces, ARootThatLeadsNowhereIsSaidInOneLine) {
+TEST(SearchPieces, RootInTheAirGivesAnErrorOfOneLine) {
   // Two blocks, one of them in the air.
   geometry::TriangleMesh blocks = test::box({-10, -10, 0}, {10, 10, 20});
   test::append(blocks, test::box({20, -10, 5}, {40, 10, 25}));

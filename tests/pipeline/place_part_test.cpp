@@ -1,4 +1,4 @@
-// Where a part came to lie and what it will stand on, as the window asks for them.
+// The placement of a part and its planned platform, as the window queries them.
 #include "geometry/placement.h"
 #include "helpers/lathe_parts.h"
 #include "helpers/temporary_folder.h"
@@ -36,7 +36,7 @@ PlanRequest tubeOnRod() {
   return request;
 }
 
-// The part is where the placement says.
+// The part is at its placement.
 void expectLaid(const PlanResult& result) {
   ASSERT_TRUE(result.job.item().placement);
   const double scale =
@@ -75,7 +75,7 @@ TEST(PlacePart, ThePlateHasRoomForThePrimeAndTheBrim) {
   EXPECT_NEAR(radiusFor(85.0, wide), 125.0, 0.5);
 }
 
-TEST(PlacePart, WhereTheModeLaidItIsKept) {
+TEST(PlacePart, PlacementByTheModeIsKept) {
   const PlanResult result = placed(tubeOnRod());
   expectLaid(result);
   EXPECT_LT(result.job.item().placement->liftMm, -1.0) << "around the rod, below z = 0";
@@ -91,11 +91,11 @@ TEST(PlacePart, WhereTheModeLaidItIsKept) {
   expectLaid(pipeline::resultOf(back));
 }
 
-TEST(PlacePart, WhereASearchLaidItIsTold) {
+TEST(PlacePart, PlacementByASearchIsReturned) {
   expectLaid(placed(test::boxRequest({{"orient", "leastRisky"}})));
 }
 
-TEST(PlacePart, WhatIsPlannedToStandOnIsWhatTheDecompositionStandsOn) {
+TEST(PlacePart, PlannedPlatformIsThatOfTheDecomposition) {
   for (const char* platform : {"fit:0", "fit:2", "disc:40", "rect:30x40"}) {
     PlanRequest request = test::boxRequest();
     request.choices.item().platform = project::Platform(platform);

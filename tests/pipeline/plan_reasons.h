@@ -1,4 +1,4 @@
-// What the findings of a plan say, for failed expectations.
+// The reasons of a plan's findings, for failed expectations.
 #pragma once
 
 #include "pipeline/road.h"

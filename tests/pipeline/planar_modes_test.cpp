@@ -66,7 +66,7 @@ TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {
   EXPECT_TRUE(nothingBlocks(r));
 }
 
-TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
+TEST(FlatMode, OverhangIsMeasuredInAreaAndInVoxels) {
   PlanRequest flat = request("flat");
   flat.item().loaded = tee();
   const PlanResult result = planPart(flat, context());
@@ -86,7 +86,7 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_EQ(turned.job.report.item().decomposition.missedVoxels, 0u);
 }
 
-TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
+TEST(FlatMode, SupportsCarryOverhangsAndCountSeparately) {
   PlanRequest flat = request("flat", Stage::Replay);
   flat.item().loaded = tee();
   flat.choices.item().platform = project::Platform("fit:15");
@@ -107,7 +107,7 @@ TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
 
 // Overhangs of pieces are supported too. Layers along the user's planes have no supports, and the
 // planes of another mode do not count.
-TEST(PlanarModes, OverhangsAreReportedWhereNoSupportCarriesThem) {
+TEST(PlanarModes, OverhangsWithoutSupportsGiveFindings) {
   const std::string under = R"([{"point": [0, 0, 6], "normal": [0, 0, 1]}])";
   const auto overhangs = [&](const char* mode, const std::vector<std::string>& parameters) {
     PlanRequest tees = request(mode);
@@ -123,7 +123,7 @@ TEST(PlanarModes, OverhangsAreReportedWhereNoSupportCarriesThem) {
   EXPECT_GT(overhangs("flat", {layers, "supports=auto"}), 0);
 }
 
-TEST(FlatMode, LayersLieWhereTheUserSays) {
+TEST(FlatMode, LayersAreOnThePlanesOfTheUser) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "planes.json",
                   R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]},
@@ -146,7 +146,7 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
 
 // A file that states nothing usable is refused by its name, not taken for a text that was not
 // given.
-TEST(FlatMode, FilesOfParametersThatSayNothingAreRefused) {
+TEST(FlatMode, FilesOfParametersWithoutAValueAreRefused) {
   const test::TemporaryFolder folder;
   const auto refusalOf = [&](const std::string& key, const std::string& content) {
     base::writeFile(folder / "values.txt", content);

@@ -74,7 +74,7 @@ TEST(PrintSequence, NamesThePairThatBlocks) {
   EXPECT_EQ(found.order.size(), 2u);
 }
 
-// Random parts, 300 plates: whatever is arranged can be printed one after another.
+// Random parts, 300 plates: arranged parts can be printed one after another.
 TEST(Arrangement, LeavesTheHeadItsRoom) {
   std::mt19937 random(7);
   const auto between = [&](double low, double high) {
@@ -113,7 +113,7 @@ TEST(Arrangement, OfOnePartCentresIt) {
   EXPECT_LT(((*moves)[0] - Vector2d(-105, -35)).norm(), 1e-9);
 }
 
-TEST(Arrangement, RefusesWhatDoesNotFit) {
+TEST(Arrangement, RefusesPartsThatDoNotFit) {
   const std::vector<Footprint> parts{square(0, 0, 60, 5), square(0, 0, 60, 5)};
   pipeline::ArrangeOptions options;
   options.plate = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};

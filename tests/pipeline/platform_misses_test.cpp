@@ -31,7 +31,7 @@ struct Object {
 bool arm(int i, int, int k) {
   return i < 5 || (12 <= k && k < 17);
 }
-// A stem, an arm and a tip that hangs down from its end.
+// A stem, an arm and a tip from its end downwards.
 bool hook(int i, int, int k) {
   return i < 5 || (17 <= k) || (i >= 17 && k >= 8);
 }
@@ -56,8 +56,8 @@ constexpr const char* kBetweenPosts =
 const Object kObjects[] = {
     // Each row of the arm is a cell longer than the one below: 20 + 19 + 18 + 17 + 16.
     {"arm, 2D", {26, 1, 24}, arm, 90, ""},
-    // The arm as above but 17 long and 5 high: 11 + 10 + 9 + 8 + 7 between stem and tip, the tip
-    // (5 wide, 9 high) and what is over it (5 x 5): 45 + 45 + 25.
+    // The arm as above but 17 long and 5 high: 11 + 10 + 9 + 8 + 7 between stem and tip, the tip (5
+    // wide, 9 high) and the voxels over it (5 x 5): 45 + 45 + 25.
     {"hook, 2D", {22, 1, 22}, hook, 115, ""},
     {"arch, 2D", {28, 1, 20}, arch, 14, kBetweenPosts},
     // Four arms 8 long, 5 wide: (7 + 6 + 5 + 4) x 5 x 4.

@@ -1,4 +1,4 @@
-// What holds of every kind of platform.
+// Properties of every kind of platform.
 #include "project/platform.h"
 
 #include "base/error.h"
@@ -48,7 +48,7 @@ double areaOf(const std::vector<Eigen::Vector2d>& polygon) {
 
 const std::vector<Eigen::Vector2d> kStanding{{-3, -2}, {4, -2}, {4, 5}, {-3, 5}, {0, 0}};
 
-TEST(Platform, ComesBackFromItsText) {
+TEST(Platform, IsReadBackFromItsText) {
   for (const Platform& platform : oneOfEach()) {
     EXPECT_EQ(Platform(platform.text()), platform) << platform.text();
     for (std::size_t f = 0; f < platform.sizesMm().size(); ++f)
@@ -91,7 +91,7 @@ TEST(Platform, FieldsBeyondTheirRangeAreNamed) {
     }
 }
 
-TEST(Platform, WhatIsNoSizeIsToldWithTheForm) {
+TEST(Platform, InvalidSizesAreRefusedWithTheForm) {
   for (const PlatformKind& kind : platformKinds()) {
     const std::string word(kind.word), form = project::platformForm(kind);
     if (!kind.file.empty()) {
@@ -158,7 +158,7 @@ TEST(Platform, PlatesAreConvexAndWhereTheyShouldBe) {
   }
 }
 
-TEST(Platform, RodsLieAboutTheOriginAndBodiesHaveAFile) {
+TEST(Platform, RodsAreAboutTheOriginAndBodiesHaveAFile) {
   for (const Platform& platform : oneOfEach()) {
     EXPECT_EQ(platform.isBody(), !platform.file().empty()) << platform.text();
     const auto rod = platform.rod(6);

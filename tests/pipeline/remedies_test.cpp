@@ -81,7 +81,7 @@ StageKeys keysOf(const Choices& choices) {
   return stageKeys(request);
 }
 
-TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
+TEST(Remedies, EveryRemedyCuresItsFindingsAndIsThenDone) {
   std::set<std::string_view> names;
   std::set<RemedyId> offered;
   for (const plan::FindingRow& row : plan::findingRows())
@@ -168,8 +168,8 @@ TEST(Remedies, ChangeTheItemOfTheFinding) {
   EXPECT_EQ(drop->choices.item(1).placement.liftMm, 0.0);
 }
 
-// As a user has them who has moved the part about: in every mode, and in mode auto whichever way it
-// took last.
+// As a user has them who has moved the part about: in every mode, and in mode auto with each way as
+// the last.
 std::vector<Choices> everyMode() {
   std::vector<Choices> all;
   for (const Mode& mode : modeTable()) {
@@ -211,7 +211,7 @@ bool arises(const plan::FindingRow& row, const Choices& choices) {
   return row.stage != plan::Stage::Decompose || mode.grows || plate.contains(row.kind);
 }
 
-TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
+TEST(Remedies, BlockingFindingsHaveAButtonOrAReasonInEveryMode) {
   const std::vector<Choices> all = everyMode();
   for (const plan::FindingRow& row : plan::findingRows()) {
     if (row.severity == plan::Severity::Info)
@@ -227,7 +227,7 @@ TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
   }
 }
 
-TEST(Remedies, WhatAButtonDoesCanBePlannedInEveryMode) {
+TEST(Remedies, RemediesGiveValidChoicesInEveryMode) {
   for (const plan::FindingRow& row : plan::findingRows())
     for (const Choices& choices : everyMode())
       for (const RemedyAction& offer : remediesFor(findingOf(row.kind), choices)) {
@@ -268,7 +268,7 @@ TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
 }
 
 TEST(Remedies, ALargerCellHasALargerPlate) {
-  Choices choices; // discs up to 250 mm under a nozzle that stands
+  Choices choices; // discs up to 250 mm under a fixed nozzle
   const Eigen::Vector2d any(0.0, 0.0);
   EXPECT_TRUE(cellWithLargerPlate(choices, any));
   EXPECT_FALSE(cellWithLargerPlate(choices, {9000.0, 9000.0})) << "no plate is as wide";
@@ -305,7 +305,7 @@ TEST(Remedies, APartOutOfReachIsScaledToWhereTheRobotGets) {
   };
   EXPECT_EQ(scaleOf(0.65, 1.0), "0.65");
   EXPECT_EQ(scaleOf(0.5, 25.4), "12.7");
-  EXPECT_EQ(scaleOf(0.35, 0.7777), "0.272"); // never larger than what is in reach
+  EXPECT_EQ(scaleOf(0.35, 0.7777), "0.272"); // never larger than the reach
   // No size helps, or there is no other: one sentence all the same.
   EXPECT_EQ(tooLargeFinding({0.4, std::nullopt}, 1.0).kind, FindingKind::MuchOutOfReach);
   EXPECT_EQ(tooLargeFinding({0.4, 0.5}, std::nullopt).kind, FindingKind::MuchOutOfReach);

@@ -19,7 +19,7 @@ bool holds(const std::vector<base::Message>& notes, const char* english) {
 
 constexpr const char* kNote = "parameter underlay was renamed to rimSupports";
 
-TEST(RenamedKeys, LeadToParameters) {
+TEST(RenamedKeys, ReferToParameters) {
   const base::ParameterTable table = allParameters();
   for (const base::RenamedKey& renamed : base::renamedKeys()) {
     EXPECT_NE(table.find(renamed.key), nullptr) << renamed.key;

@@ -14,7 +14,7 @@ using namespace voluta;
 
 namespace {
 
-// docs/design.md, Report, word for word: a key that goes missing breaks other people's programs.
+// docs/design.md, Report, word for word: a missing key breaks other people's programs.
 const std::map<std::string, std::vector<std::string>> kKeys = {
     {"model", {"file", "scale", "triangles", "watertight", "volumeMm3", "boundsMm", "repairs"}},
     {"decomposition",
@@ -97,8 +97,8 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
     EXPECT_TRUE(j.contains(key)) << key;
 }
 
-// Whoever reads the first finding of a plan that failed reads why.
-TEST(Report, WhatBlocksIsWrittenFirst) {
+// The first finding of a plan that failed is the reason for it.
+TEST(Report, BlockingFindingsAreWrittenFirst) {
   pipeline::PlanResult plan;
   plan.proofs = false;
   using enum plan::FindingKind;
@@ -126,7 +126,7 @@ TEST(Report, TextThatIsNotUtf8StaysReadable) {
   EXPECT_TRUE(nlohmann::json::accept(project::reportJson(report)));
 }
 
-TEST(Report, ComesBackFromItsText) {
+TEST(Report, IsReadBackFromItsText) {
   project::Report report;
   report.item().model.repairs = {base::message("{text}"_text, "closed 1 hole"_name)};
   report.item().model.boundsMm =

@@ -55,7 +55,7 @@ TEST(Resume, AtRandomBeadsTheRestIsTheRest) {
     EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling->first().process), rest.leftMm3,
                 2e-3 * material)
         << bead;
-    // What is laid is what the beads before it hold.
+    // The deposited volume is the volume of the beads before it.
     EXPECT_NEAR(rest.laidMm3, whole.job.trajectory->extrudedMm3[*point], 1e-9);
     EXPECT_NEAR(rest.plan.job.report.replay.massRatio, whole.job.report.replay.massRatio, 1e-3);
   }
@@ -196,7 +196,7 @@ PlanRequest twoTools() {
   return request;
 }
 
-// What the program of a rest begins with, as its own reader finds it.
+// The start of the program of a rest, as its own reader reads it.
 void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult& plan) {
   const plan::ReadProgram read =
       program::readProgram(checked.program.format, checked.program.files, *plan.tooling, kCtx);
@@ -231,8 +231,7 @@ void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult&
   EXPECT_LE(purge->before, static_cast<std::size_t>(bead - read.motions.begin()));
 }
 
-// What stands on the plate keeps the temperature at which it was printed: that of the first tool's
-// PLA.
+// Beads on the plate keep the temperature at which they were printed: that of the first tool's PLA.
 void expectPlateOfFirstTool(const plan::Program& rest) {
   std::string text;
   for (const plan::ProgramFile& file : rest.files)
@@ -298,7 +297,7 @@ TEST(Resume, ByLineOfTheSecondTool) {
   EXPECT_FALSE(verifyProgram(file, second / "job.voluta", kCtx).replay.passed);
 }
 
-TEST(Resume, WithoutAWayThereThatIsTold) {
+TEST(Resume, MissingWayBackGivesAFinding) {
   project::Job job = test::boxPlan().job;
   job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
   const auto point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, 4);
@@ -309,7 +308,7 @@ TEST(Resume, WithoutAWayThereThatIsTold) {
   EXPECT_EQ(rest.plan.job.report.findings.back().kind, plan::FindingKind::NoWayBack);
 }
 
-TEST(Resume, WhatCannotBeTakenUpIsRefused) {
+TEST(Resume, BeadsAndLinesWithoutAResumePointAreRefused) {
   PlanResult whole = test::boxPlan();
   const test::TemporaryFolder folder;
   writeOutputs(whole, folder.path(), kCtx);

@@ -1,4 +1,4 @@
-// The road as the window uses it: stages that are kept, keys that tell what is out of date,
+// Plans as the window makes them: stages that are kept, keys that show which are out of date,
 // projects that are reopened. A small box, so that a whole plan takes about a second.
 #include "curved/decomposition.h"
 #include "pipeline/checked_program.h"
@@ -43,7 +43,7 @@ PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}
   return request;
 }
 
-// What a report says, but for how long it took and on how many threads.
+// A report without its times and number of threads.
 nlohmann::json said(const Report& report) {
   auto j = nlohmann::json::parse(reportJson(report));
   for (const char* key : {"timingS", "peakRssMb", "threads"})
@@ -80,7 +80,7 @@ protected:
 StageCache* PlannedBox::cache_ = nullptr;
 PlanResult* PlannedBox::first_ = nullptr;
 
-TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
+TEST_F(PlannedBox, StagesAreSignalledInOrderWithTheirResults) {
   const PlanResult first = planPart(boxRequest(), context(), cache_); // other tests fill the cache
   std::vector<Stage> told;
   const PlanResult again =
@@ -190,12 +190,12 @@ VerifyResult verified(const std::filesystem::path& program, const project::Job& 
   return verifyProgram(program, folder / "job.voluta", context());
 }
 
-TEST_F(PlannedBox, AProgramOfAnotherJobSaysWhich) {
+TEST_F(PlannedBox, ProgramOfAnotherJobNamesTheDifference) {
   const test::TemporaryFolder folder;
   PlanRequest other = boxRequest({{"walls", "3"}});
   other.choices.formats = {"rapid", "urscript", "csv", "gcode-extended"};
   const PlanResult planned = planPart(other, context());
-  // In whatever dialect, also where it joins points.
+  // In each dialect, also where it joins points.
   for (const auto& checked : planned.checked)
     EXPECT_EQ(program::readJobHead(checked->program.files),
               program::readJobHead(planned.checked[0]->program.files))
@@ -218,13 +218,13 @@ TEST_F(PlannedBox, AProgramOfAnotherJobSaysWhich) {
       const std::string line = plan::englishReason(told);
       for (const char* word : {"part box", cell ? "cell elsewhere" : "cell ur5-fixed", "ur5"})
         EXPECT_NE(line.find(word), std::string::npos) << line;
-      // Of its own job there is nothing to tell.
+      // A program of its own job gives no such finding.
       for (const plan::Finding& own : verified(program, planned.job).findings)
         EXPECT_NE(own.kind, told.kind) << checked->program.format;
     }
 }
 
-TEST_F(PlannedBox, AHeadThatLiesIsWorthKnowing) {
+TEST_F(PlannedBox, WrongJobInAHeadGivesAFinding) {
   const test::TemporaryFolder folder;
   writeProgram(first_->checked.at(0)->program, folder.path());
   plan::ProgramFile file = first_->checked.at(0)->program.files.front();
@@ -239,7 +239,7 @@ TEST_F(PlannedBox, AHeadThatLiesIsWorthKnowing) {
   EXPECT_FALSE(result.findings.front().blocking);
 }
 
-TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
+TEST_F(PlannedBox, FileWithoutAProgramGivesAnErrorOfOneLine) {
   const test::TemporaryFolder folder;
   writeProgram(first_->checked.at(0)->program, folder.path());
   const std::string text = first_->checked.at(0)->program.files.front().text;
@@ -262,7 +262,7 @@ TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
   }
 }
 
-TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
+TEST_F(PlannedBox, CancelledPlanKeepsFinishedStages) {
   StageCache cache;
   const base::CancelToken token;
   std::shared_ptr<const curved::Decomposition> made;
@@ -279,7 +279,7 @@ TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
   EXPECT_EQ(planPart(again, context(), &cache).job.item().decomposition(), made);
 }
 
-TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
+TEST_F(PlannedBox, PlanHasTheKeysComputedBefore) {
   EXPECT_EQ(first_->job.keys(), stageKeys(boxRequest()));
   PlanRequest early = boxRequest();
   early.until = Stage::Load;
@@ -342,7 +342,7 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
     // All but the file that calls the others.
     EXPECT_EQ(moving.size(), std::max<std::size_t>(1, files.size() - 1)) << checked->program.format;
   }
-  // The joint table says time and first joint in each line.
+  // The joint table has time and first joint in each line.
   const CheckedProgram& csv = *first_->checked[2];
   ASSERT_EQ(csv.program.format, "csv");
   std::vector<std::string> text{""}; // lines count from 1
@@ -356,7 +356,7 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
     EXPECT_NEAR(time, t.timeS[i], 1e-5);
     EXPECT_NEAR(base::degreesToRadians(degrees), t.at(i)[0], 1e-6);
   }
-  // A text that ends early has no lines for what it lacks.
+  // A text that ends early has no lines for its missing points.
   CheckedProgram cut = csv;
   cut.pointLines.resize(5);
   EXPECT_GT(linesOfPoints(cut, t)[4].line, 0u);
@@ -391,7 +391,7 @@ PlanResult placed(const std::shared_ptr<const LoadedPart>& part, const Choices& 
   return planPart(request, context());
 }
 
-TEST(Load, ThePartLiesAsItIsPlaced) {
+TEST(Load, PartIsScaledTurnedAndMovedByItsPlacement) {
   Choices choices;
   choices.item().placement.rotation = geometry::rotationLayingFlat({1, 0, 0});
   choices.item().placement.centreMm = {5, 6};

@@ -1,5 +1,5 @@
 // Programs of one plan share the results of the beads that they have in common: only those, and
-// without a change of any verdict, whatever the dialects and the pieces of their joint motions.
+// without a change of any verdict, for all dialects and pieces of their joint motions.
 #include "base/run_context.h"
 #include "helpers/all_seeds.h"
 #include "pipeline/checked_program.h"
@@ -153,7 +153,7 @@ std::size_t middlePoint() {
       s.trajectory.waypoint.begin());
 }
 
-// The scene's motion with a detour by joints amid the print: programs of dialects without joint
+// The scene's motion with a detour by joints within the print: programs of dialects without joint
 // motions have more motions than others.
 plan::Trajectory withDetour() {
   plan::Trajectory t = scene().trajectory;
@@ -295,7 +295,7 @@ plan::Trajectory withPieces(const plan::Trajectory& whole, std::size_t pieces) {
   return t;
 }
 
-TEST(SharedRuns, BeadsAreLaidOnceThoughTransfersAreSaidInOtherPieces) {
+TEST(SharedRuns, BeadsAreDepositedOnceForDifferentTransfers) {
   const plan::Trajectory pieces = withPieces(detour(), 3);
   ASSERT_GT(pieces.pointCount(), detour().pointCount());
   const ProgramStageInput in = stageInput(pieces);
@@ -324,7 +324,7 @@ TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings.front().kind, plan::FindingKind::FormatRefused);
   EXPECT_TRUE(findings.front().blocking);
-  // No finding is before this one: it says itself what helps.
+  // There is no finding before this one: it has its own remedy.
   EXPECT_FALSE(plan::englishRemedy(findings.front()).empty());
   EXPECT_EQ(plan::englishRemedy(findings.front()).find("before this one"), std::string::npos);
   EXPECT_GT(report.replay.thresholds.covered, 0.0);

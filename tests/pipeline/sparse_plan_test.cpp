@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, SparsePlans,
                                          std::tuple("curved", "gyroid")),
                          nameOf);
 
-TEST(SparsePlan, AHollowPartIsRefusedAndSaysWhy) {
+TEST(SparsePlan, HollowPartIsRefusedWithAReason) {
   const PlanResult plan = planPart(sparseRequest("flat", "gyroid", "0"), {});
   EXPECT_FALSE(plan.checked.at(0)->passed);
   EXPECT_THAT(reasons(plan), testing::HasSubstr("hollow interior"));

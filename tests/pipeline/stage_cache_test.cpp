@@ -18,7 +18,7 @@ using pipeline::ToolpathStage;
 
 namespace {
 
-TEST(Stage, NamesGoBothWays) {
+TEST(Stage, NamesMapBackToTheirStages) {
   for (std::size_t i = 0; i < project::kStageCount; ++i) {
     const auto stage = static_cast<project::Stage>(i);
     EXPECT_EQ(project::stageOf(std::string(project::stageName(stage))), stage);
@@ -32,7 +32,7 @@ TEST(StageCache, KeepsTheLastFewOfAStage) {
              c = std::make_shared<const LayersStage>();
   cache.keep<LayersStage>("a", a);
   cache.keep<LayersStage>("b", b);
-  EXPECT_EQ(cache.find<LayersStage>("a"), a); // asked for: now younger than b
+  EXPECT_EQ(cache.find<LayersStage>("a"), a); // found: now younger than b
   cache.keep<LayersStage>("c", c);
   EXPECT_EQ(cache.find<LayersStage>("a"), a);
   EXPECT_EQ(cache.find<LayersStage>("b"), nullptr);
@@ -63,7 +63,7 @@ TEST(StageCache, AKeyKeptTwiceHasTheLatestValueOnce) {
   EXPECT_EQ(cache.find<LayersStage>("other"), old);
 }
 
-TEST(StageCache, WhatOneBehindItHasIsItsOwnToo) {
+TEST(StageCache, ResultsFoundInTheCacheBehindBecomeItsOwn) {
   StageCache behind(1);
   const auto a = std::make_shared<const LayersStage>(), b = std::make_shared<const LayersStage>();
   behind.keep<LayersStage>("a", a);
@@ -76,8 +76,8 @@ TEST(StageCache, WhatOneBehindItHasIsItsOwnToo) {
   EXPECT_EQ(behind.find<LayersStage>("c"), b);
 }
 
-// What a reopened project is planned from has the cell's plate, as its first plan had.
-TEST(StageCache, AJobFromDiskStandsOnTheSamePlateOfItsCell) {
+// A reopened project is planned with the cell's plate, like its first plan.
+TEST(StageCache, JobFromDiskUsesTheSamePlateOfItsCell) {
   pipeline::PlanRequest request = test::boxRequest();
   request.choices.item().automatic = true;
   request.until = project::Stage::Layers;

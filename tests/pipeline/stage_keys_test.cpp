@@ -1,4 +1,4 @@
-// What makes a result out of date, and what doesn't.
+// Changes that outdate a result, and changes that don't.
 #include "base/error.h"
 #include "base/files.h"
 #include "curved/forward_growth.h"
@@ -275,7 +275,7 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
     test::giveParameters(request.choices, {{key, supports ? "auto" : kParameters.at(key).first}});
     expectChangesFrom(request, first, mode + (std::string(" ") + key));
   }
-  // Where the part is turned, what overhangs decides how.
+  // Where the part is oriented by a search, overhangs decide the orientation.
   PlanRequest turned = boxRequest({{"orient", "leastRisky"}});
   default_ = stageKeys(turned);
   turned.choices.item().parameters["overhangAngle"] = "40";
@@ -326,12 +326,12 @@ TEST_F(StageKeysOf, APlatformsMeshCountsByItsContent) {
   request.choices.item().platform = project::Platform("mesh:" + copy.string());
   expectChangesFrom(request, kStageCount, "a copy of the file");
   base::writeFile(copy, "two");
-  expectChangesFrom(request, 0, "another content"); // the part lies where the body puts it
+  expectChangesFrom(request, 0, "another content"); // the body determines the part's place
   fs::remove(copy);
   expectChangesFrom(request, 0, "a file that is gone");
 }
 
-TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
+TEST_F(StageKeysOf, DefaultOfTheModeIsUsed) {
   PlanRequest request = boxRequest();
   request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
@@ -365,7 +365,7 @@ TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
       loadedFrom("open.stl", std::make_shared<geometry::TriangleMesh>(open), {}, true, {});
   raw.choices.item().repair = false;
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
-  // Whichever way the part at hand was loaded.
+  // Independent of how the current part was loaded.
   mended.item().loaded = withRepair(mended.item().loaded, false, {});
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
   raw.item().loaded = mended.item().loaded;
@@ -409,7 +409,7 @@ TEST_F(StageKeysOf, TheCellCountsByItsContent) {
   expectChangesFrom(boxRequest(), 3, "the nozzle stands elsewhere");
 }
 
-TEST_F(StageKeysOf, WhatAnArmLooksLikeDoesNotMatter) {
+TEST_F(StageKeysOf, ColoursOfAnArmDoNotMatter) {
   replace("robots/ur5.json", "\"cap\": \"#5d9cc6\"", "\"cap\": \"#00ff00\"");
   expectChangesFrom(boxRequest(), kStageCount, "other lids");
 }
@@ -459,7 +459,7 @@ TEST_F(StageKeysOf, CorrectedSizesMatterToFlatLayers) {
   }
 }
 
-TEST_F(StageKeysOf, WhatABeadBridgesMattersToSupportsAndToolPaths) {
+TEST_F(StageKeysOf, BridgingLengthMattersToSupportsAndToolPaths) {
   PlanRequest request = boxRequest();
   request.choices.item().parameters["supports"] = "none";
   default_ = stageKeys(request);

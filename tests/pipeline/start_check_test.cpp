@@ -1,4 +1,4 @@
-// What makes a plan pointless is told before it is made, whichever way the part is built.
+// Faults that make a plan pointless are found before it is made, in every mode.
 #include "base/parameters.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
@@ -95,7 +95,7 @@ TEST_F(StartCheck, APartLargerThanEveryPlate) {
 }
 
 // Drawn in thousandths of a millimetre.
-TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
+TEST_F(StartCheck, OffersASmallerScaleForAnySize) {
   pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {60000, 60000, 4000}), false);
   request.choices.item().scale = "0.005";
   expectTold(request, FindingKind::LargerThanPlates);
@@ -117,7 +117,7 @@ TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
       << width << " mm: a hundredth larger no plate carries it";
 }
 
-TEST_F(StartCheck, IsPassedByWhatFitsSomehow) {
+TEST_F(StartCheck, PassesPartsThatFitInAnyWay) {
   const auto told = [](const pipeline::PlanRequest& given) {
     pipeline::PlanRequest request = given;
     request.until = project::Stage::Load;

@@ -1,4 +1,4 @@
-// Parts that come as cells, and what is said of cells that would not do.
+// Parts given as cells, and errors for unsuitable cells.
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -107,7 +107,7 @@ TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
     EXPECT_TRUE(report.item().model.watertight);
     EXPECT_NEAR(report.item().model.volumeMm3, voxels * 0.512, 1e-6);
     EXPECT_GT(report.item().layers.count, 5);
-    // Exactly the object's cells, whatever the voxeliser would have made of its surface.
+    // Exactly the object's cells, not those that the voxeliser would have made of its surface.
     const auto& rank = result.job.item().decomposition()->rank;
     EXPECT_EQ(static_cast<std::size_t>(
                   std::count_if(rank.begin(), rank.end(), [](int r) { return r > 0; })),
@@ -128,7 +128,7 @@ TEST(VoxelPart, SamplesBecomeProgramsWithoutAnyChoice) {
   }
 }
 
-TEST(VoxelPart, StandsOnItsOwnPlatform) {
+TEST(VoxelPart, UsesItsOwnPlatform) {
   const auto placed = placedEll({});
   ASSERT_TRUE(placed->voxels);
   EXPECT_EQ(placed->voxels->count, 4u);
@@ -189,13 +189,13 @@ TEST(VoxelPart, QuarterTurnsAndMovesKeepItsCells) {
   EXPECT_EQ(tipped->voxels->count, 4u);
   EXPECT_EQ(tipped->voxels->plateLayer(), -1);
   EXPECT_TRUE(tipped->platform.empty()) << "its platform stands upright now";
-  // Cells and surface lie in the same place.
+  // Cells and surface are in the same place.
   const Eigen::AlignedBox3d box = geometry::bounds(*tipped->part);
   EXPECT_NEAR((tipped->voxels->grid.origin + Eigen::Vector3d::Constant(0.8) - box.min()).norm(),
               0.0, 1e-9);
 }
 
-TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
+TEST(VoxelPart, OtherRotationsAndLiftsMakeNewCellsWithAFinding) {
   Choices choices;
   choices.item().placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
   const auto turned = placedEll(choices);
@@ -269,7 +269,7 @@ TEST(VoxelPart, BadFilesAreOneLineWithTheirPlace) {
   EXPECT_EQ(line.find('\n'), std::string::npos);
 }
 
-TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
+TEST(BadVoxels, PartThatDoesNotTouchThePlatformIsRefused) {
   PlanRequest request = requestFor(ell(), Stage::Decompose);
   request.choices.item().placement.liftMm = 8.0;
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
@@ -298,7 +298,7 @@ TEST(BadVoxels, AWidthThatNeedsMoreMemoryThanThereIsNamesOneThatFits) {
   EXPECT_THAT(line, HasSubstr("use at least "));
 }
 
-TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
+TEST(BadVoxels, ThinWallsAreNamedWithASufficientWidth) {
   geometry::TriangleMesh mesh = test::box({0, 0, 0}, {6, 6, 3});
   test::append(mesh, test::box({2, 2, 3}, {2.37, 5, 9}));
   const plan::Findings found = thinWallFindings(mesh, 0.8, {});

@@ -1,4 +1,4 @@
-// Parts laid down in a block, from any orientation.
+// Parts on their side in a block, from any orientation.
 #include "placement/laying_down.h"
 
 #include "base/units.h"
@@ -78,7 +78,7 @@ TEST(LayingDown, ABoxIsParallelToItsBlock) {
   EXPECT_GE(parallel, kLeast);
 }
 
-TEST(LayingDown, AShellLiesOnItsSide) {
+TEST(LayingDown, ShellIsTurnedOnItsSide) {
   std::mt19937 random(9);
   std::normal_distribution<double> part;
   const geometry::TriangleMesh upright = shell(50.0, 9.0, 34.0, 26.0);
@@ -95,7 +95,7 @@ TEST(LayingDown, AShellLiesOnItsSide) {
   }
 }
 
-TEST(LayingDown, WhatLiesWellStays) {
+TEST(LayingDown, WellOrientedPartIsKept) {
   const LaidDown laid = laidDown(test::box({0, 0, 0}, {30, 20, 10}));
   EXPECT_NEAR(laid.turn.angularDistance(Eigen::Quaterniond::Identity()), 0.0, 1e-12);
   EXPECT_NEAR(laid.scrapMm3, 0.0, 1e-6);

@@ -1,4 +1,4 @@
-// The search for the way a part should lie, on parts whose answer is known.
+// The search for the best orientation of a part, on parts with known answers.
 #include "placement/orient.h"
 
 #include "base/error.h"
@@ -19,8 +19,8 @@ const base::RunContext kQuiet;
 using test::meshOf;
 using test::turned;
 
-// Two posts, a beam, and a tooth that hangs from it between them, which growth from the posts'
-// feet covers before it comes there.
+// Two posts, a beam, and a tooth below it between them, which growth from the posts' feet covers
+// before it comes there.
 geometry::TriangleMesh toothMesh() {
   return meshOf(24, 6, 19, [](int i, int j, int k) {
     return i < 4 || i >= 20 || k >= 16 || ((i == 11 || i == 12) && (j == 2 || j == 3) && k >= 8);
@@ -63,7 +63,7 @@ TEST(Orient, PutsATeeOnItsBeamOrItsSide) {
   EXPECT_NEAR(found.score.heightMm, 5.0, 1e-9); // the lower of the two
 }
 
-TEST(Orient, WhatLiesWellStays) {
+TEST(Orient, WellOrientedPartIsKept) {
   const geometry::TriangleMesh mesh = test::box({0, 0, 0}, {20, 10, 5});
   for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
     const Orientation found = bestOrientation(mesh, objective, atOneMm(), kQuiet);
@@ -72,7 +72,7 @@ TEST(Orient, WhatLiesWellStays) {
   }
 }
 
-TEST(Orient, NothingIsStoodOnATip) {
+TEST(Orient, PartIsNeverPlacedOnATip) {
   // A long cone has the least risky area on its tip.
   const geometry::TriangleMesh cone = test::coneOnTip(10.0, 40.0, 32);
   for (const Objective objective : {Objective::LeastRisky, Objective::FewestMissed}) {
@@ -83,7 +83,7 @@ TEST(Orient, NothingIsStoodOnATip) {
   }
 }
 
-TEST(Orient, QuarterTurnsOnlyWhereAsked) {
+TEST(Orient, QuarterTurnsOnlyIfTheOptionIsSet) {
   OrientOptions options = atOneMm();
   options.quarterTurns = true;
   const Orientation found = bestOrientation(toothMesh(), Objective::FewestMissed, options, kQuiet);
@@ -116,7 +116,7 @@ TEST(Orient, ProgressNeverFalls) {
   EXPECT_EQ(last, 1.0);
 }
 
-// Upside down the tee stands on its beam; `upsideDown` is the outcome there, `otherwise` elsewhere.
+// Upside down the tee rests on its beam; `upsideDown` is the outcome there, `otherwise` elsewhere.
 Orientation teeAfterCuts(const CutOutcome& upsideDown, const CutOutcome& otherwise) {
   OrientOptions options = atOneMm();
   options.cutOutcome = [&](const Eigen::Quaterniond& turn) {
@@ -125,7 +125,7 @@ Orientation teeAfterCuts(const CutOutcome& upsideDown, const CutOutcome& otherwi
   return bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet);
 }
 
-TEST(Orient, LeastAfterCutsChoosesWhatThePiecesLeave) {
+TEST(Orient, LeastAfterCutsMinimisesTheOverhangOfThePieces) {
   const Orientation found = teeAfterCuts({1.0, 2}, {9.0, 2});
   EXPECT_NEAR((found.turn * Eigen::Vector3d::UnitZ()).z(), -1.0, 1e-9);
   EXPECT_EQ(found.cuts.riskyMm2, 1.0);
@@ -156,7 +156,7 @@ TEST(Orient, LeastAfterCutsIsCheckedByTheCutsThemselves) {
   EXPECT_EQ(found.cuts.riskyMm2, 10.0);
   EXPECT_EQ(found.cuts.pieces, 3u);
   EXPECT_LE(checked, 5);
-  // Where the cuts leave what was estimated, no other orientation is cut.
+  // Where the cuts confirm the estimate, no other orientation is cut.
   checked = 0;
   options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
     ++checked;
@@ -165,7 +165,7 @@ TEST(Orient, LeastAfterCutsIsCheckedByTheCutsThemselves) {
   EXPECT_TRUE(
       isUpsideDown(bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet).turn));
   EXPECT_EQ(checked, 1);
-  // What cannot be cut is not chosen.
+  // Orientations that cannot be cut are not chosen.
   options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
     return isUpsideDown(turn) ? std::nullopt : std::optional(options.cutOutcome(turn));
   };

@@ -1,4 +1,4 @@
-// Parts whose ways to lie are known.
+// Parts with known orientations.
 #pragma once
 
 #include "base/units.h"

@@ -108,8 +108,8 @@ TEST(ResidualArea, ATurnedBoxReturnsToItsAxes) {
     const auto mesh = rotated(test::box(-half, half), by);
     const ResidualTurn found = leastResidualTurn(mesh, false, anyway);
     const Matrix3d back = found.turn.toRotationMatrix() * by;
-    // Each of the box's axes lies along an axis again, to half of the finest step or what 0.2 % of
-    // the rectangle allow.
+    // Each of the box's axes is along an axis again, to half of the finest step or the angle that
+    // 0.2 % of the rectangle allow.
     EXPECT_LT((back - Matrix3d(back.array().round())).cwiseAbs().maxCoeff(), 2e-3) << i;
     EXPECT_LT(found.after.xyMm2, 0.002 * 4.0 * half.x() * half.y() + 1e-6) << i;
     EXPECT_LE(found.after.xzMm2, found.before.xzMm2 + 1e-3) << i;
@@ -128,7 +128,7 @@ TEST(ResidualArea, ABoxLeaningAboutYIsSetUpright) {
   EXPECT_GT(found.residualBefore.xzMm2, 500.0);
 }
 
-TEST(ResidualArea, ARotationThatDoesNotStandIsNotTaken) {
+TEST(ResidualArea, UnstableRotationIsNotTaken) {
   // Along its axis on XZ, but with its tip on the plate.
   const auto cone = test::coneOnTip(10.0, 40.0, 32);
   const auto lying = rotated(cone, about(1, 90.0));

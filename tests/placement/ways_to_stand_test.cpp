@@ -1,4 +1,4 @@
-// The ways in which parts can stand, where they are known, and whatever way the parts come.
+// The stable orientations of parts for which they are known, from any orientation of the input.
 #include "placement/ways_to_stand.h"
 
 #include "base/error.h"
@@ -27,7 +27,7 @@ geometry::TriangleMesh bracket() {
   return test::meshOf(40, 20, 24, [](int i, int, int k) { return k < 6 || i < 6; });
 }
 
-// A post with an arm that hangs over one side, a foot, and nothing the same twice.
+// A post with an arm over one side, a foot, and no symmetry.
 geometry::TriangleMesh crane() {
   geometry::TriangleMesh mesh = test::meshOf(18, 9, 22, [](int i, int j, int k) {
     return k < 3 || (i >= 4 && i < 8 && j >= 2 && j < 6) || (k >= 18 && i >= 4 && j >= 2 && j < 6);
@@ -52,7 +52,7 @@ std::vector<double> contactsOf(const std::vector<Way>& ways) {
   return contacts;
 }
 
-// What a way says of itself is what the mesh comes to when it is turned so.
+// The figures of a way equal those of the mesh turned so.
 void expectStands(const geometry::TriangleMesh& mesh, const Way& way) {
   const geometry::TriangleMesh standing = turned(mesh, way.turn);
   const OrientationScore is =
@@ -81,7 +81,7 @@ TEST(WaysToStand, ABoxHasThree) {
   EXPECT_EQ(waysOf(test::box({0, 0, 0}, {30, 30, 30})).size(), 1u) << "a cube has one";
 }
 
-TEST(WaysToStand, APlateOnItsEdgeLiesBadly) {
+TEST(WaysToStand, PlateOnItsEdgeIsBadlyOriented) {
   const geometry::TriangleMesh plate = test::box({0, 0, 0}, {60, 5, 40});
   const auto better = betterWay(plate, {}, kQuiet);
   ASSERT_TRUE(better);
@@ -90,7 +90,7 @@ TEST(WaysToStand, APlateOnItsEdgeLiesBadly) {
   EXPECT_FALSE(betterWay(turned(plate, better->best.turn), {}, kQuiet)) << "it lies well then";
 }
 
-TEST(WaysToStand, AConeLiesBadlyOnItsTipAndWellOnItsBase) {
+TEST(WaysToStand, ConeIsBadlyOrientedOnItsTipAndWellOnItsBase) {
   const geometry::TriangleMesh cone = test::coneOnTip(15.0, 30.0, 64);
   const std::vector<Way> ways = waysOf(cone);
   ASSERT_GE(ways.size(), 2u) << "its base, its side";
@@ -106,7 +106,7 @@ TEST(WaysToStand, AConeLiesBadlyOnItsTipAndWellOnItsBase) {
   EXPECT_TRUE(waysOf(upright)[0].now);
 }
 
-TEST(WaysToStand, ABracketLiesOnASideOrALeg) {
+TEST(WaysToStand, BracketRestsOnASideOrALeg) {
   const std::vector<Way> ways = waysOf(bracket());
   const double side = 40 * 6 + 18 * 6;
   std::vector<double> contacts = contactsOf(ways);
@@ -119,7 +119,7 @@ TEST(WaysToStand, ABracketLiesOnASideOrALeg) {
   EXPECT_EQ(std::ranges::count_if(ways, &Way::now), 1);
 }
 
-TEST(WaysToStand, APartDrawnWithYUpIsStoodUp) {
+TEST(WaysToStand, PartDrawnWithYUpIsTurnedUpright) {
   const geometry::TriangleMesh upright = crane();
   ASSERT_FALSE(betterWay(upright, {}, kQuiet));
   const std::vector<Way> well = waysOf(upright);
@@ -159,7 +159,7 @@ TEST(WaysToStand, DoNotDependOnHowThePartCame) {
   }
 }
 
-// Whatever it is like, there is an answer.
+// Each of them has an answer.
 TEST(WaysToStand, SheetsAndPartsInOtherUnitsAreNoTrouble) {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     EXPECT_FALSE(waysOf(test::box({0, 0, 0}, scale * Eigen::Vector3d(900, 700, 0.1))).empty());
@@ -184,8 +184,8 @@ TEST(WaysToStand, AreDistinctAndFew) {
       EXPECT_GT(ball[a].turn.angularDistance(ball[b].turn), 0.1);
 }
 
-// How a part lies is among its ways however poor it is, as long as it stands.
-TEST(WaysToStand, HowItLiesIsAmongThem) {
+// The current orientation is among the ways even a poor one, as long as it is stable.
+TEST(WaysToStand, CurrentOrientationIsAmongThem) {
   for (const double angle : {0.0, 0.5, 1.0, 1.5, 2.0}) {
     const geometry::TriangleMesh came =
         turned(crane(),
@@ -199,7 +199,7 @@ TEST(WaysToStand, HowItLiesIsAmongThem) {
 
 TEST(WaysToStand, CellsAreTurnedByQuartersOnly) {
   const geometry::TriangleMesh mesh = test::meshOf(30, 20, 20, [](int i, int, int k) {
-    return i + k < 30; // a slope of steps, on which it could lie too
+    return i + k < 30; // a slope of steps, on which it could rest too
   });
   WaysOptions options;
   options.quarterTurns = true;
@@ -223,7 +223,7 @@ TEST(WaysToStand, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(WaysToStand, CanBeCancelledAndTellHowFarTheyAre) {
+TEST(WaysToStand, CanBeCancelledAndReportTheirProgress) {
   const base::CancelToken token;
   token.cancel();
   EXPECT_THROW(waysToStand(crane(), {}, base::RunContext(token, 2)), base::Cancelled);
@@ -246,7 +246,7 @@ TEST(WaysToStand, CanBeCancelledAndTellHowFarTheyAre) {
   EXPECT_EQ(last, 1.0);
 }
 
-TEST(WaysToStand, WhatLiesBadlyIsARuleOfTheFigures) {
+TEST(WaysToStand, BadOrientationIsARuleOfTheFigures) {
   Way now, better;
   now.score.stands = better.score.stands = true;
   now.voxels = better.voxels = 1000;
@@ -291,7 +291,7 @@ TEST(RestingPlaces, AreTheHullsFacesLargestFirst) {
   EXPECT_TRUE(restingPlaces(flat, 4).empty());
 }
 
-TEST(WaysToStand, SpotStandsOnItsFeet) {
+TEST(WaysToStand, SpotRestsOnItsFeet) {
   VOLUTA_MODEL_OR_SKIP(file, "spot.stl");
   const std::vector<Way> ways = waysOf(geometry::readMesh(file).mesh);
   EXPECT_GE(ways.size(), 3u);

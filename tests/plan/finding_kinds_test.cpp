@@ -96,7 +96,7 @@ TEST(FindingKinds, ValuesAreThoseOfTheSentences) {
   }
 }
 
-TEST(FindingKinds, FindingsThatStandForMoreHaveTheirOwnSentence) {
+TEST(FindingKinds, FindingsForSeveralHaveTheirOwnSentence) {
   for (const FindingRow& row : findingRows()) {
     if (row.more.empty()) {
       EXPECT_THROW(makeMoreFinding(row.kind, sampleValues(row), std::nullopt, 3), base::Error);
@@ -145,8 +145,8 @@ TEST(FindingKinds, IdsOfOlderVersionsLeadToTheirKinds) {
   EXPECT_FALSE(isIdOfMore("moreUnreached"));
 }
 
-// Only what is decided case by case, and what a sentence of one number says: the number is a whole
-// one, so that its form is known.
+// Only for severities decided case by case, and for sentences with one number: the number is a
+// whole one, so that its form is known.
 TEST(FindingKinds, PluralFormsHaveANumberToGoBy) {
   for (const FindingRow& row : findingRows())
     for (const base::Text text : {row.reason, row.remedy, row.more}) {

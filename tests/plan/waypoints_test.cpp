@@ -4,7 +4,7 @@
 
 using namespace voluta::plan;
 
-TEST(Waypoints, AreOfThePathTheyLieIn) {
+TEST(Waypoints, PathOfFindsThePathOfAWaypoint) {
   ToolPlan plan;
   plan.position.resize(7);
   plan.paths = {{0, 3}, {3, 4}};
@@ -23,7 +23,7 @@ TEST(Waypoints, APointLeadsToTheNextOne) {
     EXPECT_EQ(waypointAhead(t, i), ahead[i]) << i;
 }
 
-TEST(Waypoints, APathGoesOnAfterThoseLeftOut) {
+TEST(Waypoints, PathContinuesAfterSkippedWaypoints) {
   ToolPlan plan;
   for (int i = 0; i < 12; ++i) {
     plan.position.emplace_back(i, 0, 0);
@@ -35,7 +35,7 @@ TEST(Waypoints, APathGoesOnAfterThoseLeftOut) {
   plan.paths = {{0, 7}, {7, 5}};
   plan.paths[0].layer = 3;
   plan.paths[1].closed = true;
-  // The fourth stays alone between two that go, and goes with them.
+  // The fourth remains alone between two removed ones, and is removed with them.
   plan.fill = {{1.5, 2.5}};
   const RestOfPlan rest = without(plan, {0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0});
   EXPECT_EQ(rest.plan.fillOf(0).shellMm, 1.5);

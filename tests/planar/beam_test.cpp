@@ -1,5 +1,5 @@
 // Pieces that print without support: parts whose best number of pieces is worked out by hand, and
-// checks of what is found that share nothing with the search.
+// checks of the results that are independent of the search.
 #include "planar/search/beam_search.h"
 
 #include "base/error.h"
@@ -70,7 +70,7 @@ TriangleMesh mushroom() {
   return m;
 }
 
-// A post, an arm to the side of it and a square drop that hangs from the arm.
+// A post, an arm to the side of it and a square drop below the arm.
 TriangleMesh hanging() {
   return test::extruded(
       {{0, 0}, {10, 0}, {10, 40}, {30, 40}, {30, 20}, {40, 20}, {40, 50}, {0, 50}}, -5, 5);
@@ -111,7 +111,7 @@ std::vector<Vector3d> spread(const TriangleMesh& m, double spacing) {
   return out;
 }
 
-// What must hold of pieces, whatever found them.
+// Invariants of pieces, whatever the search.
 void check(const TriangleMesh& part, const PlanarDecomposition& d, const PlanarOptions& options,
            double spacing) {
   double volume = 0.0;
@@ -164,10 +164,9 @@ struct Shape {
   const char* name;
   TriangleMesh (*make)();
   int alphaDeg;
-  // Worked out by hand, all that stands on the plate left as it is.
+  // Worked out by hand, with all supports on the plate left as they are.
   std::size_t pieces; // a cut outwards at each side of the stem
-  std::size_t
-      least; // no direction is within 90 degrees + alpha of all faces of what would be one piece
+  std::size_t least;  // no direction is within 90 degrees + alpha of all faces if it were one piece
 };
 std::ostream& operator<<(std::ostream& out, const Shape& s) {
   return out << s.name;
@@ -182,7 +181,7 @@ TEST_P(BeamShapes, TheBestNumberOfPiecesAndNothingRisky) {
   PlanarOptions options = withHead();
   options.rule.overhangRad = GetParam().alphaDeg * kDegree;
   options.target = 1e-9;
-  // Free to leave some of what the part stands on to later pieces, it needs no more of them.
+  // Free to leave some of the part's base to later pieces, it needs no more of them.
   const PlanarDecomposition freely = beamDecompose(part, options, base::RunContext({}, 2));
   EXPECT_NEAR(freely.riskyMm2, 0.0, 1e-6);
   EXPECT_LE(freely.pieces.size(), GetParam().pieces);
@@ -227,9 +226,9 @@ TEST(RiskRule, AConeIsSafeUpToTheOverhangAngle) {
   }
 }
 
-// A head from the side at what lies far below the plate's rim: only what carries the plate is in
-// its way.
-TEST(Platform, WhatCarriesThePlateKeepsTheHeadAway) {
+// A head from the side at points far below the plate's rim: only the stem of the plate is in its
+// way.
+TEST(Platform, StemOfThePlateBlocksTheHead) {
   PlanarOptions options = withHead();
   const Piece piece = wholePart(test::box({-5, -5, 0}, {5, 5, 20}), options.rule);
   const HeadReach head(options.head);
@@ -267,7 +266,7 @@ TEST(Beam, AnOpenMeshIsRefused) {
   EXPECT_THROW(beamDecompose(open, withHead(), base::RunContext({}, 1)), base::Error);
 }
 
-TEST(Beam, WhatPrintsAsItIsIsLeftWhole) {
+TEST(Beam, PrintablePartIsOnePiece) {
   const PlanarDecomposition d =
       beamDecompose(test::box({0, 0, 0}, {10, 12, 14}), withHead(), base::RunContext({}, 1));
   EXPECT_EQ(d.pieces.size(), 1u);

@@ -1,4 +1,4 @@
-// Cuts that gain nothing themselves: what hides a piece from the head is printed after it.
+// Cuts that gain nothing themselves: a body that hides a piece from the head is printed after it.
 #include "helpers/shapes.h"
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
@@ -24,7 +24,7 @@ process::HeadShape head() {
 }
 
 // A post with an arm that leans out by 60 degrees and ends before a wall: the wall prints upwards
-// by itself, and stands in the way of a head that lays the arm from its side.
+// by itself, and blocks a head that prints the arm from its side.
 geometry::TriangleMesh armBeforeWall() {
   return test::extruded({{-10, 0},
                          {60, 0},
@@ -46,7 +46,7 @@ PlanarOptions optionsWithHead() {
   return options;
 }
 
-TEST(Clearing, WhatHidesAnArmIsPrintedAfterIt) {
+TEST(Clearing, WallThatHidesAnArmIsPrintedAfterIt) {
   const geometry::TriangleMesh part = armBeforeWall();
   const PlanarOptions options = optionsWithHead();
   const PlanarDecomposition d = beamDecompose(part, options, base::RunContext({}, 2));
@@ -98,8 +98,8 @@ TEST(HeadReach, InsideAreTheObstaclesThatAnyTipMeets) {
   EXPECT_EQ(reach.inside(tips, {obstacles}, direction, lowest), expected);
 }
 
-TEST(PrintOrder, TellsWhatComesTooEarlyForAPiece) {
-  // 1 and 2 stand on 0; each hides the other.
+TEST(PrintOrder, FindsPiecesPrintedTooEarly) {
+  // 1 and 2 rest on 0; each hides the other.
   const PieceOrder order = orderOf({kPlate, 0, 1}, {{0, 1}, {}, {}},
                                    [](std::size_t i, std::size_t j) { return i + j == 3; });
   EXPECT_EQ(order.blocked, 1U);
@@ -108,7 +108,7 @@ TEST(PrintOrder, TellsWhatComesTooEarlyForAPiece) {
   EXPECT_EQ(order.late.front().first, order.order.back());
 }
 
-// Of two towers on a bar only the one asked for is cut off, at the same plane.
+// Of two towers on a bar only the given one is cut off, at the same plane.
 TEST(CutOffAt, TakesTheSolidsWhoseSectionsAreMeant) {
   const geometry::TriangleMesh part = test::extruded(
       {{-20, 0}, {20, 0}, {20, 30}, {10, 30}, {10, 10}, {-10, 10}, {-10, 30}, {-20, 30}}, -5, 5);

@@ -121,7 +121,7 @@ TEST(CoarseDecomposition, PlanesAreWhereTheThicknessChanges) {
   }
 }
 
-TEST(CoarseDecomposition, ARootThatDoesNotStandOnThePlateIsRefused) {
+TEST(CoarseDecomposition, RootOffThePlateIsRefused) {
   const Coarse c;
   const auto graph = [&](const Vector3d& root) {
     return pieceGraph(c.mesh, c.regions, c.planes, c.whole, RiskRule(), root);
@@ -157,7 +157,7 @@ TEST(Greedy, AnOpenMeshIsRefused) {
   EXPECT_THROW(greedyDecompose(open, {}, {}, base::RunContext()), base::Error);
 }
 
-TEST(Greedy, WhatPrintsAsItIsIsLeftWhole) {
+TEST(Greedy, PrintablePartIsOnePiece) {
   const PlanarDecomposition d =
       greedyDecompose(test::box({0, 0, 0}, {10, 12, 14}), {}, {}, base::RunContext());
   EXPECT_EQ(d.pieces.size(), 1u);

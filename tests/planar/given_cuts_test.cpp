@@ -1,4 +1,4 @@
-// Cuts where the user says: what they make of parts whose pieces are known, and what is refused.
+// Cuts given by the user: pieces of parts for which they are known, and cuts that are refused.
 #include "planar/given_cuts.h"
 
 #include "base/error.h"
@@ -63,7 +63,7 @@ TEST(GivenCuts, ATeesArmsArePrintedSideways) {
   }
 }
 
-TEST(GivenCuts, OnlyWhatHangsOnTheSectionNearestToThePointIsCutOff) {
+TEST(GivenCuts, OnlyTheSolidsOnTheNearestSectionAreCutOff) {
   const TriangleMesh part = fork();
   const PlanarDecomposition right = decomposed(part, {cut({12, 0, 15}, {0, 0, 1})});
   ASSERT_EQ(right.pieces.size(), 2u);
@@ -90,7 +90,7 @@ TEST(GivenCuts, SolidsAtFurtherPointsBelongToTheSamePiece) {
   EXPECT_NEAR(again[0].point.x() + again[0].also[0].x(), 0.0, 1e-9);
 }
 
-TEST(GivenCuts, WhatASearchFoundComesBackFromItsPlanes) {
+TEST(GivenCuts, CutsOfASearchReproduceItsPieces) {
   const TriangleMesh part = tee();
   const PlanarDecomposition found = beamDecompose(part, {}, {});
   ASSERT_GT(found.pieces.size(), 1u);
@@ -113,7 +113,7 @@ TEST(GivenCuts, WrongOnesAreRefusedInOneLineThatNamesThem) {
   const GivenCut fine = cut({4, 0, 24}, {1, 0, 0});
   EXPECT_EQ(refusal(part, {fine, cut({0, 0, 40}, {0, 0, 1})}),
             "cut 2: the plane misses the part (move it so that it crosses the part)");
-  // Below the plane are the ends of the bar, above it is what holds them.
+  // Below the plane are the ends of the bar, above it the body that carries them.
   EXPECT_NE(refusal(part, {cut({4, 0, 24}, {-1, 0, 0})}).find("cut 1: leaves a piece without"),
             std::string::npos);
   EXPECT_NE(

@@ -114,7 +114,7 @@ inline geometry::TriangleMesh mushroom() {
   return extruded(outline, -6, 6);
 }
 
-// A post, an arm to its side, and a round drop that hangs on a stem from the arm.
+// A post, an arm to its side, and a round drop on a stem below the arm.
 inline geometry::TriangleMesh hangingBall() {
   const double x = 40, z = 28, r = 10, half = 4; // of the drop, of the stem
   std::vector<Eigen::Vector2d> outline{{0, 0}, {10, 0}, {10, 48}, {x - half, 48}};

@@ -1,7 +1,7 @@
 // pieces_report [--scheme greedy|beam] [--clusters N] [--angle DEG] [--threads N] [--beam N]
-// [--triangles N] [--no-head] [--stem] [--stl DIR] [--brief] STL... What planar decomposition makes
-// of real parts, and what a checker that knows nothing of the planner says of it: a row each.
-// --stem: the plate is carried as the bundled UR5 cell carries it.
+// [--triangles N] [--no-head] [--stem] [--stl DIR] [--brief] STL... Planar decomposition of real
+// parts and the verdict of a checker that is independent of the planner: a row each. --stem: the
+// plate is carried as in the bundled UR5 cell.
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/formats/mesh_reader.h"

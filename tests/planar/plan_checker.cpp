@@ -14,11 +14,11 @@ using geometry::TriangleMesh;
 
 namespace {
 
-constexpr double kBesideMm = 0.02;  // points beside a face
-constexpr double kSliverMm = 0.1;   // faces less high than that are not asked what is beside them
-constexpr double kCrossesMm = 0.02; // sections that pass less far through one another touch
+constexpr double kBesideMm = 0.02;     // points beside a face
+constexpr double kSliverMm = 0.1;      // the sides of lower faces are not checked
+constexpr double kCrossesMm = 0.02;    // sections that pass less far through one another touch
 constexpr double kSamplesMayHit = 5.0; // at least, of a piece's
-constexpr double kTouchesMm = 0.05;    // the head may be so deep in what is printed
+constexpr double kTouchesMm = 0.05;    // depth to which the head may be in printed material
 
 Vector3d middleOf(const TriangleMesh& m, std::size_t t) {
   return (m.corner(t, 0) + m.corner(t, 1) + m.corner(t, 2)) / 3.0;
@@ -235,7 +235,7 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
   const double whole = volumeOf(part);
   if (std::abs(volume - whole) > 1e-6 * whole)
     out.faults.push_back("volumes do not add up (" + std::to_string(volume / whole - 1.0) + ")");
-  std::vector<Vector3d> printed; // samples of what is printed so far, and of the plate
+  std::vector<Vector3d> printed; // samples of the printed pieces, and of the plate
   if (!check.head.sections.empty())
     printed = plateTop(check.plate, check.spacingMm);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -297,7 +297,7 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
       out.faults.push_back(line("overlaps others, mm2", i, shared));
     if (check.head.sections.empty())
       continue;
-    // Of a small piece so many that one of them is less than what may be hit.
+    // So many, even of a small piece, that one of them is less than the area that may be hit.
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       area += 0.5 * crossOf(mesh, t).norm();

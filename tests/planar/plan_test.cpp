@@ -44,7 +44,7 @@ std::vector<Piece> twoBlocks() {
   return {lower, upper};
 }
 
-TEST(PlanChecker, TellsWhatIsWrong) {
+TEST(PlanChecker, FindsEachFault) {
   const TriangleMesh block = test::box({0, 0, 0}, {20, 20, 30});
   const auto faults = [&](const std::vector<Piece>& pieces) {
     return test::checkPlan(block, pieces, {}).faults.size();
@@ -70,7 +70,7 @@ TEST(PlanChecker, TellsWhatIsWrong) {
 }
 
 TEST(PlanChecker, KnowsRiskyAreaAndTheHead) {
-  // Upside down over the plate nothing is laid by: all of the underside is risky.
+  // Upside down over the plate nothing is supported: all of the underside is risky.
   auto pieces = twoBlocks();
   std::swap(pieces[0], pieces[1]);
   EXPECT_NEAR(test::checkPlan(test::box({0, 0, 0}, {20, 20, 30}), pieces, {}).riskyMm2, 400.0,
@@ -98,7 +98,7 @@ TEST(PlanChecker, SeesSectionsThatCross) {
     p.baseTag = tag;
     return p;
   };
-  // The upper block stands on both lower ones, the wall beside them through its base.
+  // The upper block rests on both lower ones, the wall beside them through its base.
   const Piece left = piece({0, 0, 0}, {10, 20, 10}, {Vector3d::UnitZ(), 0.0}, kPlate);
   const Piece right = piece({10, 0, 0}, {20, 20, 10}, {Vector3d::UnitX(), 10.0}, 0);
   const Piece upper = piece({0, 0, 10}, {20, 20, 20}, {Vector3d::UnitZ(), 10.0}, 1);

@@ -1,4 +1,4 @@
-// Cuts by planes: closed sides that add up to what was cut.
+// Cuts by planes: closed sides with the volume of the solid before.
 #include "planar/plane_cut.h"
 
 #include "base/error.h"
@@ -22,7 +22,7 @@ using geometry::TriangleMesh;
 
 using test::append;
 
-// What must hold of any cut. Returns it.
+// Invariants of any cut. Returns it.
 PlaneCut cutAndCheck(const TaggedMesh& in, const Plane& plane, std::int32_t tag = 0) {
   const PlaneCut cut = cutByPlane(in, plane, tag);
   EXPECT_TRUE(isClosed(cut.below.mesh));
@@ -140,7 +140,7 @@ TEST(PlaneCut, SeveralPiecesAbove) {
   EXPECT_EQ(solids(cut.below).size(), 3u);
 }
 
-TEST(PlaneCut, OnlyWhatIsWantedIsCutOff) {
+TEST(PlaneCut, OnlyTheSelectedSolidIsCutOff) {
   TriangleMesh comb = test::box({0, 0, 0}, {2, 4, 9});
   append(comb, test::box({4, 0, 0}, {6, 4, 7}));
   const PlaneCut cut =

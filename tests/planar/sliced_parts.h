@@ -38,7 +38,7 @@ inline geometry::TriangleMesh prism(const std::vector<Eigen::Vector2d>& profile,
   return m;
 }
 
-// A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 more that hangs from x = 10 to 20.
+// A gallows: a post of 10 x 10 x 16 with an arm of 10 x 10 x 4 from x = 10 to 20.
 inline geometry::TriangleMesh gallows() {
   return prism({{0, 0}, {10, 0}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
 }

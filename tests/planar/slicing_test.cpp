@@ -68,7 +68,7 @@ double areaOf(const layers::LayerStack& stack, int layer) {
   return sum;
 }
 
-// Boundary vertices lie on the mesh, inner ones inside it; triangles face the nozzle.
+// Boundary vertices are on the mesh, inner ones inside it; triangles face the nozzle.
 void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
   std::vector<geometry::MeshQuery> query;
   for (const Piece& piece : pieces)
@@ -83,7 +83,7 @@ void expectWithin(const SliceResult& sliced, const std::vector<Piece>& pieces) {
           (patch.surface.corner(t, 0) + patch.surface.corner(t, 1) + patch.surface.corner(t, 2)) /
           3.0;
       farthest = std::max(farthest, solid.inside(middle) ? 0.0 : solid.closest(middle).distance);
-      // Level, but for what is thicker where it takes slivers over it.
+      // Level, except where it is thicker to absorb slivers over it.
       EXPECT_GT(geometry::triangleNormal(patch.surface, t).dot(patch.direction.front()), 0.99);
     }
   }
@@ -100,7 +100,7 @@ TEST(Section, OfABoxIsItsRectangle) {
   EXPECT_NEAR(areaOf(across.at(2.5)), 20.0, 1e-12);
   EXPECT_TRUE(across.at(-0.1).empty());
   EXPECT_TRUE(across.at(6.1).empty());
-  // What lies on the plane counts as above it.
+  // Faces on the plane count as above it.
   EXPECT_NEAR(areaOf(across.at(6.0)), 20.0, 1e-12);
   EXPECT_NEAR(areaOf(across.at(0.0)), 0.0, 1e-12);
   const Sections slanted(box, Vector3d(1, 0, 1).normalized());
@@ -172,7 +172,7 @@ TEST(LayerBounds, AFlatTopGetsAWholeNumberOfLayers) {
   }
 }
 
-TEST(LayerBounds, ShelvesAndCeilingsLieBetweenLayers) {
+TEST(LayerBounds, ShelvesAndCeilingsAreBetweenLayers) {
   // A step at 5.2, a ceiling at 8.9, the top at 12.3.
   const TriangleMesh step = prism(
       {{0, 0}, {30, 0}, {30, 5.2}, {12, 5.2}, {12, 8.9}, {20, 8.9}, {20, 12.3}, {0, 12.3}}, 20.0);
@@ -185,7 +185,7 @@ TEST(LayerBounds, ShelvesAndCeilingsLieBetweenLayers) {
     EXPECT_LE(bounds[k] - bounds[k - 1], 1.0 + 1e-9);
     EXPECT_GE(bounds[k] - bounds[k - 1], 0.4 - 1e-9);
   }
-  // All of the part is laid, which sections across steps miss.
+  // All of the part is printed, which sections across steps miss.
   const SliceResult sliced = slicePieces({pieceOf(step)}, {}, {});
   EXPECT_NEAR(volumeOf(sliced), 20.0 * (30.0 * 5.2 + 12.0 * 3.7 + 20.0 * 3.4), 1e-3);
 }
@@ -205,7 +205,7 @@ TEST(LayerBounds, OfShelvesCloserThanALayerTheLargerCounts) {
   EXPECT_LT(nearest(9.1), 1e-9);
 }
 
-TEST(LayerBounds, ElsewhereTheLastLayerIsWhatIsLeft) {
+TEST(LayerBounds, WithoutLevelFacesTheLastLayerTakesTheRest) {
   for (const double height : {10.0, 10.1, 10.3, 10.5, 10.7}) {
     const std::vector<double> bounds = layerBounds(pieceOf(cone(8.0, height, 32)), {});
     EXPECT_EQ(bounds.back(), height);
@@ -239,7 +239,7 @@ TEST(LayerBounds, AFirstLayerOfItsOwnHeightComesFirst) {
   const std::vector<double> low =
       layerBounds(pieceOf(test::box({0, 0, 0}, {20, 20, 0.8})), options);
   EXPECT_EQ(low, (std::vector<double>{0.0, 0.8}));
-  // A shelf above it still lies between layers.
+  // A shelf above it is still between layers.
   const TriangleMesh step =
       prism({{0, 0}, {20, 0}, {20, 3.3}, {10, 3.3}, {10, 9.0}, {0, 9.0}}, 20.0);
   options.adaptive = false;
@@ -265,7 +265,7 @@ TEST(LayerBounds, AdaptiveLayersAreThinWhereTheSurfaceLeans) {
     }
   }
   EXPECT_EQ(bounds.back(), 10.0 + rise);
-  // A step of 3.3 mm: a boundary lies on it.
+  // A step of 3.3 mm: a boundary is on it.
   const TriangleMesh step =
       prism({{0, 0}, {20, 0}, {20, 3.3}, {10, 3.3}, {10, 9.0}, {0, 9.0}}, 20.0);
   const std::vector<double> stepped = layerBounds(pieceOf(step), options);
@@ -300,7 +300,7 @@ TEST(Slicing, AWedgeOnItsSide) {
 }
 
 TEST(Slicing, APieceAlongItsOwnBase) {
-  // A bar that stands askew on a plane of its own.
+  // An inclined bar on a plane of its own.
   Piece bar = pieceOf(test::box({0, 0, 0}, {6, 6, 20}));
   const Eigen::AngleAxisd turn(0.7, Vector3d(1, 2, 0).normalized());
   for (Vector3d& v : bar.solid.mesh.vertices)
@@ -318,13 +318,13 @@ TEST(Slicing, APieceAlongItsOwnBase) {
     for (const Vector3d& d : patch.direction)
       EXPECT_TRUE(d.isApprox(patch.group == 0 ? Vector3d::UnitZ() : bar.base.normal));
   }
-  // It hangs in the air where it is.
+  // It is unsupported where it is.
   EXPECT_EQ(sliced.unsupportedPatches, 1u);
   ASSERT_FALSE(sliced.findings.empty());
   EXPECT_EQ(plan::reportId(sliced.findings.back()), "beginsInAir");
 }
 
-TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
+TEST(Slicing, WallsTooNarrowForABeadGiveAFinding) {
   TriangleMesh fin = test::box({-10, -10, 0}, {10, 10, 8});
   test::append(fin, test::box({20, -10, 0}, {20.1, 10, 8}));
   const SliceResult sliced = slicePieces({pieceOf(fin)}, {}, {});
@@ -358,7 +358,7 @@ TEST(Slicing, RealPiecesStayWithinAndAddUp) {
   EXPECT_NEAR(volumeOf(sliced), volume, 0.01 * volume);
 }
 
-TEST(Flat, APartWithARoofHasItsOverhangTold) {
+TEST(Flat, OverhangOfARoofGivesAFinding) {
   // A table: top 20 x 20 on a leg of 4 x 4.
   const TriangleMesh table =
       prism({{-2, 0}, {2, 0}, {2, 10}, {10, 10}, {10, 14}, {-10, 14}, {-10, 10}, {-2, 10}}, 20.0);
@@ -374,8 +374,8 @@ TEST(Flat, APartWithARoofHasItsOverhangTold) {
   EXPECT_THROW(flatDecomposition(open, {}), base::Error);
 }
 
-TEST(Flat, WhatLiesOnLaidMaterialIsNoOverhang) {
-  // A gallows whose arm lies on something laid before: its underside hangs over nothing.
+TEST(Flat, FacesOnPrintedMaterialAreNoOverhangs) {
+  // A gallows whose arm is on earlier material: its underside is no overhang.
   Piece piece = pieceOf(gallows());
   ASSERT_NEAR(riskyArea(piece, {}), 100.0, 1e-9);
   EXPECT_EQ(overhangFindings({piece}, {}, Overhangs::Pieces).size(), 1u);
@@ -396,8 +396,8 @@ TEST(Flat, OverhangsArePlacedOnTheFacesThemselves) {
   EXPECT_NEAR(one[0].where->head<2>().norm(), 20.0, 4.0);
   EXPECT_LT(one[0].where->z(), 10.0);
 
-  // Seven shelves on a post, each longer than the one below: five are told one by one, and the two
-  // lowest together, at the larger of them.
+  // Seven shelves on a post, each longer than the one below: five have findings of their own, the
+  // two lowest one together, at the larger of them.
   std::vector<Eigen::Vector2d> profile{{0, 0}, {4, 0}};
   for (int k = 0; k < 7; ++k)
     for (const auto& [x, z] : {std::pair(4.0, 6.0), {8.0 + k, 6.0}, {8.0 + k, 8.0}, {4.0, 8.0}})

@@ -72,7 +72,7 @@ TEST(Stitches, ASlabHasThemOnAGrid) {
   EXPECT_TRUE(placePockets(slab, uniform(1.0, 12), {}).empty()) << "off by default";
 }
 
-// Whatever the rule, the part surrounds each pocket by the margin, and they keep apart.
+// For each rule, the part surrounds each pocket by the margin, and they keep apart.
 TEST(Stitches, RandomRulesKeepTheirMargins) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -81,8 +81,9 @@ TEST(Stitches, RandomRulesKeepTheirMargins) {
     const Vector3d half(8 + 20 * share(random), 8 + 20 * share(random), 0.0);
     const double height = 10.0 + 20.0 * share(random);
     const Piece part = pieceOf(test::box(-half, half + Vector3d(0, 0, height)));
-    const StitchRule rule{6.0 + 20.0 * share(random), 3.0 + 7.0 * share(random), PocketShape::Dovetail,
-                          2 + static_cast<int>(8 * share(random)), 0.5 + 2.0 * share(random)};
+    const StitchRule rule{6.0 + 20.0 * share(random), 3.0 + 7.0 * share(random),
+                          PocketShape::Dovetail, 2 + static_cast<int>(8 * share(random)),
+                          0.5 + 2.0 * share(random)};
     const int layers = 10 + static_cast<int>(20 * share(random));
     const auto pockets = placePockets(part, uniform(height / layers, layers), rule);
     made += pockets.size();
@@ -103,7 +104,7 @@ TEST(Stitches, RandomRulesKeepTheirMargins) {
   EXPECT_GT(made, 200u);
 }
 
-// What the layers lack is the volume of the pockets, and no layer has other bounds for them.
+// The layers lack the volume of the pockets, and no layer has other bounds for them.
 TEST(Stitches, LayersKeepOutOfThem) {
   const Piece slab = pieceOf(test::box({-20, -20, 0}, {20, 20, 12}));
   SliceOptions options;

@@ -1,4 +1,4 @@
-// Columns under what layers leave hanging.
+// Columns under unsupported parts of layers.
 #include "helpers/all_seeds.h"
 #include "layers/layer_checks.h"
 #include "layers/walled_support.h"
@@ -38,7 +38,7 @@ std::vector<const layers::Patch*> supportsOf(const SliceResult& sliced) {
 }
 
 // A box of 30 mm with a hollow of 20 mm: the columns under its roof stay in it.
-TEST(Supports, ColumnsInAClosedHollowAreReported) {
+TEST(Supports, ColumnsInAClosedHollowGiveAFinding) {
   TriangleMesh closed = test::box({0, 0, 0}, {30, 30, 30});
   TriangleMesh open = closed;
   test::append(closed, test::box({5, 5, 5}, {25, 25, 25}), true);
@@ -57,12 +57,12 @@ TEST(Supports, ColumnsInAClosedHollowAreReported) {
   EXPECT_FALSE(layers::walledSupport(slicePieces({pieceOf(closed)}, {}, {}).stack, closed));
 }
 
-TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
+TEST(Supports, ColumnsUnderAnArmStartOnThePlate) {
   const std::vector<Piece> pieces{pieceOf(gallows())};
   const SliceResult sliced = slicePieces(pieces, supported(25), {});
   const auto supports = supportsOf(sliced);
   EXPECT_EQ(supports.size(), 20u); // one a layer under the arm
-  // As wide as the arm beneath it, with a gap to the post; narrower downwards by half of what a
+  // As wide as the arm at its top, with a gap to the post; narrower downwards by half of what a
   // layer may reach out, down to a trunk of four beads.
   Eigen::AlignedBox3d above;
   for (auto patch = supports.rbegin(); patch != supports.rend(); ++patch) {
@@ -89,9 +89,9 @@ TEST(Supports, ColumnsStandOnThePlateUnderAnArm) {
   EXPECT_TRUE(supportsOf(slicePieces(pieces, {}, {})).empty());
 }
 
-// A plate that ends under the column's inner third: it stands there, and grows out over the edge by
+// A plate that ends under the column's inner third: it starts there, and grows out over the edge by
 // half a bead a layer.
-TEST(Supports, AColumnGrowsFromWhatOfItStands) {
+TEST(Supports, ColumnGrowsOutFromItsFootOnThePlate) {
   const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(14), {});
   const auto supports = supportsOf(sliced);
   ASSERT_EQ(supports.size(), 20u);
@@ -106,7 +106,7 @@ TEST(Supports, AColumnGrowsFromWhatOfItStands) {
   EXPECT_NEAR(before, 20.0, 0.02);
 }
 
-TEST(Supports, ATipThatHangsStandsOnAColumn) {
+TEST(Supports, ColumnCarriesATipBelowAnArm) {
   // An arm with a point under it, steeper than any overhang: its first sections are too narrow for
   // a bead, and those that follow reach out over them by little.
   const TriangleMesh fang = prism(
@@ -127,7 +127,7 @@ TEST(Supports, ATipThatHangsStandsOnAColumn) {
     EXPECT_FALSE(f.blocking) << voluta::plan::englishReason(f);
 }
 
-TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
+TEST(Supports, ColumnsWithoutAFootingGiveAFinding) {
   const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
   EXPECT_TRUE(supportsOf(sliced).empty());
   ASSERT_EQ(sliced.findings.size(), 1u);
@@ -135,8 +135,8 @@ TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
   EXPECT_NEAR(sliced.findings.front().where->z(), 16.4, 0.41);
 }
 
-TEST(Supports, AColumnStandsOnThePartItself) {
-  // The arm hangs over a step of the part, 4 high.
+TEST(Supports, ColumnStartsOnThePartItself) {
+  // The arm is over a step of the part, 4 high.
   const TriangleMesh step =
       prism({{0, 0}, {30, 0}, {30, 4}, {10, 4}, {10, 16}, {20, 16}, {20, 20}, {0, 20}}, 10.0);
   const SliceResult sliced = slicePieces({pieceOf(step)}, supported(12), {});
@@ -145,8 +145,8 @@ TEST(Supports, AColumnStandsOnThePartItself) {
 }
 
 // Where each step of a slope is hardly wider than half a bead, a column begins at the wall, and no
-// level of it reaches out over the one beneath by more than half a bead.
-TEST(Supports, AColumnStandsOnASteepSlope) {
+// level of it exceeds the one below by more than half a bead.
+TEST(Supports, ColumnStartsOnASteepSlope) {
   const TriangleMesh crane =
       prism({{0, 0}, {28, 0}, {10, 25}, {10, 36}, {30, 36}, {30, 40}, {0, 40}}, 10.0);
   const SliceResult sliced = slicePieces({pieceOf(crane)}, supported(29), {});
@@ -168,9 +168,9 @@ TEST(Supports, AColumnStandsOnASteepSlope) {
   EXPECT_NEAR(geometry::bounds(supports.back()->surface).max().x(), 30.0, 0.02);
 }
 
-// Slopes of 20 to 80 degrees under an arm: whatever a column comes down on, it stands there, goes
-// on round it, or both.
-TEST(Supports, ColumnsStandOnRandomSlopes) {
+// Slopes of 20 to 80 degrees under an arm: a column that meets one starts on it, continues round
+// it, or both.
+TEST(Supports, ColumnsStartOnRandomSlopes) {
   for (unsigned seed = 0; seed < test::ofSeeds(15u, 60u); ++seed) {
     std::mt19937 random(seed);
     const auto number = [&](double from, double to) {
@@ -210,7 +210,7 @@ TriangleMesh together(const std::vector<TriangleMesh>& parts) {
 
 // Under a wide roof with a narrow tongue the column gets narrower downwards, but under the tongue
 // it stays as wide as that.
-TEST(Supports, WhatIsNarrowStaysWhatIsWideGetsNarrower) {
+TEST(Supports, NarrowColumnsKeepTheirWidthWideOnesTaper) {
   const TriangleMesh roof =
       together({test::box({0, 0, 0}, {10, 10, 20}), test::box({9, 0, 16}, {21, 10, 20}),
                 test::box({20, 4, 16}, {35, 5.5, 20})});
@@ -232,9 +232,8 @@ TEST(Supports, WhatIsNarrowStaysWhatIsWideGetsNarrower) {
   EXPECT_GE(trunk.at(0).sizes().y(), 4.7);
 }
 
-// A fin that hangs on to the post, too narrow for a bead: what is over it needs a column as what is
-// beside it does.
-TEST(Supports, AFinThatIsNotLaidCarriesNothing) {
+// A fin on the post, too narrow for a bead: layers over it need a column like those beside it.
+TEST(Supports, UnprintedFinCarriesNothing) {
   const TriangleMesh roof =
       together({test::box({0, 0, 0}, {10, 10, 20}), test::box({9, 0, 0}, {30, 0.4, 17}),
                 test::box({9, 0, 16}, {30, 10, 20})});
@@ -248,8 +247,8 @@ TEST(Supports, AFinThatIsNotLaidCarriesNothing) {
   EXPECT_NEAR(above.min().y(), 0.0, 0.02);
 }
 
-TEST(Supports, TheyKeepOutOfWhatIsPrintedLater) {
-  // What is later fills the place under the arm: nothing can be carried there.
+TEST(Supports, ColumnsKeepOutOfPiecesPrintedLater) {
+  // The later piece fills the place under the arm: nothing can be carried there.
   Piece later = pieceOf(test::box({10, 0, 0}, {20, 10, 16}));
   later.base = {-Vector3d::UnitX(), -20.0};
   later.baseTag = 0;

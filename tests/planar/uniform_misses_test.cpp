@@ -1,4 +1,4 @@
-// What uniform layers miss of voxels.
+// Voxels that uniform layers miss.
 #include "planar/slicing/uniform_misses.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace voluta::planar {
 namespace {
 
-TEST(UniformMisses, ARoofIsMissedButForItsFirstSteps) {
+TEST(UniformMisses, RoofIsMissedExceptForItsFirstSteps) {
   // Boge 6.3, on a T: a leg 4 wide and 8 high, a bar 20 wide and 3 high.
   voxel::SolidVoxels t;
   t.grid.size = {22, 3, 13};

@@ -52,7 +52,7 @@ TEST(RodShape, MeshIsClosedAndAsLargeAsTheRod) {
   }
 }
 
-TEST(RodShape, BadProfilesAreTold) {
+TEST(RodShape, BadProfilesAreRefusedWithAReason) {
   const std::pair<RodShape, const char*> bad[] = {
       {{{{0, 1}}, 0}, "at least two points"},
       {{{{0, 1}, {5, 0}}, 0}, "the radius at point 2 is not positive"},
@@ -111,7 +111,7 @@ TEST(Subtract, APartThatIsNotClosedIsNotCut) {
   EXPECT_FALSE(geometry::subtract(open, test::box({-2, -2, -2}, {2, 2, 20})));
 }
 
-TEST(LatheParts, HaveTheVolumesOfWhatTheyStandFor) {
+TEST(LatheParts, HaveTheVolumesOfTheirSolids) {
   using geometry::volume;
   for (const auto& section : {test::tubeSection(), test::shoulderSection(), test::taperedSection()})
     EXPECT_NEAR(volume(test::revolved(section, 256)) / test::revolvedVolume(section), 1.0, 2e-4);

@@ -221,7 +221,7 @@ TEST_F(OwnMaterials, cannotReplaceThoseOfTheProgramOrLeaveTheirFolder) {
   EXPECT_THROW(chosenMaterial("plaa"), base::Error);
 }
 
-TEST_F(Materials, refusesWhatCannotBe) {
+TEST_F(Materials, refusesInvalidValues) {
   const auto text = [](const char* nozzle, const char* fan, const char* colour) {
     return std::string(R"({"id": "a", "label": "A", "densityGPerCm3": 1, "nozzleC": )") + nozzle +
            R"(, "bedC": 0, "bridgeWidths": 5, "pricePerKg": 0, "fan": )" + fan +

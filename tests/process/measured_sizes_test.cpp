@@ -100,8 +100,8 @@ TEST(MeasuredSizes, OneSizeIsCorrectedToo) {
 }
 
 // One short length is corrected as an excess: as a factor it would be 1.25 %. Its scale is named as
-// unknown; a long and a short length tell it.
-TEST(MeasuredSizes, OneShortLengthTellsNoScale) {
+// unknown; a long and a short length determine it.
+TEST(MeasuredSizes, OneShortLengthDoesNotDetermineTheScale) {
   const MeasuredSize shortOne{SizeKind::Length, 'x', 20.0, 19.75};
   const SizeFit fit = fitSizes({&shortOne, 1}, Process());
   EXPECT_NEAR(fit.process.scaleX, 1.0, 0.0003);

@@ -1,4 +1,4 @@
-// What every file in resources/processes has to keep, and the published figures of the fine one.
+// Invariants of every file in resources/processes, and the published figures of the fine one.
 #include "process/process.h"
 
 #include "base/error.h"
@@ -47,7 +47,7 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
     EXPECT_GT(p.material.densityGPerCm3, 0.0);
-    // The thickest bead at the usual speed is within what the extruder gives.
+    // The thickest bead at the usual speed is within the extruder's flow.
     EXPECT_GE(p.maxFlowMm3PerS, p.speedMmPerS * beadArea(p.beadWidthMaxMm, p.layerHeightMaxMm));
     // Contact is less than a usual layer deep, or a head in the layer below would be none.
     EXPECT_GT(p.contactToleranceMm, 0.0);
@@ -141,7 +141,7 @@ void expectRefused(const std::string& from, const std::string& to, const std::st
   }
 }
 
-TEST_F(Processes, whatMakesNoSenseIsRefusedWithFileAndKey) {
+TEST_F(Processes, invalidValuesAreRefusedWithFileAndKey) {
   expectRefused("\"speedMmPerS\": 20.0", "\"speedMmPerS\": -20.0", "speedMmPerS");
   expectRefused("\"speedMmPerS\": 20.0", "\"speedMmPerS\": \"fast\"", "speedMmPerS");
   expectRefused("\"primeS\": 0.2", "\"primeS\": -0.2", "primeS");

@@ -29,7 +29,7 @@ TEST(Blend, cornerKeepsItsTolerance) {
 }
 
 TEST(Blend, countsOnThePartNotInBase) {
-  // The TCP moves ten times what the nozzle does on the part: ten times the radius is allowed.
+  // The TCP moves ten times as far as the nozzle on the part: ten times the radius is allowed.
   const BlendSegment a{10.0, {1, 0, 0}}, b{10.0, {0, 1, 0}};
   EXPECT_NEAR(blendRadiusMm(a, b, 0.02), 0.2 / std::tan(pi / 8), 1e-12);
 }

@@ -1,4 +1,4 @@
-// No damage to a text goes unseen, and none brings a reader down.
+// Every damage to a text is detected, and none crashes a reader.
 #include "program_fixture.h"
 
 #include "helpers/all_seeds.h"
@@ -34,7 +34,7 @@ protected:
     std::erase_if(all, [](const Dialect& d) { return GetParam() && !d.supportsExternalAxes; });
     return all;
   }
-  // Does the replay find fault with what the program states beside its motions?
+  // Does the replay find fault with the statements of the program beside its motions?
   bool misstates(const plan::ReadProgram& program) const {
     const replay::Alignment none{.pointOf = std::vector(program.motions.size(), replay::kUnmatched),
                                  .leadsTo = {},
@@ -55,8 +55,8 @@ protected:
     return false;
   }
 
-  // Lines that mean nothing to what is printed: remarks but the mark at the end, and those that the
-  // dialect names.
+  // Lines without effect on the print: remarks but the mark at the end, and those that the dialect
+  // names.
   static bool idle(const Dialect& dialect, const std::vector<std::string>& lines, std::size_t i) {
     const std::string& line = lines[i];
     const std::size_t first = line.find_first_not_of(' ');
@@ -83,8 +83,8 @@ TEST_P(Damage, noLineIsMissedUnnoticed) {
   }
 }
 
-// In each motion's line the numbers that say where it goes are found by a change too small to be
-// refused; then a digit of each is changed.
+// In each motion's line the numbers of its target are found by a change too small to be refused;
+// then a digit of each is changed.
 TEST_P(Damage, noDigitChangesUnnoticed) {
   constexpr double kHardly = 1e-6;
   constexpr std::size_t kEach = 3;
@@ -168,7 +168,7 @@ TEST_P(Damage, noGarbageBringsAReaderDown) {
         if (bad.empty())
           bad.push_back('x');
       }
-      // Every reader on every text: none may throw, and what it gives is finite.
+      // Every reader on every text: none may throw, and its results are finite.
       for (const Dialect& reader : dialects()) {
         const auto read = readProgram(reader.id, {{"bad", bad}}, process::Tooling(process_));
         for (const plan::ProgramMotion& m : read.motions) {

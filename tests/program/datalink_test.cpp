@@ -1,5 +1,5 @@
-// Lines by data link: what stands beside them, and that the program that takes them does with each
-// line what the reader says.
+// Lines by data link: the files beside them, and a test that the taking program acts on each line
+// as the reader reads it.
 #include "program_fixture.h"
 
 #include "base/error.h"
@@ -44,7 +44,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-// What a motion of the controller was asked for.
+// The target and settings of a motion of the controller.
 struct Asked {
   bool joints = false, held = false, byJoints = false; // target; EMvs; Mov
   std::array<double, 6> target = {};                   // mm, degrees
@@ -53,8 +53,8 @@ struct Asked {
   double flow = 0.0;
 };
 
-// As much of MELFA-BASIC V as the taking program has, run on lines. Not the reader: it knows
-// nothing of what the lines are for.
+// As much of MELFA-BASIC V as the taking program has, run on lines. Unlike the reader it does not
+// know the purpose of the lines.
 class Controller {
 public:
   Controller(const std::string& program, std::vector<std::string> lines)
@@ -177,7 +177,7 @@ private:
       if (!motions.empty())
         motions.back().blend = 0.0;
     } else if (code.starts_with("M_Out(10)=")) {
-      // An output that changes runs ahead of an arm that goes on.
+      // An output changes ahead of the place of an arm in motion.
       const bool now = number(code.substr(10)) > 0.0;
       confused =
           confused || (now != on && blend_ > 0.0 && !motions.empty() && motions.back().blend > 0.0);
@@ -237,7 +237,7 @@ std::vector<std::string> sent(const std::string& text) {
   return lines;
 }
 
-TEST_F(Datalink, TheTakingProgramMovesAsTheReaderSays) {
+TEST_F(Datalink, TakingProgramMovesAsTheReaderReads) {
   for (const bool own : {false, true}) {
     const plan::Program p = program(own);
     const plan::ReadProgram back = read(p);
@@ -248,7 +248,7 @@ TEST_F(Datalink, TheTakingProgramMovesAsTheReaderSays) {
     EXPECT_TRUE(controller.ended && controller.asksOperator);
     EXPECT_FALSE(controller.confused || controller.on);
     EXPECT_EQ(controller.answers, lines.size());
-    // The start is gone to once more than there are lines.
+    // The start is a target once more than there are lines.
     ASSERT_EQ(controller.motions.size(), back.motions.size() + 1);
     for (std::size_t k = 0; k < 6; ++k)
       EXPECT_NEAR(controller.motions[0].target[k], controller.motions[1].target[k], 1e-9);
@@ -296,7 +296,7 @@ TEST_F(Datalink, TheTakingProgramMovesAsTheReaderSays) {
   }
 }
 
-TEST_F(Datalink, NamesWhatStandsBeside) {
+TEST_F(Datalink, NamesTheFilesBesideIt) {
   const plan::Program p = program(true);
   ASSERT_EQ(p.files.size(), 3u);
   EXPECT_EQ(continuationFiles(findDialect("melfa-datalink"), p.files[0].text),
@@ -339,7 +339,8 @@ TEST_F(Datalink, RefusesAnotherTakingProgram) {
   }
 }
 
-// Where the nozzle is says only what a speed is of; the program that takes the lines says it too.
+// The mode of the nozzle only defines the meaning of speeds; the program that takes the lines
+// states it too.
 TEST_F(Datalink, RefusesLinesOfAnotherNozzleOrStart) {
   const plan::Program whole = program(true);
   for (const auto& [from, to] :
@@ -393,8 +394,8 @@ TEST(LinkRows, AreNineNumbers) {
     EXPECT_FALSE(parseLinkRow(bad, melfaLinkForm(), row)) << bad;
 }
 
-// A pause amid blends, and an output that changes there, would run ahead of the arm.
-TEST(LinkRows, SwitchOnlyWhereTheArmStands) {
+// A pause between blends, and an output that changes there, would run ahead of the arm.
+TEST(LinkRows, SwitchOnlyWhereTheArmRests) {
   const auto defectsOf = [](const std::string& lines) {
     process::Process process;
     return readProgram("melfa-datalink",

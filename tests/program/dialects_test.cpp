@@ -1,4 +1,4 @@
-// What every row of the registry has to keep: what is written is what is read back.
+// Invariants of every row of the registry: programs are read back as written.
 #include "read_programs.h"
 
 #include "base/error.h"
@@ -22,8 +22,8 @@ namespace {
 
 class Dialects : public test::ReadPrograms {};
 
-// A dialect that can only go straight says joint motions in pieces, which lead to their points.
-TEST_F(Dialects, sayJointMotionsInPiecesWhereTheyCannotSayThem) {
+// A dialect with straight motions only writes joint motions in pieces, which lead to their points.
+TEST_F(Dialects, writeJointMotionsInPiecesWithoutWordsForThem) {
   append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, 0, 0);
   append(plan::MoveKind::Joint, {1.1, -1.5, 1.5, -1.4, -1.0, 0.9}, 2, 0);
   append(plan::MoveKind::Linear, {1.1001, -1.5, 1.5, -1.4, -1.0, 0.9}, 0.1, 0);
@@ -69,7 +69,7 @@ TEST_F(Dialects, sayJointMotionsInPiecesWhereTheyCannotSayThem) {
   }
 }
 
-// Files of several dialects lie in one folder; two makers may end theirs alike.
+// Files of several dialects are in one folder; two makers may use the same file extension.
 TEST_F(Dialects, haveNamesOfTheirOwn) {
   std::set<std::string_view> ids;
   std::set<std::string> files;
@@ -188,7 +188,7 @@ TEST_F(Dialects, namesKeepClearOfTheirLanguage) {
       const plan::Program program = writeProgram(d.id, in);
       const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
       EXPECT_TRUE(back.complete && back.defects.empty());
-      // What is defined stands behind the first word, below a header if there is one.
+      // Definitions come after the first word, below a header if there is one.
       const std::string& text = program.files[0].text;
       const std::size_t top = text.starts_with("&") ? text.find("DEF ") : 0;
       const std::size_t at = text.find(' ', top) + 1;
@@ -210,7 +210,7 @@ TEST_F(Dialects, namesKeepClearOfTheirLanguage) {
   EXPECT_EQ(rapidName("rod"), "rod");
 }
 
-// What comes from a file stays in its remark: a line feed in it would make code of the rest.
+// Text from a file stays in its remark: a line feed in it would make code of the rest.
 TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
   for (const Dialect& d : dialects()) {
     SCOPED_TRACE(d.id);
@@ -247,7 +247,7 @@ TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
   }
 }
 
-TEST_F(Dialects, headsSayWhatIsToBeRun) {
+TEST_F(Dialects, headsDescribeThePrint) {
   append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.3}, 0, 0);
   append(plan::MoveKind::Joint, {0.2, -1.9, 1.5, -1.2, -1.4, 0.3}, 1, 0);
   append(plan::MoveKind::Print, {0.201, -1.9, 1.5, -1.2, -1.4, 0.3}, 0.1, 1.0);
@@ -328,7 +328,7 @@ TEST_F(Dialects, optionsAreOfTheirRowsAndReachNoOther) {
   }
 }
 
-TEST(LongLines, areToldOnceAFileWhereTheyBegin) {
+TEST(LongLines, giveOneDefectAFileAtTheFirst) {
   const std::vector<plan::ProgramFile> files = {
       {"a", "short\n0123456789a\n0123456789ab\n"},
       {"b", "! \"01234567\"\nT \"01234\", \"0123456\"\nT \"012345678"},
@@ -348,8 +348,8 @@ TEST(LongLines, areToldOnceAFileWhereTheyBegin) {
   EXPECT_NE(english(defects[0].reason).find("7 characters"), std::string::npos);
 }
 
-// Every program for a controller stops and asks before its first motion, which is slow.
-TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
+// Every program for a controller stops for a confirmation before its first motion, which is slow.
+TEST_F(Dialects, operatorConfirmsBeforeTheFirstMotion) {
   for (const auto& [id, word] : {std::pair{"urscript", "popup("},
                                  {"rapid", "UIMsgBox "},
                                  {"gcode-extended", "M0\n"},
@@ -366,7 +366,7 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process::Tooling(process_));
-    // Of a stream the program that takes it asks.
+    // For a stream the program that takes it stops.
     const auto taking = std::ranges::find_if(program.files, [](const auto& f) {
       return !f.name.ends_with(".joints") && !f.name.ends_with(".rows") &&
              !f.name.ends_with(".mxt") && !f.name.ends_with(".lines") && !f.name.ends_with(".eki");
@@ -398,7 +398,7 @@ TEST_F(Dialects, sameInputSameBytes) {
   }
 }
 
-TEST_F(Dialects, areToldApartByTheirText) {
+TEST_F(Dialects, areDetectedByTheirText) {
   for (const Dialect& d : dialects()) {
     randomFor(d, 4, 100);
     const plan::Program program = writeProgram(d.id, input());
@@ -466,8 +466,8 @@ TEST_F(Dialects, aForeignProgramDecidesOnlyAmongForeignOnes) {
   EXPECT_TRUE(decidesOnPlan("gcode-extended", {"gcode-extended"}, *cell_));
 }
 
-// Files that are no programs: one line says why.
-TEST_F(Dialects, whatIsNoTextIsToldInOneLine) {
+// Files that are no programs: an error of one line.
+TEST_F(Dialects, fileWithoutAProgramGivesAnErrorOfOneLine) {
   for (const Dialect& d : dialects()) {
     randomFor(d, 5, 60);
     const plan::Program program = writeProgram(d.id, input());

@@ -1,5 +1,5 @@
-// Lines by EthernetKRL: what stands beside them, and that the program that takes them does with
-// each line what the reader says.
+// Lines by EthernetKRL: the files beside them, and a test that the taking program acts on each line
+// as the reader reads it.
 #include "program_fixture.h"
 
 #include "program/dialect.h"
@@ -43,7 +43,7 @@ protected:
   }
 };
 
-// What a motion of the controller was asked for.
+// The target and settings of a motion of the controller.
 struct Asked {
   bool joints = false, byJoints = false; // target; PTP
   std::array<double, 6> target = {};     // mm, degrees
@@ -52,11 +52,11 @@ struct Asked {
   double flow = 0.0;
 };
 
-// As much of KRL and EKI as the taking program has, run on records. Not the reader: it knows
-// nothing of what the lines are for.
+// As much of KRL and EKI as the taking program has, run on records. Unlike the reader it does not
+// know the purpose of the lines.
 class Controller {
 public:
-  // What the channel has an element for, in the order of the lines' columns.
+  // The elements of the channel, in the order of the lines' columns.
   Controller(const std::string& program, const std::string& channel, const std::string& lines) {
     for (std::string line : linesOf(program)) {
       line = line.substr(0, line.find(';'));
@@ -117,7 +117,7 @@ public:
   std::vector<Asked> motions;
   std::vector<std::pair<double, double>> waits; // seconds, flow
   std::size_t records = 0;
-  double told = 0.0; // how many lines it says it has taken
+  double told = 0.0; // the number of lines it acknowledged
   bool ended = false, on = false, asksOperator = false, confused = false, held = false;
   std::map<std::string, std::string> frames;
 
@@ -236,7 +236,7 @@ private:
       told = answer_;
     }
   }
-  // What is assigned lets the advance run stop: amid a corner that is to be rounded the arm halts.
+  // An assignment stops the advance run: in a corner that is to be rounded the arm halts.
   void output(bool now, double flow) {
     confused = confused || (!motions.empty() && motions.back().blend > 0.0);
     for (std::size_t i = 0; i < triggers_.size(); ++i)
@@ -289,7 +289,7 @@ private:
   double percent_ = 0.0, flow_ = 0.0, answer_ = 0.0;
 };
 
-TEST_F(Eki, TheTakingProgramMovesAsTheReaderSays) {
+TEST_F(Eki, TakingProgramMovesAsTheReaderReads) {
   for (const bool own : {false, true}) {
     const plan::Program p = program(own);
     ASSERT_EQ(p.files.size(), 5u);
@@ -302,7 +302,7 @@ TEST_F(Eki, TheTakingProgramMovesAsTheReaderSays) {
     EXPECT_EQ(controller.told, static_cast<double>(controller.records));
     EXPECT_EQ(controller.held, back.base_T_nozzle.has_value());
     EXPECT_EQ(controller.held, !own);
-    // The start is gone to once more than there are lines.
+    // The start is a target once more than there are lines.
     ASSERT_EQ(controller.motions.size(), back.motions.size() + 1);
     for (std::size_t k = 0; k < 6; ++k)
       EXPECT_NEAR(controller.motions[0].target[k], controller.motions[1].target[k], 1e-9);
@@ -353,7 +353,7 @@ TEST_F(Eki, TheTakingProgramMovesAsTheReaderSays) {
   }
 }
 
-// Motion by motion what the krl dialect's own program says.
+// The same as the krl dialect's own program, motion by motion.
 TEST_F(Eki, MovesAsTheKrlProgramDoes) {
   for (const bool own : {false, true}) {
     const plan::ReadProgram lines = read(program(own));
@@ -380,7 +380,7 @@ TEST_F(Eki, MovesAsTheKrlProgramDoes) {
   }
 }
 
-TEST_F(Eki, NamesWhatStandsBeside) {
+TEST_F(Eki, NamesTheFilesBesideIt) {
   const plan::Program p = program(true);
   std::vector<std::string> names;
   for (std::size_t f = 1; f < p.files.size(); ++f)
@@ -394,7 +394,7 @@ TEST_F(Eki, NamesWhatStandsBeside) {
   EXPECT_LE(names[0].size(), 28u) << "KRL's names hold 24 characters";
 }
 
-// What is read into has a value before, and the channel an element for each.
+// Variables that are read into have a value before, and the channel an element for each.
 TEST_F(Eki, EachVariableIsDeclared) {
   const plan::Program p = program(true);
   for (const std::string& line : linesOf(p.files[1].text)) {
@@ -473,7 +473,7 @@ TEST_F(Eki, TakesTheAddressThatAUserSets) {
   EXPECT_FALSE(read(p).defects.empty());
 }
 
-// Reading one came to no end: what is put in for a '%' was looked at for more of them.
+// Reading one did not end: text inserted for a '%' was searched for more of them.
 TEST_F(Eki, ANameThatIsNoneIsADefect) {
   for (const std::string name : {"%", "%X", "A%B", "\"", ""}) {
     plan::Program p = program(true);
@@ -493,7 +493,7 @@ TEST_F(Eki, RefusesAnotherSender) {
   EXPECT_EQ(back.defects[0].file, 4u);
 }
 
-// Where the TCP turns on the spot the turn gives the time; what is no such line.
+// Where the TCP turns on the spot the turn determines the time; lines that are not valid.
 TEST(EkiRows, AreTenNumbers) {
   const LinkForm& form = krlLinkForm();
   LinkRow row;
@@ -522,7 +522,7 @@ TEST(EkiRows, AreTenNumbers) {
   EXPECT_TRUE(read.complete);
   EXPECT_NEAR(read.motions[1].durationS, 2.0, 1e-9);
   EXPECT_EQ(read.motions[2].speedMmPerS, 20.0);
-  // In a base that stands a quarter turned at x 100.
+  // In a base that is rotated by 90 degrees at x 100.
   EXPECT_TRUE(read.motions[2].frame_T_tcp.translation().isApprox(Eigen::Vector3d(100, 10, 300)));
 }
 

@@ -1,4 +1,4 @@
-// Events of a trajectory in programs: every dialect says them, or refuses.
+// Events of a trajectory in programs: every dialect writes them, or refuses.
 #include "base/error.h"
 #include "plan/stated_facts.h"
 #include "program/dialect.h"
@@ -30,7 +30,7 @@ protected:
   }
 };
 
-TEST_F(Events, everyDialectSaysEachOrRefuses) {
+TEST_F(Events, everyDialectWritesEachOrRefuses) {
   std::size_t said = 0;
   for (const Dialect& dialect : dialects()) {
     SCOPED_TRACE(dialect.id);
@@ -80,7 +80,7 @@ TEST_F(Events, aPauseIsReadBackBeforeItsMotion) {
   }
 }
 
-// At a bead's first print motion and amid the bead: the extruder has to be off meanwhile.
+// At a bead's first print motion and within the bead: the extruder has to be off meanwhile.
 TEST_F(Events, aPauseBesideABeadStopsTheExtruder) {
   std::size_t first = 1;
   while (trajectory_.move[first] != plan::MoveKind::Print)
@@ -106,7 +106,7 @@ TEST_F(Events, aPauseBesideABeadStopsTheExtruder) {
   }
 }
 
-// Amid a bead, as tape is cut before the end of its path.
+// Within a bead, as tape is cut before the end of its path.
 TEST_F(Events, aCutIsReadBackBeforeItsMotion) {
   std::size_t first = 1, said = 0;
   while (trajectory_.move[first] != plan::MoveKind::Print)

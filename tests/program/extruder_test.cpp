@@ -1,4 +1,4 @@
-// What every row of the extruders has to keep, over all dialects that have words for it.
+// Invariants of every row of the extruders, over all dialects that have words for it.
 #include "read_programs.h"
 
 #include "base/error.h"
@@ -21,7 +21,7 @@ namespace {
 
 // Castelli 2020, 2.1.4: 3 mm filament, 1674.18 steps/mm, a strand of 0.1514 mm2; half the period is
 // 1e6 / (2 * 1674.18 * 0.1514 * 10 / (pi/4 * 9)) = 1394.4 us.
-TEST(CastelliSerial, saysABeadAsTheTableHasIt) {
+TEST(CastelliSerial, writesFlowsOfTheTable) {
   EXPECT_EQ(castelliFlowText(0.1514 * 10.0), "G1394n");
   EXPECT_EQ(castelliFlowText(-0.1514 * 10.0), "G-1394n");
   EXPECT_EQ(castelliFlowText(0.0), "G0n");
@@ -45,7 +45,7 @@ TEST(CastelliSerial, readsItsTextsAndNoOthers) {
     EXPECT_EQ(read(bad), "none") << bad;
 }
 
-TEST(FilamentCount, letsOutWhatWasNotDrawnBack) {
+TEST(FilamentCount, feedsOnlyFilamentThatWasNotRetracted) {
   FilamentCount count;
   EXPECT_EQ(count.to(5.0), 5.0);
   EXPECT_EQ(count.to(3.0), 0.0);
@@ -67,7 +67,7 @@ protected:
   }
 };
 
-TEST_F(Extruders, haveIdsOfTheirOwnAndDialectsKnowThem) {
+TEST_F(Extruders, haveUniqueIdsThatDialectsReferTo) {
   std::set<std::string_view> ids;
   for (const Extruder& row : extruders())
     EXPECT_TRUE(ids.insert(row.id).second && !row.label.empty()) << row.id;
@@ -79,7 +79,7 @@ TEST_F(Extruders, haveIdsOfTheirOwnAndDialectsKnowThem) {
   EXPECT_THROW(findExtruder("castelli"), base::Error);
 }
 
-// Every pair of a dialect and a row: what is written is read back, at every motion and pause.
+// Every pair of a dialect and a row: programs are read back as written, at every motion and pause.
 TEST_F(Extruders, giveEachMotionItsMaterial) {
   for (const Dialect& d : dialects())
     for (const std::string_view id : d.extruders) {
@@ -139,7 +139,7 @@ TEST_F(Extruders, drawBackAndReturnTheSame) {
           out += pause.volumeMm3;
         }
       EXPECT_LT(out, 1e-3);
-      const bool amounts = // rows of streams, and lines, say a flow
+      const bool amounts = // rows of streams, and lines, state a flow
           d.extruders.empty() &&
           std::ranges::any_of(back.motions, [](const auto& m) { return m.volumeMm3 >= 0.0; });
       const bool draws = amounts ? d.id != "csv" : id != kOutputsExtruder;
@@ -170,7 +170,7 @@ TEST_F(Extruders, areUsedFromSeveralFiles) {
   EXPECT_GE(inSeveral, 3);
 }
 
-TEST_F(Extruders, thatAChoiceOrTheCellAsksForAreTaken) {
+TEST_F(Extruders, areTakenFromTheChoicesOrTheCell) {
   randomFor(findDialect("urscript"), 1, 100);
   const auto textFor = [&](std::string_view id) {
     return writeProgram("urscript", inputFor(id)).files.front().text;
@@ -188,7 +188,7 @@ TEST_F(Extruders, thatAChoiceOrTheCellAsksForAreTaken) {
   cell_.emplace(robot::Cell::read(folder / "bench.json", process_,
                                   {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
   EXPECT_EQ(textFor("cell"), textFor("castelli-serial"));
-  // A dialect that tells amounts has its own; one without words for it refuses in one line.
+  // A dialect that states amounts has its own; one without words for it refuses in one line.
   EXPECT_NO_THROW(writeProgram("gcode-extended", input()));
   try {
     writeProgram("krl", input());
@@ -218,7 +218,7 @@ TEST_F(Extruders, areOfferedWhereTheDialectHasWordsForThem) {
   }
 }
 
-TEST_F(Extruders, streamSaysTimesAndFilamentFromTheOutputOn) {
+TEST_F(Extruders, streamHasTimesAndFilamentFromTheOutputOn) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Linear, {0.001, 0, 0, 0, 0, 0}, 0.1, 0);
   append(plan::MoveKind::Print, {0.002, 0, 0, 0, 0, 0}, 0.05, 0.5);
@@ -264,7 +264,7 @@ protected:
 };
 using Texts = std::vector<std::string>;
 
-TEST_F(AxisExtruder, standsInEachMotionAsMillimetresOfFilament) {
+TEST_F(AxisExtruder, isInEachMotionAsMillimetresOfFilament) {
   process_.retractMm = 1.5;
   // Start, prime, way, two of the bead, back, lift, way, forth, bead, lift.
   const Texts expected = {"0",       "1.36808", "1.36808", "1.57596", "1.78383", "0.28383",
@@ -339,7 +339,7 @@ TEST_F(AxisExtruder, isSetToNothingAnewWhereItsRangeEnds) {
     for (std::size_t i = 1; i < back.motions.size(); ++i)
       EXPECT_NEAR(std::max(0.0, back.motions[i].volumeMm3), motionVolumeMm3(trajectory_, i), 1e-4)
           << i;
-    for (const std::size_t i : count.zeros) // the arm stands there
+    for (const std::size_t i : count.zeros) // the arm rests there
       EXPECT_TRUE(i == 0 || back.motions[i - 1].blendMm == 0.0) << i;
   }
   ProgramInput in = inputFor(kAxisExtruder);
@@ -355,7 +355,7 @@ TEST_F(AxisExtruder, isSetToNothingAnewWhereItsRangeEnds) {
   }
 }
 
-// What makes no sense of the axis is named at its line.
+// Invalid motions of the axis are named at their line.
 TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
   struct Case {
     const char *dialect, *what, *by, *reason;

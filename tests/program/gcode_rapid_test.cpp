@@ -1,5 +1,5 @@
-// A RAPID module that reads extended G-code on the controller: run here on what it would read, by
-// as much of RAPID as it has, and held against what the reader of that G-code says.
+// A RAPID module that reads extended G-code on the controller: run here on its input, by as much of
+// RAPID as it has, and compared with the reader of that G-code.
 #include "program_fixture.h"
 
 #include "base/error.h"
@@ -43,7 +43,7 @@ protected:
   }
 };
 
-TEST_F(GcodeRapid, StandsBesideWhereItIsAskedFor) {
+TEST_F(GcodeRapid, ModuleIsWrittenOnlyIfTheOptionIsSet) {
   const plan::Program p = program();
   ASSERT_EQ(p.files.size(), 2u);
   EXPECT_EQ(p.files[1].name, "part_1_gcode.mod");
@@ -79,7 +79,7 @@ TEST_F(GcodeRapid, IsRapid) {
 }
 
 // Motion for motion the same places, directions, speeds and material.
-TEST_F(GcodeRapid, MovesAsTheGcodeSays) {
+TEST_F(GcodeRapid, MovesLikeTheGcode) {
   for (const bool abb : {false, true}) {
     const plan::Program p = program(abb);
     const plan::ReadProgram back = read(p);
@@ -128,7 +128,7 @@ TEST_F(GcodeRapid, MovesAsTheGcodeSays) {
 }
 
 // The start turn is the plan's; each motion's is the shortest from there.
-TEST_F(GcodeRapid, TurnsFromWhereTheToolStandsAtTheStart) {
+TEST_F(GcodeRapid, TurnsFromTheToolsStartOrientation) {
   const plan::Program p = program();
   test::RapidInterpreter controller(p.files[1].text, p.files[0].text);
   controller.run();
@@ -142,7 +142,7 @@ TEST_F(GcodeRapid, TurnsFromWhereTheToolStandsAtTheStart) {
   }
 }
 
-TEST_F(GcodeRapid, StopsAtWhatItDoesNotKnow) {
+TEST_F(GcodeRapid, StopsAtUnknownWords) {
   const plan::Program p = program();
   for (const char* line : {"G2 X1 Y2 I3", "M600", "G1 X1 Q3", "G1 Xabc", "G91"}) {
     std::string gcode = p.files[0].text;

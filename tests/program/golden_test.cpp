@@ -286,7 +286,7 @@ END
 )");
 }
 
-// Positions as URScript's: the plate's in Base. The upright axis stands for U and W alike.
+// Positions as URScript's: the plate's in Base. The upright axis is used for U and W alike.
 TEST_F(Golden, spel) {
   EXPECT_EQ(from(text("spel"), "  Motor On"), R"(  Motor On
   Power Low
@@ -402,7 +402,7 @@ TEST_F(Golden, melfa) {
 )");
 }
 
-// The same motions as the melfa program's, a line each, and what takes them.
+// The same motions as the melfa program's, a line each, and the program that takes them.
 TEST_F(Golden, melfaDatalink) {
   const plan::Program program = writeProgram("melfa-datalink", input());
   EXPECT_EQ(program.files[0].text, R"(# lines for a data link, MELFA-BASIC V

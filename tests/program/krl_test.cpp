@@ -56,7 +56,7 @@ TEST(KrlReader, takesTheConventions) {
   EXPECT_EQ(program.motions[0].target, plan::TargetKind::Joints);
   EXPECT_NEAR(program.motions[0].joints[1], -0.5 * base::kPi, 1e-12);
   const Eigen::Isometry3d& pose = program.motions[1].frame_T_tcp;
-  // In a base that stands a quarter turned at x 100.
+  // In a base that is rotated by 90 degrees at x 100.
   EXPECT_TRUE(pose.translation().isApprox(Eigen::Vector3d(100, 10, 5), 1e-9));
   const Eigen::Quaterniond turn(.9515485, .0381346, .1893079, .2392983);
   EXPECT_LT(
@@ -132,7 +132,7 @@ TEST(KrlReader, anOutputBetweenMotionsHaltsTheArm) {
   EXPECT_EQ(never.motions[1].blendMm, 0.0);
 }
 
-TEST(KrlReader, namesWhatItCannotTake) {
+TEST(KrlReader, namesStatementsThatItCannotRead) {
   const std::string move = "PTP {X 0,Y 0,Z 0,A 0,B 0,C 0}\n";
   const struct {
     const char* line;
@@ -246,7 +246,7 @@ TEST_F(Krl, longProgramsAreCalledFileByFile) {
   EXPECT_FALSE(readProgram("krl", fewer, process::Tooling(process_)).defects.empty());
 }
 
-// A motion that turns on the spot goes by its turn, and the limit is high again behind it.
+// A motion that turns on the spot is timed by its turn, and the limit is high again after it.
 TEST_F(Krl, turnsOnTheSpotAreTimed) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Print, {0.01, 0, 0, 0, 0, 0}, 0.3, 1.0);

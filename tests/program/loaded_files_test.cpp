@@ -1,5 +1,5 @@
-// What a controller is given to load: files for its kind, of a size that it takes, and as people
-// and editors leave them.
+// Files that a controller loads: files for its kind, of a size that it takes, and as people and
+// editors leave them.
 #include "program_fixture.h"
 
 #include "program/common/motion_targets.h"
@@ -14,7 +14,7 @@ namespace {
 
 class LoadedFiles : public test::Programs {
 protected:
-  // The nozzle goes up and down along its own axis between beads, by `lifts` in turn.
+  // The nozzle moves up and down along its own axis between beads, by `lifts` in turn.
   void appendBeads(const std::vector<double>& lifts, int points) {
     robot::JointVector q(6);
     q << 0.1, -1.9, 1.7, -1.2, -1.4, 0.3;
@@ -92,7 +92,7 @@ TEST_F(LoadedFiles, GcodeNeedsNoBlanks) {
 }
 
 // Both makers' files end in .prg.
-TEST_F(LoadedFiles, EpsonAndMitsubishiAreToldApartByTheirWords) {
+TEST_F(LoadedFiles, EpsonAndMitsubishiAreDetectedByTheirWords) {
   for (const char* text :
        {"#include \"points.inc\"\r\n\r\nFunction main\r\n  Motor On\r\n  Go P1\r\nFend\r\n",
         "' moves\r\n#define SPEED 20\r\n#ifdef TEST\r\n#endif\r\nGlobal Integer count\r\nReal x, "
@@ -103,7 +103,7 @@ TEST_F(LoadedFiles, EpsonAndMitsubishiAreToldApartByTheirWords) {
     EXPECT_EQ(detectDialect("part.prg", text)->id, "melfa") << text;
 }
 
-// The robot's file says which controller it has; the user may say otherwise.
+// The robot's file names its controller; the user may choose another.
 TEST_F(LoadedFiles, AnOmniCoreGetsItsOwnModulesAndSignals) {
   platform::PlatformSolid plate;
   plate.polygon = {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}};
@@ -151,8 +151,8 @@ TEST_F(LoadedFiles, ALongUrscriptProgramIsSplit) {
   }
 }
 
-// While the next file is loaded the nozzle stands clear of the part, as high as a travel has it.
-TEST_F(LoadedFiles, FilesAreCutWhereTheNozzleStandsHigh) {
+// While the next file is loaded the nozzle is clear of the part, as high as in a travel.
+TEST_F(LoadedFiles, FilesAreCutWhereTheNozzleIsHigh) {
   appendBeads({2, 2, 12, 2, 2, 2, 12, 2, 2, 2, 2, 12, 2}, 20);
   const std::vector<std::size_t> cuts = cutsOf(input(), 120);
   ASSERT_EQ(cuts.size(), 5u);
@@ -166,7 +166,7 @@ TEST_F(LoadedFiles, FilesAreCutWhereTheNozzleStandsHigh) {
       --bead;
     EXPECT_GE((tip(cuts[k] - 1) - tip(bead)).norm(), kClearMm);
   }
-  // Where all lift alike the file is as long as it may be.
+  // Where all lifts are equal the file is as long as it may be.
   trajectory_ = {};
   plan_ = {};
   appendBeads(std::vector<double>(13, 2.0), 20);
@@ -189,7 +189,7 @@ TEST_F(LoadedFiles, CKeepsWithinItsRangeByDefault) {
     for (std::string line; std::getline(lines, line);)
       if (const std::size_t at = line.find(" C"); line.starts_with("G") && at != std::string::npos)
         most = std::max(most, std::abs(std::stod(line.substr(at + 2))));
-    // A bead of this plan turns by up to a turn and a half, and no travel is amid it.
+    // A bead of this plan turns by up to a turn and a half, and no travel is within it.
     EXPECT_LE(most, 360.0 * 3.0) << unwind;
     EXPECT_EQ(text.find("G92 C") != std::string::npos, *unwind == 'c') << unwind;
   }

@@ -1,5 +1,5 @@
-// What makers' texts say of the form of programs, in the tests' own words: no code of core/program
-// has a part in it. Each gives the line (1-based) that is wrong, 0 where none is.
+// The form of programs by makers' texts, in the tests' own words: no code of core/program has a
+// part in it. Each returns the line (1-based) that is wrong, 0 where none is.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Programs as makers' texts have them, told by grammars that know nothing of our readers.
+// Programs in the form of makers' texts, checked by grammars that are independent of our readers.
 #include "program_fixture.h"
 
 #include "program/dialect.h"

@@ -1,4 +1,4 @@
-// MELFA-BASIC V: what others write, what is cut, and what its positions say.
+// MELFA-BASIC V: programs of others, cuts, and the meaning of its positions.
 #include "program_defects.h"
 #include "program_fixture.h"
 
@@ -71,7 +71,7 @@ TEST_F(Melfa, ofOthersIsTakenAsFarAsItIsMotionOutputOrFlow) {
   EXPECT_EQ(m[3].blendMm, 0.0); // Cnt 0 behind it
 }
 
-TEST_F(Melfa, namesWhatItCannotTake) {
+TEST_F(Melfa, namesStatementsThatItCannotRead) {
   const struct {
     const char* line;
     const char* part;
@@ -118,7 +118,7 @@ TEST_F(Melfa, namesWhatItCannotTake) {
   EXPECT_TRUE(read("1 M_Out(10)=0\n2 M_Outw(16)=0\n3 End").complete) << "no last line end";
 }
 
-// Each program holds no more steps than a controller takes, and says all its own settings.
+// Each program holds no more steps than a controller takes, and has all settings of its own.
 TEST_F(Melfa, isCutIntoProgramsThatAreCalledInTurn) {
   appendRandom(9, 1000);
   ProgramInput cut = input();
@@ -178,7 +178,7 @@ TEST_F(Melfa, heldBlendsAreNeverTooLarge) {
 }
 
 // The cell's own arm: joints in degrees, structure and turns of its positions.
-TEST_F(Melfa, ofItsOwnArmGoesByJoints) {
+TEST_F(Melfa, ofItsOwnArmMovesByJoints) {
   useRod(); // an arm with a spherical wrist
   const double d = base::kPi / 180.0;
   append(plan::MoveKind::Joint, {0, 0, 20 * d, 0, 60 * d, 0, 0}, 0, 0);

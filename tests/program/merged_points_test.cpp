@@ -11,7 +11,7 @@ namespace {
 using MergedPointsOf = test::Programs;
 
 // A bead along a circle in steps of 0.1 mm: joined to motions that the controller can plan in time,
-// as near as said; a bend and another section stay.
+// within the stated tolerance; a bend and another section stay.
 TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
   useRod();
   const double d = base::kPi / 180.0;
@@ -52,8 +52,8 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
   EXPECT_EQ(pointsFor("urscript", input()).trajectory->joints, trajectory_.joints);
 }
 
-// What is still too short takes as long as the controller needs: the same way, the same material,
-// and what comes after comes later.
+// Motions still too short take as long as the controller needs: the same way and material, and
+// later ones are delayed.
 TEST_F(MergedPointsOf, motionsThatStayTooShortAreSlowed) {
   const double d = base::kPi / 180.0;
   append(plan::MoveKind::Joint, {0, -90 * d, 90 * d, 0, 90 * d, 0}, 0.0, 0.0);
@@ -100,7 +100,7 @@ TEST_F(MergedPointsOf, piecesOfAJointMotionAreOne) {
 }
 
 // Ramps up and down at 2 rad/s2 with a stretch at 0.5 rad/s take a quarter of a second more than
-// the way at that speed; what no speed does gets the greatest that the ramps allow.
+// the way at that speed; a time that no speed meets gets the greatest that the ramps allow.
 TEST(RampedSpeed, takesTheTime) {
   EXPECT_NEAR(rampedSpeed(1.0, 1.0 / 0.5 + 0.5 / 2.0, 2.0), 0.5, 1e-12);
   EXPECT_NEAR(rampedSpeed(1.0, 2.0 * std::sqrt(0.5), 2.0), std::sqrt(2.0), 1e-6);

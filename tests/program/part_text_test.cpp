@@ -126,7 +126,7 @@ TEST_F(PartText, ASecondMainOfRapidIsRefusedAtItsLine) {
   EXPECT_TRUE(read("rapid", local).defects.empty());
 }
 
-// What stands behind End is not run, but for the values of variables.
+// Lines after End are not run, but set the values of variables.
 TEST_F(PartText, SettingsBehindTheEndOfMelfaCountForNothing) {
   const plan::Program program = programFor("melfa");
   auto files = program.files;

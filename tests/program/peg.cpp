@@ -204,7 +204,7 @@ struct Peg::Walk {
       return count >= node.least;
     }
     case Kind::Not: {
-      // What may not stand there is no place that was got to.
+      // A failed negative look-ahead does not count as a place reached.
       const std::size_t kept = furthest;
       const bool matched = one(node.parts[0]);
       furthest = kept;

@@ -1,7 +1,7 @@
-// Grammars as texts, for checks of programs that share nothing with the readers: parsing expression
+// Grammars as texts, for checks of programs that are independent of the readers: parsing expression
 // grammars (Ford 2004). A rule is `Name <- expression`, the first one is the start; 'literal',
 // [class], ., sequence, / choice, * + ? {m,n}, ! & and ( ). In classes and literals \r \n \t \\ \'
-// and \] stand for what they say.
+// and \] have their usual meaning.
 #pragma once
 
 #include <bitset>

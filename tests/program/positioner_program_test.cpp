@@ -1,4 +1,4 @@
-// A plate that two axes tilt and turn, in every language that can say where they are.
+// A plate that two axes tilt and turn, in every language that can state their positions.
 #include "program_defects.h"
 #include "program_fixture.h"
 #include "read_programs.h"
@@ -40,7 +40,7 @@ TEST_F(Positioner, isReadBackWhereItWas) {
   }
 }
 
-// The plate's own frame is the unit's: z is the last axis, nothing lies between.
+// The plate's own frame is the unit's: z is the last axis, with no frame in between.
 TEST_F(Positioner, isOneMechanicalUnitInRapid) {
   usePositioner();
   appendRandomOnPositioner(3, 60);
@@ -81,7 +81,7 @@ TEST_F(Positioner, isTheTableOfGcodeWithBAndC) {
     expectTarget(back, i);
 }
 
-TEST_F(Positioner, isNotSaidWhereNoAxisCanBe) {
+TEST_F(Positioner, isRefusedByDialectsWithoutExternalAxes) {
   usePositioner();
   appendRandomOnPositioner(3, 60);
   for (const Dialect& d : dialects())

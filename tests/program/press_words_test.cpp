@@ -69,8 +69,8 @@ TEST_F(PressWords, OtherBracesAreLeftAlone) {
   EXPECT_THROW(fillPressWords(glue, cellOf("ur5-moving", glue)), base::Error);
 }
 
-// A force is an option: formats without it lay beads by position. Other statements are a demand.
-TEST_F(PressWords, FormatsWithoutThemLayBeadsWithoutForce) {
+// A force is an option: formats without it print beads by position. Other statements are a demand.
+TEST_F(PressWords, FormatsWithoutThemPrintBeadsWithoutForce) {
   process::Process glue = process::loadProcess("glue-3");
   const process::Tooling pressed(glue);
   EXPECT_NO_THROW(requireBeadWords("urscript", pressed));

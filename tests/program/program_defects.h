@@ -1,4 +1,4 @@
-// What a reader found wrong with a program.
+// The defects that a reader found in a program.
 #pragma once
 
 #include "plan/program.h"

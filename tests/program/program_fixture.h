@@ -31,7 +31,7 @@ inline constexpr const char* kCellJson = R"({
   "obstacles": [], "homeDeg": [0, 0, 0, 0, 0, 0], "neverMeet": [], "externalAxes": []
 })";
 
-// An IRB 1200 whose nozzle moves over a rod that lies across in front of it.
+// An IRB 1200 whose nozzle moves over a rod that is across in front of it.
 inline constexpr const char* kRodCellJson = R"({
   "id": "bench", "label": "bench", "robot": "irb1200",
   "nozzle": {"mount": "flange", "pose": {"xyzMm": [0, 0, 200]}},
@@ -54,7 +54,7 @@ protected:
                                     {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}));
   }
 
-  // An arm whose joints the dialect can tell; the bench's own where it can.
+  // An arm whose joints the dialect can state; the bench's own where it can.
   void useArmFor(const program::Dialect& dialect) {
     std::string json = kCellJson;
     if (dialect.needsJoints && dialect.controller == "melfa")
@@ -114,7 +114,7 @@ protected:
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
 
-  // The same with the nozzle along the plate's normal wherever it does not go by joints.
+  // The same with the nozzle along the plate's normal where it does not move by joints.
   void appendRandomUpright(unsigned seed, std::size_t points) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -160,7 +160,7 @@ protected:
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
 
-  // A trajectory that this dialect can say, in place of the one that there is.
+  // A trajectory that this dialect can write, in place of the current one.
   void randomFor(const program::Dialect& dialect, unsigned seed, std::size_t points) {
     trajectory_ = {};
     plan_ = {};
@@ -169,7 +169,7 @@ protected:
       appendRandom(seed, points);
       return;
     }
-    // The nozzle nearer, so that the arm brings a level plate beneath it.
+    // The nozzle nearer, so that the arm reaches a level plate below it.
     std::string near = kCellJson;
     near.replace(near.find("-800, -250, 0"), 13, "-500, -200, 200");
     const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Programs as people write them, and what the readers must not swallow.
+// Programs as people write them, and statements that readers must not ignore.
 #include "base/units.h"
 #include "process/process.h"
 #include "program/dialect.h"
@@ -70,7 +70,7 @@ TEST(UrscriptReader, takesHandWrittenVariations) {
   EXPECT_DOUBLE_EQ(m[4].blendMm, 4.0);
 }
 
-TEST(UrscriptReader, namesWhatItCannotTake) {
+TEST(UrscriptReader, namesStatementsThatItCannotRead) {
   const char* move = "movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n";
   const struct {
     const char* line;
@@ -108,7 +108,7 @@ TEST(UrscriptReader, namesWhatItCannotTake) {
 TEST(UrscriptReader, missesEndCallAndTcp) {
   const std::string whole = script("movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n");
   EXPECT_TRUE(read("urscript", whole).complete);
-  // Sent to a port it runs by itself; the call is missed where the text says that there is one.
+  // Sent to a port it runs by itself; the call is missed where the text states that there is one.
   const std::string uncalled = whole.substr(0, whole.find("f()\n", 10));
   EXPECT_TRUE(read("urscript", uncalled).complete);
   expectDefect(read("urscript", "# called in the last line\n" + uncalled), 9, "never called");
@@ -277,7 +277,7 @@ TEST(GcodeReader, endsWhenTheToolsThatExtrudedAreCold) {
   EXPECT_FALSE(isComplete(""));
 }
 
-TEST(GcodeReader, namesWhatItCannotTake) {
+TEST(GcodeReader, namesWordsThatItCannotRead) {
   const struct {
     const char* line;
     const char* part;
@@ -321,7 +321,7 @@ TEST(GcodeReader, namesWhatItCannotTake) {
   expectDefect(read("gcode-extended", "G0 X1 Y2 Z3\nM104 S0\nM84\n; end\n"), 1, "before any speed");
 }
 
-TEST(JointTableReader, namesWhatItCannotTake) {
+TEST(JointTableReader, namesRowsThatItCannotRead) {
   const std::string head = "time_s,j1_deg,j2_deg,extruded_mm3,waypoint,move\n";
   const auto good = read("csv", head + "0,0,90,0,-1,joint\n1, 1 ,91,0.5,0,print\n# end\n");
   EXPECT_TRUE(good.complete && good.defects.empty());

@@ -27,7 +27,7 @@ TEST(Text, numbersHaveNoExponentAndNoMinusZero) {
   EXPECT_EQ(fixed(100.0, 0, true), "100");
 }
 
-TEST(Text, numbersComeBack) {
+TEST(Text, numbersAreParsedBack) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1e4, 1e4);
   for (int n = 0; n < 10000; ++n) {

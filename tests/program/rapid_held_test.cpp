@@ -1,4 +1,4 @@
-// RAPID of cells whose nozzle stands and whose plate the arm holds.
+// RAPID of cells with a fixed nozzle and a plate on the arm.
 #include "program_defects.h"
 #include "program_fixture.h"
 
@@ -9,8 +9,8 @@ namespace {
 
 using RapidHeld = test::Programs;
 
-// A nozzle that stands, on an object that the flange holds: what the program sets other than the
-// cell has it moves the nozzle on the part by as much.
+// A fixed nozzle, on an object that the flange holds: a difference between the frames of program
+// and cell moves the nozzle on the part by as much.
 TEST_F(RapidHeld, aFixedNozzleIsAStationaryTool) {
   appendRandom(4, 60);
   const plan::Program program = writeProgram("rapid", input());

@@ -1,5 +1,5 @@
-// As much of RAPID as a module that reads G-code has, run on a text that stands for its file: what
-// the arm and the outputs are asked for. Shares nothing with core/program.
+// As much of RAPID as a module that reads G-code has, run on a text in place of its file: records
+// the commands to the arm and the outputs. Independent of core/program.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ struct RapidMotion {
 class RapidInterpreter {
 public:
   RapidInterpreter(const std::string& module, const std::string& file);
-  // Throws std::runtime_error for what it does not know.
+  // Throws std::runtime_error for unknown statements.
   void run();
 
   std::vector<RapidMotion> motions;

@@ -1,4 +1,4 @@
-// RAPID whose flow goes by the TCP's real speed (TriggSpeed).
+// RAPID whose flow follows the TCP's real speed (TriggSpeed).
 #include "program_fixture.h"
 
 #include "program/dialect.h"
@@ -36,8 +36,8 @@ void expectSound(const plan::ReadProgram& program) {
     ADD_FAILURE() << d.file << ":" << d.line << ": " << voluta::base::english(d.reason);
 }
 
-// By the speed an amount goes with the way: scale, way and full flow, however long it takes.
-TEST_F(RapidSpeed, readsAFlowThatGoesByTheSpeed) {
+// By the speed an amount follows from the way: scale, way and full flow, whatever the time.
+TEST_F(RapidSpeed, readsAFlowThatFollowsTheSpeed) {
   const auto pose = [](const std::string& x) {
     return "[[" + x + ",2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
   };
@@ -75,11 +75,11 @@ TEST_F(RapidSpeed, readsAFlowThatGoesByTheSpeed) {
                                  {"0.005", "9e9"},
                                  {"VAR triggdata t2;", "VAR triggdata t3;"}})
     EXPECT_FALSE(bad(from, to).defects.empty()) << to;
-  // More than the output can say.
+  // More than the output can represent.
   EXPECT_FALSE(bad("0.005", "0.06").defects.empty());
 }
 
-TEST_F(RapidSpeed, flowBySpeedLaysWhatThePlanLays) {
+TEST_F(RapidSpeed, flowBySpeedDepositsThePlannedVolume) {
   appendRandom(8, 1500);
   ProgramInput in = input();
   in.options.own["rapidFlow"] = std::string("speed");

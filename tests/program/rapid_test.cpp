@@ -1,4 +1,4 @@
-// RAPID: its bytes, its modules, what people write and what the reader must not swallow.
+// RAPID: its bytes, its modules, programs by people and statements that the reader must not ignore.
 #include "program_defects.h"
 #include "program_fixture.h"
 
@@ -116,7 +116,7 @@ TEST(RapidReader, placesTargetsInTheirWorkObject) {
   EXPECT_EQ(program.motions[0].frame_T_tcp.translation(), Eigen::Vector3d(401, 2, 13));
 }
 
-TEST(RapidReader, namesWhatItCannotTake) {
+TEST(RapidReader, namesStatementsThatItCannotRead) {
   const std::string pose = "[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
   const struct {
     std::string line;
@@ -164,7 +164,7 @@ TEST(RapidReader, namesWhatItCannotTake) {
   }
 }
 
-TEST(RapidReader, namesWhatAModuleLacks) {
+TEST(RapidReader, namesPartsMissingInAModule) {
   const std::string whole = module(kMove);
   expectSound(read(whole));
   const auto without = [&](const std::string& piece) {
@@ -184,7 +184,7 @@ TEST(RapidReader, namesWhatAModuleLacks) {
   EXPECT_FALSE(read(std::vector<plan::ProgramFile>{}).complete);
 }
 
-TEST(RapidReader, wantsCrLfEverywhere) {
+TEST(RapidReader, requiresCrLfEverywhere) {
   std::string text = module(kMove);
   const std::size_t third = text.find("PROC") - 2;
   text.erase(third, 1);
@@ -195,7 +195,7 @@ TEST(RapidReader, wantsCrLfEverywhere) {
   expectSound(read(module(kMove).substr(0, module(kMove).size() - 2)));
 }
 
-TEST(RapidReader, turnsNoFasterThanItsSpeedSays) {
+TEST(RapidReader, turnsWithinItsSpeedLimit) {
   const std::string turned =
       "MoveL [[1,2,4],[0,0,0,1],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[1,10,5000,1000],fine,"
       "t1\\WObj:=w1;\n";
@@ -247,7 +247,7 @@ TEST_F(Rapid, everyLineOfEveryFileEndsWithCrLf) {
   }
 }
 
-TEST_F(Rapid, targetsOfAMovingNozzleStandInThePlatesWorkObject) {
+TEST_F(Rapid, targetsOfAMovingNozzleAreInThePlatesWorkObject) {
   useMovingNozzle();
   appendRandom(8, 1500);
   const plan::Program program = writeProgram("rapid", input());
@@ -287,7 +287,7 @@ TEST_F(Rapid, itsOwnRobotGetsJointsTimesAndConfigurations) {
   EXPECT_EQ(back.motions[2].target, plan::TargetKind::FlangePose);
 }
 
-TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
+TEST_F(Rapid, isCutIntoModulesThatAreReadBackInOrder) {
   appendRandom(9, 12100);
   const plan::Program program = writeProgram("rapid", input());
   ASSERT_EQ(program.files.size(), 6u); // main, three parts, the signals, the list
@@ -401,7 +401,7 @@ TEST(RapidReader, readsTheFlowOfATriggL) {
 }
 
 // confdata's eight branches: wrist's centre before or behind axis 1 and the lower arm, axis 5.
-TEST_F(Rapid, targetsSayWhichBranchTheArmIsIn) {
+TEST_F(Rapid, targetsStateTheBranchOfTheArm) {
   useMovingNozzle("irb1200");
   const double d = base::kPi / 180.0;
   const struct {
@@ -420,7 +420,7 @@ TEST_F(Rapid, targetsSayWhichBranchTheArmIsIn) {
   }
 }
 
-TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
+TEST_F(Rapid, modulesComeWithTheSignalsThatTheyUse) {
   appendRandom(9, 12100);
   ProgramInput in = input();
   in.options = {.motionsPerFile = 3000, .own = {{"rapidModules", std::string("modx")}}};
@@ -436,7 +436,7 @@ TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
   const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   expectTargets(back);
-  // Modules are cut behind the lift: what stands while the next one loads is clear of the part.
+  // Modules are cut after the lift: while the next one loads the nozzle is clear of the part.
   for (std::size_t m = 1; m < back.motions.size(); ++m)
     EXPECT_TRUE(back.motions[m].file == back.motions[m - 1].file ||
                 trajectory_.move[m - 1] != plan::MoveKind::Print);
@@ -483,8 +483,8 @@ TEST(RapidReader, placesTargetsInTheWorkFrameThatTheRodTurns) {
   EXPECT_EQ(m.target, plan::TargetKind::UnitPose);
   ASSERT_EQ(m.externals.size(), 1u);
   EXPECT_NEAR(m.externals[0], -base::degreesToRadians(720.1125), 1e-12);
-  // The object lies 10 mm along the unit's axis, its z, which is the work frame's x; its axes are
-  // the work frame's. The user frame of the text says nothing.
+  // The object is 10 mm along the unit's axis, its z, which is the work frame's x; its axes are the
+  // work frame's. The user frame of the text has no effect.
   EXPECT_LE((m.frame_T_tcp.translation() - Eigen::Vector3d(2, 3, 11)).norm(), 1e-12);
   EXPECT_TRUE(
       (m.frame_T_tcp.linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitZ()));
@@ -492,7 +492,7 @@ TEST(RapidReader, placesTargetsInTheWorkFrameThatTheRodTurns) {
       (m.frame_T_tcp.linear() * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitY()));
 }
 
-TEST(RapidReader, namesWhatOfARodItCannotTake) {
+TEST(RapidReader, namesStatementsOfARodThatItCannotRead) {
   const struct {
     std::string text;
     std::size_t line;
@@ -518,7 +518,7 @@ TEST(RapidReader, namesWhatOfARodItCannotTake) {
   }
 }
 
-TEST(RapidReader, turnsTheRodNoFasterThanItsSpeedSays) {
+TEST(RapidReader, turnsTheRodWithinItsSpeedLimit) {
   const std::string turned =
       "MoveL [[1,2,4],[1,0,0,0],[0,0,0,0],[-360.1125,9E9,9E9,9E9,9E9,9E9]],[1,500,5000,90],fine,"
       "t1\\WObj:=w1;\n";
@@ -553,7 +553,7 @@ TEST_F(Rapid, onARodPositionsAreThePartsAndTheRodIsAnExternalAxis) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 
-TEST_F(Rapid, aRodsProgramComesBack) {
+TEST_F(Rapid, aRodsProgramIsReadBack) {
   useRod();
   appendRandomOnRod(31, 12100);
   const plan::Program program = writeProgram("rapid", input());

@@ -20,7 +20,7 @@ protected:
     return cell_->robot().kinematics->flange(jointsAt(i)) * cell_->flange_T_moved();
   }
 
-  // Texts do not tell mm from degrees.
+  // Texts do not distinguish mm from degrees.
   robot::JointVector withExternals(robot::JointVector q, const plan::ProgramMotion& m) const {
     for (std::size_t k = 0; k < m.externals.size(); ++k) {
       const bool slides = cell_->externalAxes()[k].limits.kind == robot::JointKind::Sliding;
@@ -66,7 +66,7 @@ protected:
     }
   }
 
-  // The time that a controller takes for motion i, from what the text says.
+  // The time that a controller takes for motion i, by the text.
   double seconds(const plan::ReadProgram& program, std::size_t i) const {
     const plan::ProgramMotion& m = program.motions[i];
     if (m.durationS > 0.0)
@@ -83,7 +83,7 @@ protected:
     return (m.frame_T_tcp.translation() - from.translation()).norm() / m.speedMmPerS;
   }
 
-  // What lies on the way of a joint motion, or of one on a table, becomes one with its end.
+  // Points on the way of a joint motion, or of one on a table, are merged with its end.
   void dropPieces(plan::ReadProgram& program) const {
     std::vector<plan::ProgramMotion> whole;
     double seconds = 0.0, volume = 0.0;

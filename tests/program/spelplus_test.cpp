@@ -84,7 +84,7 @@ TEST(SpelplusReader, takesNamesPointsAndFunctions) {
   EXPECT_EQ(filesOfSpelplus(main), std::vector<std::string>{"layer.prg"});
 }
 
-TEST(SpelplusReader, namesWhatItCannotTake) {
+TEST(SpelplusReader, namesStatementsThatItCannotRead) {
   const std::string move = "Go XY(300,0,100,0,0,180)\n";
   const struct {
     const char* line;
@@ -132,7 +132,7 @@ TEST_F(Spelplus, aFixedNozzleIsAnExternalControlPoint) {
                       "XY(-800,-250,0,0,0,180)\r\n  ECP 1\r\n  AutoLJM On\r\n"),
             std::string::npos)
       << text.substr(0, 2000);
-  // Slow until the operator has said so and the arm stands at its start.
+  // Slow until the operator has confirmed and the arm is at its start.
   const std::size_t low = text.find("Power Low"), asked = text.find("Pause"),
                     first = text.find("  Go "), high = text.find("Power High");
   EXPECT_TRUE(low < asked && asked < first && first < high && high != std::string::npos);

@@ -66,9 +66,9 @@ float jointIn(std::string_view packet, std::size_t k) {
   return std::bit_cast<float>(bits);
 }
 
-// At each cycle the joints are where the rows have them then, whatever the rows' times: no cycle is
-// lost where one row ends and the next begins.
-TEST(MxtPackets, GoAsTheRowsAtEachCycle) {
+// At each cycle the joints are where the rows have them then, for any times of the rows: no cycle
+// is lost where one row ends and the next begins.
+TEST(MxtPackets, FollowTheRowsAtEachCycle) {
   for (const double cycle : {0.00711, 0.0035}) {
     std::vector<JointRow> rows(1);
     rows[0].kind = RowKind::Start;
@@ -100,7 +100,7 @@ TEST(MxtPackets, GoAsTheRowsAtEachCycle) {
   }
 }
 
-TEST_F(Streams, AreReadWithWhatStandsBeside) {
+TEST_F(Streams, AreReadWithTheFilesBesideThem) {
   for (const char* id : {"urscript-stream", "melfa-stream"}) {
     const plan::Program p = program(id);
     ASSERT_GE(p.files.size(), 3u);
@@ -138,8 +138,8 @@ TEST_F(Streams, GoStraightOverLongTravels) {
     }
 }
 
-// What is beside the rows is the same for every job: a line that is missing, doubled or other is
-// told at its place.
+// The files beside the rows are the same for every job: a line that is missing, doubled or
+// different is found at its place.
 TEST_F(Streams, RefuseOtherTextsBeside) {
   for (const char* id : {"urscript-stream", "melfa-stream"}) {
     const plan::Program whole = program(id);
@@ -242,7 +242,7 @@ TEST_F(Streams, AreOfTheirMakersArmsOnly) {
   EXPECT_NO_THROW(writeProgram("urscript-stream", input()));
 }
 
-// The rows may be far more than the time that the operator takes; what is fixed holds together.
+// The rows may be far more than fits the operator's time; the fixed texts are consistent.
 TEST(StreamTexts, SenderAndReceiverSpeakOfTheSamePort) {
   for (const std::string_view text : {urscriptReceiver(), urscriptSender()}) {
     EXPECT_NE(text.find("50012"), std::string_view::npos);

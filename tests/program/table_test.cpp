@@ -1,4 +1,4 @@
-// A table that tilts and turns beneath an upright nozzle: angles, ways, and programs for it.
+// A table that tilts and turns below an upright nozzle: angles, ways, and programs for it.
 #include "program_fixture.h"
 
 #include "base/error.h"
@@ -36,7 +36,7 @@ Vector3d leaning(double tiltDeg, double aroundDeg) {
 
 // The vector of docs/programs.md (G-code with B and C): B = -9.0950, C = -126.5073; and the point
 // by its formulas.
-TEST(Table, StandsAsTheThesisHasIt) {
+TEST(Table, PoseEqualsTheExampleOfTheThesis) {
   const TableAngles a = anglesOf({Vector3d(-0.094, 0.127, 0.987)}).front();
   EXPECT_NEAR(degrees(a.tilt), -9.0950, 5e-5);
   EXPECT_NEAR(degrees(a.turn), -126.5073, 5e-5);
@@ -57,7 +57,7 @@ TEST(Table, BringsTheNozzleBackToItsPoint) {
         EXPECT_LT((back.position - p).norm(), 1e-10);
         EXPECT_LT((back.direction - n).norm(), 1e-10);
       }
-  // Flat, the machine's axes are the part's wherever the tilt axis is.
+  // Flat, the machine's axes are the part's for any place of the tilt axis.
   EXPECT_LT((tablePose({5.0, 60.0}, {1, 2, 3}, {}).axesMm - Vector3d(1, 2, 3)).norm(), 1e-12);
 }
 
@@ -73,8 +73,8 @@ TEST(Table, DoesNotTurnWhereItCanTiltThrough) {
   EXPECT_NEAR(degrees(angles.back().tilt), -degrees(angles.front().tilt), 1e-9);
 }
 
-// To the other way to stand it goes about the normal only: elsewhere the nozzle would lean back and
-// forth amid a bead, for however much turning that would save.
+// It changes to its other pair of angles only near the normal: elsewhere the nozzle would lean back
+// and forth within a bead, whatever turning that would save.
 TEST(Table, ChangesItsWayOnlyAboutTheNormal) {
   std::vector<Vector3d> path;
   for (double a = 0.0; a <= 175.0; a += 5.0)
@@ -100,7 +100,7 @@ TEST(Table, CountsItsTurnsOn) {
 }
 
 // Flat layers between two leaning ones, their directions off the normal by rounding at random.
-TEST(Table, StandsStillWhereItsTurnIsFree) {
+TEST(Table, RestsWhereItsTurnIsFree) {
   std::vector<Vector3d> path = {leaning(20, 10)};
   for (int i = 0; i < 100; ++i)
     path.push_back(leaning(0.05, 97.0 * i));
@@ -127,7 +127,7 @@ TEST(Table, StandsStillWhereItsTurnIsFree) {
 TEST(Table, SagIsThatOfTheArc) {
   const TablePose from = tablePose({}, {50, 0, 0}, {}),
                   to = tablePose({}, {50, 0, 0}, {0.0, base::kPi / 2.0});
-  // Where the machine goes straight from (50,0) to (0,50) the nozzle nears the part's axis.
+  // Where the machine moves straight from (50,0) to (0,50) the nozzle nears the part's axis.
   EXPECT_NEAR(sagMm({}, from, to), 50.0 * (1.0 - std::cos(base::kPi / 4.0)), 1e-6);
   for (const double most : {1.0, 0.05, 0.01}) {
     const int pieces = tablePieces({}, from, to, most);
@@ -149,7 +149,7 @@ TEST(Table, TheWayOnThePartIsTheMachinesLine) {
   ASSERT_GT(way.size(), 10u);
   for (std::size_t k = 0; k < way.size(); ++k) {
     const double share = static_cast<double>(k + 1) / static_cast<double>(way.size() + 1);
-    // Back on the machine it lies on the line between the two.
+    // Back on the machine it is on the line between the two.
     const TableAngles a{from.angles.tilt + share * (to.angles.tilt - from.angles.tilt),
                         from.angles.turn + share * (to.angles.turn - from.angles.turn)};
     const Vector3d axes = tablePose(frame, way[k].position, a).axesMm;
@@ -160,7 +160,7 @@ TEST(Table, TheWayOnThePartIsTheMachinesLine) {
 
 class TablePrograms : public test::Programs {};
 
-// Whatever the table, the part is the same; and between its points the nozzle stays on its line.
+// The part is the same for every table; and between its points the nozzle stays on its line.
 TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
   appendRandom(6, 400);
   for (const bool reversed : {false, true}) {
@@ -204,8 +204,8 @@ TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
   }
 }
 
-// C's count is set back where nothing is printed, the table stays where it is: read back, motion
-// for motion the same as without, to what C is rounded to.
+// C's count is set back where nothing is printed, the table keeps its pose: read back, each motion
+// is the same as without, to the rounding of C.
 TEST_F(TablePrograms, CountIsSetBackInTravels) {
   append(plan::MoveKind::Joint, {0.1, -1.9, 1.7, -1.2, -1.4, 0.0}, 1.0, 0.0);
   for (int i = 1; i < 900; ++i)
@@ -237,7 +237,7 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
     std::size_t counts = 0;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       if (const std::size_t at = lines[l].find(" C"); lines[l].starts_with("G1 X")) {
-        // A turn, and what a bead of 38 points adds.
+        // A turn, and the turn that a bead of 38 points adds.
         EXPECT_LT(std::abs(std::stod(lines[l].substr(at + 2))), 360.0 + 42.0 * 3.0);
       }
       if (!lines[l].starts_with("G92 C"))
@@ -279,12 +279,12 @@ TEST(TableReader, TimesByTheMode) {
   EXPECT_DOUBLE_EQ(back.motions[2].durationS, 6.0); // 30 degrees at 5 degrees/s
   EXPECT_DOUBLE_EQ(back.motions[3].durationS, 0.5);
   EXPECT_TRUE(back.motions[3].extruding);
-  // The part has turned by 30 degrees beneath the nozzle that stands at 3, 4.
+  // The part has turned by 30 degrees below the nozzle, which remains at 3, 4.
   const double c = std::cos(base::kPi / 6), s = std::sin(base::kPi / 6);
   EXPECT_LT((back.motions[2].position - Vector3d(3 * c + 4 * s, -3 * s + 4 * c, 1)).norm(), 1e-12);
 }
 
-TEST(TableReader, NamesWhatItCannotTake) {
+TEST(TableReader, NamesWordsThatItCannotRead) {
   const std::string head = "G1 Z50 F600\nG1 B0 C0 F600\nG93\nG1 X0 Y0 Z1 F60\n";
   const struct {
     const char *line, *part;
@@ -360,7 +360,7 @@ M84
   EXPECT_NEAR(back.motions[0].volumeMm3, 9 * area, 1e-12);
   EXPECT_FALSE(back.motions[1].extruding || back.motions[2].extruding || back.motions[3].extruding);
   EXPECT_EQ(back.motions[3].position, Vector3d(101.5, 90.25, 0.2));
-  EXPECT_NEAR(back.motions[4].volumeMm3, 0.34 * area, 1e-12); // what was drawn back is not counted
+  EXPECT_NEAR(back.motions[4].volumeMm3, 0.34 * area, 1e-12); // retracted filament is not counted
   EXPECT_DOUBLE_EQ(back.motions[4].speedMmPerS, 20.0);
   EXPECT_NEAR(back.motions[5].volumeMm3, 0.41 * area, 1e-12);
   EXPECT_FALSE(back.motions[6].extruding);
@@ -374,7 +374,7 @@ M84
   }
 }
 
-TEST(Kinds, OfGcodeAreToldByTheirMotions) {
+TEST(Kinds, OfGcodeAreDetectedByTheirMotions) {
   const auto idOf = [](const char* text) { return detectDialect("a.txt", text)->id; };
   EXPECT_EQ(idOf("G21\nG1 X1 Y2 Z3\nG1 X1 nX0 nY0 nZ1\n"), "gcode-extended");
   EXPECT_EQ(idOf("G21\nG1 X1 Y2 Z3 B5\n"), "gcode-bc");
@@ -384,8 +384,9 @@ TEST(Kinds, OfGcodeAreToldByTheirMotions) {
   EXPECT_EQ(detectDialect("a.gcode", "G21\nG1 X1\n")->id, "gcode");
 }
 
-// What leans is refused before anything is written, in one line that names who can say it.
-TEST_F(TablePrograms, PlainGcodeRefusesWhatLeans) {
+// Leaning directions are refused before anything is written, in one line that names suitable
+// formats.
+TEST_F(TablePrograms, PlainGcodeRefusesLeaningDirections) {
   const Dialect& plain = findDialect("gcode");
   const std::vector<Vector3d> upright = {leaning(0.05, 9)}, leans = {leaning(0, 0), leaning(1, 9)};
   EXPECT_NO_THROW(requireUpright(plain, upright));

@@ -1,4 +1,4 @@
-// A table that is wound back amid travels: by how many turns, and what programs say of it.
+// A table that is wound back in travels: by how many turns, and the statements of programs for it.
 #include "program_fixture.h"
 
 #include "base/error.h"
@@ -28,14 +28,14 @@ TEST(Windings, AreAsFewAndAsSmallAsCanBe) {
   using Turns = std::vector<int>;
   EXPECT_EQ(windings({}, kTurn), Turns{});
   EXPECT_EQ(windings(inTurns({{0, 1}, {-2, 2}, {1, 2}}), 2 * kTurn), (Turns{0, 0, 0}));
-  // On and on: where it begins is free, and then it goes as far as one number does.
+  // On and on: its start is free, then it turns as far as one number does.
   EXPECT_EQ(windings(inTurns({{0, 1.5}, {1.5, 2.5}, {2.5, 4}, {4, 5.5}}), 2 * kTurn),
             (Turns{-2, -2, -2, -4}));
   EXPECT_EQ(windings(inTurns({{0, 1}, {1, 3}, {0.5, 3}}), 2 * kTurn), (Turns{-1, -1, -1}));
   // By no more than it must: from -2 to 0, though 1 would do as well.
   EXPECT_EQ(windings(inTurns({{0, 4}, {-1.5, 0.5}}), 2 * kTurn), (Turns{-2, 0}));
   EXPECT_EQ(windings(inTurns({{-5.25, -4.5}}), 2 * kTurn), (Turns{4}));
-  // What is wider than all of the range lies with its middle next to 0.
+  // A range wider than the limits is centred next to 0.
   EXPECT_EQ(windings(inTurns({{10, 16}, {16, 17}}), 2 * kTurn), (Turns{-13, -15}));
 }
 
@@ -152,7 +152,7 @@ TEST_F(Winding, KeepsCWithinAndThePartAsItIs) {
   }
 }
 
-TEST_F(Winding, RefusesWhatCannotBeWoundBack) {
+TEST_F(Winding, RefusesTurnsBeyondTheLimitWithinAPath) {
   std::vector<double> q = {0.1, -1.9, 1.7, -1.2, -1.4, 0.0};
   append(plan::MoveKind::Joint, q, 1.0, 0.0);
   for (int i = 0; i < 200; ++i) {
@@ -169,8 +169,8 @@ TEST_F(Winding, RefusesWhatCannotBeWoundBack) {
   }
 }
 
-// Each line of a winding is needed: without it, or with another number, it is no winding, and what
-// is left of it is a motion that no plan has.
+// Each line of a winding is needed: without it, or with another number, it is no winding, and the
+// remaining lines are a motion that no plan has.
 TEST_F(Winding, IsReadOnlyWhole) {
   appendTurning(2, 15);
   const plan::Program program = writeProgram("gcode-bc", with(2.0, "part"));

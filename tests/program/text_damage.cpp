@@ -66,7 +66,7 @@ bool changeNumber(std::string& line, Others&& others, Fits&& fits) {
   return false;
 }
 
-// Statements stand in frames, whose length and checksum follow them.
+// Statements are in frames, whose length and checksum follow them.
 bool isFramed(std::string_view format) {
   return format == "tmscript";
 }
@@ -148,7 +148,7 @@ std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
              isBeside(whole.motions[motion], changed.motions[motion]);
     });
   };
-  // Where a text says how fast it goes there as well, its reader may tell already.
+  // Where a text also states the speed of the motion, its reader may find the change already.
   return moved(true) || moved(false) ? std::optional(line) : std::nullopt;
 }
 
@@ -174,7 +174,7 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
     if (l + kMaxLinesAbove < line)
       break;
   }
-  // Or a speed that stands further up is said again, without that line's number.
+  // Or a speed from further up is repeated, without that line's number.
   constexpr std::size_t kBack = 40;
   static const std::regex kStep(R"(^\d+\s+)");
   const auto here = text.lines.begin() + static_cast<std::ptrdiff_t>(line - 1);
@@ -201,7 +201,7 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
     return sameTargets(whole, changed, kNone) && changed.motions[travel].extruding;
   };
   const std::size_t before = whole.motions[travel - 1].line, line = whole.motions[travel].line;
-  // What switches the extruder off between them is missing,
+  // The statement that switches the extruder off between them is missing,
   for (std::size_t l = before + 1; l < line; ++l) {
     const std::string off = text.lines[l - 1];
     text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1));
@@ -209,7 +209,7 @@ std::optional<std::size_t> extrudeOverTravel(ProgramText& text, std::size_t moti
       return read(text, process).motions[travel].line;
     text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(l - 1), off);
   }
-  // or the travel's line tells an amount, or that it is on,
+  // or the travel's line has an amount, or that it is on,
   std::string& own = text.lines.at(line - 1);
   if (changeNumber(
           own,

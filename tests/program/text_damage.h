@@ -1,5 +1,6 @@
-// Damage to the text of a program, the same for every dialect: what is changed is found by what the
-// dialect's own reader makes of the change, so that the text stays one that a controller would run.
+// Damage to the text of a program, the same for every dialect: places to change are found by
+// reading the changed text with the dialect's own reader, so that the text stays one that a
+// controller would run.
 #pragma once
 
 #include "plan/program.h"
@@ -26,7 +27,7 @@ ProgramText textOf(const plan::Program& program);
 plan::ReadProgram read(const ProgramText& text, const process::Process& process);
 plan::ReadProgram read(const ProgramText& text, const process::Tooling& tooling);
 
-// Where numbers stand in a line: first character, and the one behind the last.
+// Positions of numbers in a line: first character, and the one behind the last.
 std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line);
 // The line with the number there replaced.
 std::string withNumber(const std::string& line, std::pair<std::size_t, std::size_t> where,
@@ -36,10 +37,10 @@ std::string withNumber(const std::string& line, std::pair<std::size_t, std::size
 bool sameTarget(const plan::ProgramMotion& a, const plan::ProgramMotion& b);
 bool sameMotion(const plan::ProgramMotion& a, const plan::ProgramMotion& b);
 
-// Each changes the text at motion `motion` and gives the line (1-based) that the damage is at;
-// nothing where no such change can be read. The text has no defects before and after, but for an
-// amount that falls again behind the travel, and a point that its own velocity does not lead to.
-// Its target lies about 2 mm beside the one it was.
+// Each changes the text at motion `motion` and returns the line (1-based) of the damage; nothing
+// where no such change can be read. The text has no defects before and after, except for an amount
+// that falls again behind the travel, and a point that its own velocity does not lead to. Its
+// target is about 2 mm beside the former one.
 std::optional<std::size_t> moveTarget(ProgramText& text, std::size_t motion,
                                       const process::Process& process);
 // It takes a tenth of its time.

@@ -1,4 +1,4 @@
-// TMscript: frames, motions by position, velocity and time, and what others write.
+// TMscript: frames, motions by position, velocity and time, and programs of others.
 #include "program_defects.h"
 #include "program_fixture.h"
 
@@ -70,7 +70,7 @@ TEST(TmFrames, gapsInTheirNumbersAreSeen) {
   EXPECT_EQ(gapsOf({"home", "1", "print", "1"}), Lines());
 }
 
-TEST_F(Tmscript, aLostFrameIsToldAtTheNext) {
+TEST_F(Tmscript, aLostFrameIsFoundAtTheNext) {
   appendRandom(3, 200);
   std::string text = writeProgram("tmscript", input()).files[0].text;
   const std::size_t flow = text.find(",IO[\"ControlBox\"].AO[0]=", text.size() / 2);
@@ -84,7 +84,7 @@ TEST_F(Tmscript, aLostFrameIsToldAtTheNext) {
 }
 
 // The suitable velocity passes, with the other sign it does not.
-TEST(PvtVelocities, ofTheOtherSignLeadOffThePath) {
+TEST(PvtVelocities, ofTheOtherSignLeaveThePath) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int n = 0; n < 200; ++n) {
@@ -123,7 +123,7 @@ TEST(PvtVelocities, stayNearTheLine) {
   EXPECT_NEAR(pvtDeviation(in, PvtVector::Zero(), corner).acrossMm, 0.02, 5e-4);
   EXPECT_NEAR(corner[0], corner[1], 1e-12);
   EXPECT_NEAR(corner[0], 0.02 / (4.0 / 27.0 * 0.1), 1e-9);
-  // Back again: it stands.
+  // Back again: it stops.
   EXPECT_NEAR(pvtVelocity(motion(1, 0, 0.1), motion(-1, 0, 0.1), 0.02).norm(), 0.0, 1e-12);
   // Nor does a fast motion behind a sharp corner draw a slow one back.
   EXPECT_EQ(pvtVelocity(motion(0.1, 0, 0.1), motion(-4, 0.1, 0.1), 0.02).norm(), 0.0);
@@ -166,7 +166,7 @@ TEST_F(Tmscript, ofOthersIsTakenAsFarAsItIsMotionOutputOrFlow) {
   EXPECT_TRUE(m[4].frame_T_tcp.translation().isApprox(Eigen::Vector3d(400, 30, 300)));
 }
 
-TEST_F(Tmscript, namesWhatItCannotTake) {
+TEST_F(Tmscript, namesStatementsThatItCannotRead) {
   const struct {
     const char* line;
     const char* part;
@@ -202,8 +202,8 @@ TEST_F(Tmscript, namesWhatItCannotTake) {
   expectDefect(read(tmFrame("1", "QueueTag(1)")), 1, "ScriptExit()");
 }
 
-// What the joints of the cell's own arm do, and where the prime is.
-TEST_F(Tmscript, ofItsOwnArmGoesByJoints) {
+// The joint motion of the cell's own arm, and the place of the prime.
+TEST_F(Tmscript, ofItsOwnArmMovesByJoints) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Joint, {0.5, 0, 0, 0, 0, 1}, 1, 0);
   append(plan::MoveKind::Print, {0.501, 0, 0, 0, 0, 1}, 0.05, 0.1);

@@ -1,4 +1,4 @@
-// An arm that rides on a track, in every language that can say where it is.
+// An arm that rides on a track, in every language that can state its position.
 #include "program_defects.h"
 #include "program_fixture.h"
 #include "read_programs.h"
@@ -43,7 +43,7 @@ protected:
     cell_.emplace(robot::Cell::readText(cell.dump(), std::string(kId) + ".json", process_, plate));
   }
 
-  // Joints that wander while the track goes by hundreds of mm.
+  // Joints that vary while the track moves by hundreds of mm.
   void appendRandomOnTrack(unsigned seed, std::size_t points) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -130,8 +130,8 @@ TEST_F(Track, isReadBackWithATableThatTurnsBesideIt) {
   }
 }
 
-// The plate's frame is told in the world, wherever the arm begins.
-TEST_F(Track, standsInTheWorld) {
+// The plate's frame is stated in the world, for any start of the arm.
+TEST_F(Track, plateFrameIsInTheWorld) {
   useTrack("irb1200");
   appendRandomOnTrack(3, 60);
   const std::string rapid = writeProgram("rapid", input()).files[0].text;
@@ -159,7 +159,7 @@ TEST_F(Track, isAUnitOfItsOwnBesideATable) {
   EXPECT_NE(rapid.find("table is eax_b"), std::string::npos);
 }
 
-TEST_F(Track, isNotSaidWhereNoAxisCanBe) {
+TEST_F(Track, isRefusedByDialectsWithoutExternalAxes) {
   useTrack();
   appendRandomOnTrack(3, 60);
   for (const Dialect& d : dialects())
@@ -168,8 +168,8 @@ TEST_F(Track, isNotSaidWhereNoAxisCanBe) {
     }
 }
 
-// A program that moves an axis without saying what it carries is refused, as before.
-TEST_F(Track, isRefusedWhereTheProgramDoesNotSayThatTheAxisCarriesTheArm) {
+// A program that moves an axis without stating that it carries the arm is refused, as before.
+TEST_F(Track, isRefusedWithoutStatingThatTheAxisCarriesTheArm) {
   useTrack();
   appendRandomOnTrack(3, 60);
   const struct {

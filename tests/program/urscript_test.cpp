@@ -32,8 +32,8 @@ TEST_F(Urscript, isCalledInAFileNodeAndNotOnAPort) {
                    .complete);
 }
 
-// Motions that print take the plan's time whatever law the controller has for turning, and the
-// output is written only where the flow leaves its band.
+// Motions that print take the plan's time for any law of the controller for turning, and the output
+// is written only where the flow leaves its band.
 TEST_F(Urscript, givesTimesAndHoldsTheFlow) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   const double flows[] = {10.0, 10.1, 9.9, 10.15, 9.85, 10.3, 10.4};
@@ -52,7 +52,7 @@ TEST_F(Urscript, givesTimesAndHoldsTheFlow) {
   }
 }
 
-// A plate that turns about its own origin: the TCP stands still while the nozzle prints a ring.
+// A plate that turns about its own origin: the TCP rests while the nozzle prints a ring.
 TEST_F(Urscript, timesAPlateThatTurnsOnTheSpot) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   for (int i = 1; i <= 50; ++i)
@@ -66,7 +66,7 @@ TEST_F(Urscript, timesAPlateThatTurnsOnTheSpot) {
   }
 }
 
-TEST_F(Urscript, slowsWhatAsksForMoreThanTheFullFlow) {
+TEST_F(Urscript, slowsMotionsThatNeedMoreThanTheFullFlow) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Print, {0.001, 0, 0, 0, 0, 0}, 0.01, 0.8); // 80 mm3/s, 40 is full
   const plan::ReadProgram back =
@@ -166,7 +166,7 @@ TEST_F(Urscript, blendsStayNearTheCornerOnThePart) {
     }
   }
   // The tolerance holds to first order; the plate's turn within a blend adds its own on these hard
-  // random motions. Both together stay a tenth of what replay allows.
+  // random motions. Both together stay a tenth of the tolerance of the replay.
   EXPECT_LE(worst, kBlendToleranceMm + 0.003);
   EXPECT_GT(worst, 0.5 * kBlendToleranceMm);
 }

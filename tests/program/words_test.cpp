@@ -1,4 +1,4 @@
-// Every word of each language, put amid a print: it is read for what it does, known to change
+// Every word of each language, inserted into a print: it is read with its effect, known to change
 // nothing, or refused at its line. The lists are the makers': URScript manual, "Module motion",
 // "Module internals", "Module interfaces", "Module ioconfiguration"; ABB, RAPID Instructions,
 // Functions and Data types; the RepRap wiki's list of G-codes; KUKA, instructions of the KSS manual
@@ -26,7 +26,7 @@ plan::ReadProgram read(std::string_view format, const std::string& text) {
   return readProgram(format, {{"file", text}}, process::Tooling(process));
 }
 
-// Of the line put amid the print of the programs below, while the extruder is on.
+// Index of the line inserted into the print of the programs below, while the extruder is on.
 constexpr std::size_t kAmid = 8;
 
 std::string urscript(const std::string& head, const std::string& amid, const std::string& end) {
@@ -127,7 +127,7 @@ bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
          with.motions.size() != without.motions.size();
 }
 
-// `taken`: of the words, those that may stand anywhere.
+// `taken`: the words that may be anywhere.
 void expectAllKnownOrRefused(std::string_view format, const std::vector<std::string>& lines,
                              std::string (*program)(const std::string&, const std::string&,
                                                     const std::string&),
@@ -297,7 +297,7 @@ TEST(Words, OfGcodeAreKnownOrRefused) {
   std::vector<std::string> taken = {"G17",  "G92",  "G21",  "G40",  "G49",  "G80",  "G90",
                                     "M73",  "M82",  "M83",  "M105", "M106", "M107", "M110",
                                     "M111", "M114", "M115", "M117", "M118", "M400", "T0"};
-  // Back to speeds a minute the next motion has none: told at its own line.
+  // Back to speeds a minute the next motion has none: refused at its own line.
   std::vector<std::string> ofTable = lines;
   std::erase(ofTable, "G94 S5");
   taken.emplace_back("G93");
@@ -309,7 +309,7 @@ TEST(Words, OfGcodeAreKnownOrRefused) {
   expectAllKnownOrRefused("gcode", lines, plainGcode, kAmid, taken);
 }
 
-TEST(Words, StandWhereTheyMay) {
+TEST(Words, AreAcceptedOnlyAtTheirPlaces) {
   const struct {
     std::string_view format;
     std::string (*program)(const std::string&, const std::string&, const std::string&);
@@ -443,7 +443,7 @@ TEST(Words, NumbersOfPortsAreWhole) {
   }
 }
 
-TEST(Words, OfATableStandOnceAndMeanSomething) {
+TEST(Words, OfATableAreUniqueAndHaveAMeaning) {
   for (const auto table : {urscriptWords(), rapidWords(), gcodeWords(), slicerWords(), krlWords(),
                            spelplusWords(), melfaWords(), tmscriptWords()})
     for (const KnownWord& row : table) {

@@ -25,7 +25,7 @@ Json oldFact(const char* id, const Json& values) {
       {"fact", id}, {"values", values}, {"program", {{"format", "csv"}, {"file", 0}, {"line", 0}}}};
 }
 
-TEST(OldFindings, CountsThatWereValuesAreFindingsThatStandForMore) {
+TEST(OldFindings, CountsThatWereValuesAreFindingsForSeveral) {
   const plan::Finding collisions = readBack(
       "collision", 7,
       oldFact("moreReplayedCollisions", {{{"name", "collisions"}, {"value", {{"whole", 7}}}}}));

@@ -41,7 +41,7 @@ TEST(PartFormats, EachReaderRefusesAnEmptyFileInOneLine) {
   }
 }
 
-TEST(PartFormats, DialogsOfferWhatCanBeRead) {
+TEST(PartFormats, DialogsOfferReadableFormats) {
   EXPECT_EQ(filePatterns(NamedFiles::Meshes), "*.stl *.obj *.ply *.off *.3mf");
   EXPECT_EQ(filePatterns(NamedFiles::AllMeshes),
             "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.fbx *.3ds");

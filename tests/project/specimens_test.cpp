@@ -47,7 +47,7 @@ TEST(Specimens, AreClosedAndOfTheirVolume) {
 }
 
 // Table 5.1: base 40 mm, ten layers of 0.2 mm, the first 0.25, ten beads of 0.657 mm.
-TEST(Specimens, RibsLieOnTheirBodies) {
+TEST(Specimens, RibsAreOnTheirBodies) {
   const double height = 2.05, width = 6.57, slope = 40.0 - 2.0 * 8.0 / std::sqrt(3.0);
   const double turn = base::kPi - 2.0 * std::asin(1.1 / 20.0);
   const struct {

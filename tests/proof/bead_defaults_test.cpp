@@ -36,7 +36,7 @@ project::Choices choicesOf(const std::string& process) {
   return choices;
 }
 
-TEST(BeadDefaults, LengthsGoWithTheBead) {
+TEST(BeadDefaults, LengthsScaleWithTheBead) {
   const base::ParameterValues usual = parameterValues(choicesOf("fdm-1.0"));
   const base::ParameterValues fine = parameterValues(choicesOf("fdm-0.35"));
   const base::ParameterValues wide = parameterValues(choicesOf(wideProcess(8.0)));

@@ -1,5 +1,5 @@
-// Cells and processes from files of the user's own: the choices keep their text, and what was
-// planned needs the files no more.
+// Cells and processes from files of the user's own: the choices keep their text, and a finished
+// plan does not need the files any more.
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"

@@ -30,7 +30,7 @@ nlohmann::json proofIn(const std::filesystem::path& folder, const std::string& p
   return nlohmann::json::parse(base::readFile(folder / (program + ".proof.json")));
 }
 
-TEST(Proof, StandsBesideEachProgramThatPassed) {
+TEST(Proof, IsWrittenBesideEachProgramThatPassed) {
   PlanResult plan = test::boxPlan();
   ASSERT_TRUE(nothingBlocks(plan.job.report));
   const test::TemporaryFolder folder;
@@ -66,7 +66,7 @@ TEST(Proof, StandsBesideEachProgramThatPassed) {
   EXPECT_TRUE(std::filesystem::exists(folder / "box.printed.stl"));
 }
 
-// G-code says where the nozzle is: nothing is claimed of an arm.
+// G-code states the nozzle's position: nothing is claimed of an arm.
 TEST(Proof, ClaimsNothingOfAnArmThatWasNotChecked) {
   PlanResult plan = test::boxPlan();
   const test::TemporaryFolder folder;
@@ -113,7 +113,7 @@ TEST(Proof, AMarginNamesItsWorstPlace) {
     EXPECT_EQ(joint["atMm"].size(), 3u);
 }
 
-TEST(Proof, ARefusedProgramSaysSoFirst) {
+TEST(Proof, RefusedProgramIsMarkedFirst) {
   PlanResult plan = test::boxPlan();
   CheckedProgram refused = *plan.checked[0];
   refused.passed = refused.verdict.passed = false;
@@ -208,7 +208,7 @@ TEST(Proof, AStretchedArmIsSingular) {
             1e-6); // the UR's zero: arm out, wrist flat
 }
 
-TEST(Proof, TheFillMapSaysWhereNothingIs) {
+TEST(Proof, FillMapShowsEmptyPlaces) {
   const PlanResult& plan = test::boxPlan();
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const double pitch =

@@ -67,7 +67,7 @@ TEST(Sheet, BytesThatAreNoTextDoNotStopIt) {
 }
 
 // Nothing is fetched from elsewhere.
-TEST(Sheet, ThePageStandsAlone) {
+TEST(Sheet, PageIsSelfContained) {
   Sheet sheet = sample();
   sheet.pictures = {{"no PNG, only bytes", "a picture"}};
   const std::string page = html(sheet);
@@ -75,7 +75,7 @@ TEST(Sheet, ThePageStandsAlone) {
   EXPECT_EQ(page.find("http"), std::string::npos);
 }
 
-TEST(Sheet, ManyFilesGoOnOnTheNextPage) {
+TEST(Sheet, ManyFilesContinueOnTheNextPage) {
   const auto pagesOf = [](const Sheet& sheet) {
     const std::string bytes = pdf(sheet);
     EXPECT_EQ(bytes.substr(0, 5), "%PDF-");

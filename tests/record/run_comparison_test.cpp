@@ -104,7 +104,7 @@ TEST(CompareRun, ASlowRunIsSlowEverywhere) {
   EXPECT_LT(c.pathMaxMm, 1e-9);
 }
 
-TEST(CompareRun, ARecordOfAPartIsLaidBesideIt) {
+TEST(CompareRun, RecordOfAPartIsAlignedWithIt) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const PlannedRun planned = randomBeads(seed);
     const double wholeS = planned.timeS.back();

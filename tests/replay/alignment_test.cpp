@@ -58,7 +58,7 @@ TEST(Alignment, FindsAMovedWaypoint) {
   }
 }
 
-TEST(Alignment, WhatLiesOnTheWayToAPointHasNoneAndIsNoDeviation) {
+TEST(Alignment, PointsOnTheWayAreUnmatchedAndNoDeviations) {
   const Sequence plan = zigzag(10, 40);
   Sequence program = plan;
   const Vector3d off(0.0, 0.0, 30.0); // on the way to points 57 and 200
@@ -221,7 +221,8 @@ TEST(Alignment, PiecesCloserThanItsToleranceLeadToTheirPoint) {
   }
 }
 
-// What is there but for the text's digits is the target, whatever comes after; so is the last one.
+// A motion at its point, to the text's digits, is the target, whatever comes after; so is the last
+// one.
 TEST(Alignment, ATargetAtItsPointIsNoPieceOfTheWay) {
   const Sequence plan = zigzag(2, 20);
   const auto onTheWay = [](std::size_t, std::size_t) { return true; };
@@ -242,7 +243,7 @@ TEST(Alignment, ATargetAtItsPointIsNoPieceOfTheWay) {
   EXPECT_EQ(a.pointOf.back(), plan.tip.size() - 1);
 }
 
-TEST(Alignment, TellsHowFarAMotionIsFromItsPointAndHowItLeans) {
+TEST(Alignment, FindsMotionsMovedOrTiltedFromTheirPoint) {
   const Sequence plan = zigzag(4, 40);
   for (const auto& [mm, rad] : {std::pair(0.04, 0.009), {0.06, 0.0}, {0.0, 0.011}, {0.7, 0.2}}) {
     Sequence program = plan;
@@ -263,7 +264,7 @@ TEST(Alignment, TellsHowFarAMotionIsFromItsPointAndHowItLeans) {
 }
 
 // Motions before the first point and after the last one.
-TEST(Alignment, FindsWhatComesBeforeAndAfterThePlan) {
+TEST(Alignment, FindsMotionsBeforeAndAfterThePlan) {
   const Sequence plan = zigzag(4, 40);
   Sequence program;
   for (int i = 0; i < 3; ++i)
@@ -285,7 +286,7 @@ TEST(Alignment, FindsWhatComesBeforeAndAfterThePlan) {
 }
 
 // More motions than points between two places that agree, and the other way round.
-TEST(Alignment, PairsWhatItCanAndCountsTheRest) {
+TEST(Alignment, PairsMotionsWithPointsAndCountsTheRest) {
   const Sequence plan = zigzag(4, 40);
   for (const bool more : {true, false}) {
     SCOPED_TRACE(more);

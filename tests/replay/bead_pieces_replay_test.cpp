@@ -1,5 +1,5 @@
-// From an executed program to pieces of bead, and what is printed where: each by a count of its
-// own.
+// From an executed program to pieces of bead, and the printed part by place: each by an independent
+// count.
 #include "base/run_context.h"
 #include "replay/alignment.h"
 #include "replay/beads.h"
@@ -81,7 +81,7 @@ TEST(BeadPieces, ShareTheirMotionsMaterialByLength) {
     } else {
       EXPECT_EQ(m, 3u) << "on the spot";
     }
-    // Samples between its ends lie beside its chord.
+    // Samples between its ends are beside its chord.
     for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s) {
       const Vector3d r = path.tip[s] - piece.from;
       const double t = step > 0.0 ? r.dot(piece.to - piece.from) / (step * step) : -1.0;
@@ -154,7 +154,7 @@ TEST(BeadKnowledge, IsThatOfTheNextWaypointOnTheBead) {
 }
 
 // Balls of any size, at any moment: found where a cell's centre is in one, and never else.
-TEST(PrintedPart, FindsWhatIsPrintedByThenInABall) {
+TEST(PrintedPart, FindsCellsInABallPrintedByThen) {
   std::mt19937 random(61);
   std::uniform_real_distribution<double> u(0, 1);
   BeadGrid beads;

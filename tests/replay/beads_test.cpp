@@ -66,7 +66,7 @@ TEST(Depositor, AStraightWallHasItsHandCalculatedVolume) {
   const double resolved = 10 * 50.0 * (1.2 * 0.8 - (1 - pi / 4) * 0.64);
   EXPECT_NEAR(filled(beads), resolved, 0.01 * resolved);
   EXPECT_NEAR(beads.excessMm3, 0.0, 0.001 * resolved);
-  // In its envelope, but for cells that reach out of it.
+  // In its envelope, except for cells that reach out of it.
   double outside = 0.0;
   for (std::size_t c = 0; c < beads.fill.size(); ++c) {
     const Eigen::Vector3i i = beads.grid.cell(c);
@@ -176,8 +176,8 @@ TEST(Coverage, OfEachItemIsItsOwn) {
 }
 
 // A box filled but for one block of a millimetre, and as much material half a bead beyond it: each
-// is told by its volume, at any size of the cells.
-TEST(Coverage, WhatIsMissingAndWhatIsOutsideAreVolumes) {
+// is measured by its volume, at any size of the cells.
+TEST(Coverage, MissingAndExcessMaterialAreVolumes) {
   const auto part = test::box({0, 0, 0}, {9, 9, 9});
   const geometry::MeshQuery query(part);
   for (const double pitch : {0.25, 0.5}) {
@@ -326,7 +326,7 @@ double unsupported(const std::vector<BeadPiece>& pieces, double slackZ = 0.0) {
   return s.unsupportedMm / s.lengthMm;
 }
 
-TEST(Support, AWallStandsAndOneInMidAirDoesNot) {
+TEST(Support, WallIsSupportedAndBeadInTheAirIsNot) {
   std::vector<BeadPiece> wall, air;
   for (int k = 1; k <= 8; ++k)
     addBead(wall, {{0, 5, 0.8 * k}, {30, 5, 0.8 * k}}, 1.2, 0.8);
@@ -335,7 +335,7 @@ TEST(Support, AWallStandsAndOneInMidAirDoesNot) {
   EXPECT_EQ(unsupported(air), 1.0);
 }
 
-// A wall whose layers step aside by some of their width: what is carried is the rest of it.
+// A wall whose layers are offset by some of their width: the rest of the width is carried.
 SupportedBeads stepping(double asideMm) {
   std::vector<BeadPiece> pieces;
   for (int k = 1; k <= 6; ++k)
@@ -349,7 +349,7 @@ SupportedBeads stepping(double asideMm) {
 TEST(Support, CarriedOnLessThanHalfIsMeasuredApart) {
   EXPECT_EQ(stepping(0.0).halfCarriedMm, 0.0);
   EXPECT_EQ(stepping(0.3).halfCarriedMm, 0.0);
-  // All but the first layer, which lies on the plate.
+  // All but the first layer, which is on the plate.
   EXPECT_NEAR(stepping(0.9).halfCarriedMm, 5.0 * 30.0, 1.0);
   EXPECT_EQ(stepping(0.9).longestUnsupportedMm, 0.0) << "a quarter of it is carried";
   EXPECT_NEAR(stepping(2.0).longestUnsupportedMm, 30.0, 0.1);
@@ -373,7 +373,7 @@ TEST(Support, TheLongestStretchIsOfOneBead) {
   }
   EXPECT_EQ(found({10.0, 4.0}).longestFrom, 0u);
   EXPECT_EQ(found({1.0, 4.0}).longestFrom, 2u); // pieces are half a millimetre long
-  // Two piers: what is between them, but for what the piers' own ends carry.
+  // Two piers: the span between them, less the ends that the piers carry.
   std::vector<BeadPiece> bridge;
   for (const double x : {0.0, 20.0})
     addBead(bridge, {{x, 5, 0.8}, {x + 10, 5, 0.8}}, 1.2, 0.8);
@@ -403,7 +403,7 @@ double overPiers(double gapMm, double beyondMm, double widthMm, double bridgeMm)
   return findSupport(pieces, printed, GroundProbe(plate), kOne, &interior).unsupportedMm;
 }
 
-TEST(InteriorSpans, AreBridgedBetweenWhatHoldsThem) {
+TEST(InteriorSpans, AreBridgedOnlyBetweenSupportedEnds) {
   EXPECT_EQ(overPiers(5.0, 0.0, 8.0, 6.0), 0.0);
   EXPECT_NEAR(overPiers(9.0, 0.0, 8.0, 6.0), 8.0, 1.5) << "longer than the material bridges";
   EXPECT_EQ(overPiers(9.0, 0.0, 8.0, 10.0), 0.0);
@@ -411,7 +411,7 @@ TEST(InteriorSpans, AreBridgedBetweenWhatHoldsThem) {
   EXPECT_NEAR(overPiers(5.0, 4.5, 8.0, 6.0), 4.0, 1.0) << "an end that nothing holds";
 }
 
-// However the cells lie, neighbours in a layer do not carry each other over a hollow.
+// For every position of the cells, neighbours in a layer do not carry each other over a hollow.
 TEST(InteriorSpans, NeighboursOfTheSameLayerCarryNothing) {
   for (const double z : {6.0, 6.1, 6.15, 6.2, 6.25, 6.3}) {
     SCOPED_TRACE(z);
@@ -441,9 +441,9 @@ TEST(InteriorSpans, OutsideThePartNoneIsAccepted) {
             findSupport(pieces, printed, GroundProbe(plate), kOne).unsupportedMm);
 }
 
-// However cells happen to lie, a thin bead is carried by what is a twentieth of its height below
-// it, and not by what is more than half of it below, or beside it.
-TEST(Support, CellsDoNotDecideWhatAThinBeadLiesOn) {
+// For every position of the cells, a thin bead is carried by material a twentieth of its height
+// below it, and not by material more than half of it below, or beside it.
+TEST(Support, CellsDoNotDecideTheSupportOfAThinBead) {
   constexpr double kWidth = 1.2, kHeight = 0.5, kLower = 0.6;
   const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
   const auto found = [&](double gapMm, double asideMm, double shiftMm, double leanRad) {
@@ -463,7 +463,7 @@ TEST(Support, CellsDoNotDecideWhatAThinBeadLiesOn) {
     const BeadGrid beads = lay(pieces, {-3, 0, 0}, {23, 20, 12});
     const SupportedBeads s =
         findSupport(pieces, PrintedPart(beads, pieces), GroundProbe(plate), kOne);
-    // The lower one hangs from end to end; of the upper, what is carried on nothing at all.
+    // The lower one is unsupported from end to end; of the upper, the length without any support.
     return s.unsupported.size() > half ? 1.0 : s.halfCarriedMm / 20.0 - 1.0;
   };
   for (int k = 0; k < 12; ++k)

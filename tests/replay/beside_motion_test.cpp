@@ -1,4 +1,4 @@
-// What a program does beside its motions: waits, prime, load, accelerations, at its line.
+// Statements of a program beside its motions: waits, prime, load, accelerations, at its line.
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
@@ -34,7 +34,7 @@ Verification verify(const test::ProgramText& text) {
                        ReplayThresholds{}, {});
 }
 
-// Behind the line of a motion amid a bead.
+// Behind the line of a motion within a bead.
 void insertAmid(test::ProgramText& text, const std::string& line, std::size_t& at) {
   at = test::read(text, scene().process).motions[8].line + 1;
   text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(at - 1),
@@ -79,7 +79,7 @@ TEST(BesideMotion, AWaitInWhichMaterialFlowsIsFound) {
   }
 }
 
-TEST(BesideMotion, WhatFlowsInAWaitIsCounted) {
+TEST(BesideMotion, FlowDuringAWaitIsCounted) {
   test::ProgramText text = textOf("urscript");
   const Verification sound = verify(text);
   std::size_t at = 0;
@@ -115,7 +115,7 @@ TEST(BesideMotion, AMissingOrOtherPrimeIsFound) {
   }
 }
 
-// Numbers of the line that holds `mark`, by what they are called there.
+// Numbers of the line that holds `mark`, by their names there.
 std::size_t change(test::ProgramText& text, const std::string& mark, const std::string& from,
                    const std::string& to) {
   for (std::size_t i = 0; i < text.lines.size(); ++i)
@@ -152,7 +152,7 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
   }
 }
 
-// Each dialect whose text has the nozzle's frame: another first digit behind what comes before it.
+// Each dialect whose text has the nozzle's frame: another first digit after the text before it.
 // Where targets are the arm's (melfa, its lines, spel) nothing else shows it on a plate that does
 // not turn.
 TEST(BesideMotion, AnotherNozzleIsFound) {
@@ -185,8 +185,8 @@ TEST(BesideMotion, AnotherNozzleIsFound) {
   }
 }
 
-// A hair's breadth is within what a frame is written to by hand.
-TEST(BesideMotion, ANozzleMayStandWithinTheDeviationAllowed) {
+// A hair's breadth is within the accuracy of a frame written by hand.
+TEST(BesideMotion, NozzleMayDeviateWithinTheTolerance) {
   test::ProgramText text = textOf("melfa-datalink");
   const auto row = std::ranges::find_if(
       text.lines, [](const std::string& line) { return line.starts_with("nozzle,"); });

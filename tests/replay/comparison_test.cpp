@@ -18,7 +18,7 @@ using plan::MoveKind;
 constexpr double kArea = 0.8;
 
 // Points 0 to 15: down to a bead of six steps, up and over by joints, down, and five steps more.
-// Motion m stands in line 10 + m.
+// Motion m is in line 10 + m.
 struct Job {
   plan::ReadProgram program;
   plan::Trajectory trajectory;
@@ -84,7 +84,7 @@ struct Job {
 
 using Told = std::vector<std::string>;
 
-TEST(Comparison, ThePlansOwnProgramHasNothingToTell) {
+TEST(Comparison, PlansOwnProgramGivesNoFinding) {
   const Job job;
   EXPECT_EQ(job.findings(), Told{});
   EXPECT_EQ(job.deviation().mm, 0.0);
@@ -137,8 +137,8 @@ TEST(Comparison, MaterialMayDifferByATwentieth) {
   }
 }
 
-// At a rate, what goes slower lays more: that is one finding, not two.
-TEST(Comparison, ARateLaysAsMuchAsItsTimeSays) {
+// At a rate, a slower motion deposits more: that is one finding, not two.
+TEST(Comparison, SlowerOrHigherRateGivesOneFinding) {
   for (const bool slower : {false, true}) {
     Job job;
     for (plan::ProgramMotion& m : job.program.motions)
@@ -155,7 +155,7 @@ TEST(Comparison, ARateLaysAsMuchAsItsTimeSays) {
   }
 }
 
-TEST(Comparison, WhatFollowsInARowIsOneFinding) {
+TEST(Comparison, ConsecutiveChangesGiveOneFinding) {
   Job job;
   for (const std::size_t m : {3u, 4u, 5u, 12u, 14u})
     job.program.motions[m].volumeMm3 *= 2.0;
@@ -165,7 +165,7 @@ TEST(Comparison, WhatFollowsInARowIsOneFinding) {
 }
 
 // Two kinds side by side, each in a row.
-TEST(Comparison, WhatDiffersInTwoWaysIsTwoFindings) {
+TEST(Comparison, ChangesOfTwoKindsGiveTwoFindings) {
   Job job;
   for (const std::size_t m : {3u, 4u, 5u}) {
     job.program.motions[m].volumeMm3 *= 2.0;
@@ -192,7 +192,7 @@ TEST(Comparison, TheExtruderIsOnWhereItPrintsAndNowhereElse) {
   }
 }
 
-TEST(Comparison, DeviationsDefectsAndTheEndAreTold) {
+TEST(Comparison, DeviationsDefectsAndAMissingEndGiveFindings) {
   Job job;
   job.program.motions[5].position.z() += 0.3;
   EXPECT_EQ(job.findings(), Told{job.told(FindingKind::WaypointMoved, 5)});
@@ -234,7 +234,7 @@ TEST(Comparison, ThePathDeviatesByItsDistanceFromThePlansLine) {
   }
 }
 
-// A motion that goes over points of a straight line is on it all the way, whatever came before.
+// A motion over points of a straight line is on it all the way, whatever came before.
 TEST(Comparison, OverPointsInLineThePathDoesNotDeviate) {
   for (const bool extra : {false, true}) {
     Job job;
@@ -272,7 +272,7 @@ TEST(Comparison, OfTravelsByJointsOnlyTheEndCounts) {
   job.planned.tip[8] += Vector3d(0, 0, 30);
   job.program.motions[8].position += Vector3d(0, 0, 30);
   EXPECT_NEAR(job.deviation().mm, 0.0, 1e-12);
-  job.program.motions[9].position += Vector3d(0, 0.03, 0.04); // within what counts as the same
+  job.program.motions[9].position += Vector3d(0, 0.03, 0.04); // within the tolerance
   const PathDeviation d = job.deviation();
   EXPECT_NEAR(d.mm, 0.05, 1e-9);
   EXPECT_EQ(d.motion, 9u);

@@ -1,4 +1,4 @@
-// What controllers make of speeds: closed forms, and programs whose flow would be wrong.
+// Controllers' times for given speeds: closed forms, and programs whose flow would be wrong.
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
@@ -54,12 +54,12 @@ TEST(ControllerTime, AMotionFromRestToRestIsATrapezoid) {
   EXPECT_NEAR(times(through({{0, 0, 0}, {10, 0, 0}}, 20, 0, 0))[1], 0.5, 1e-12);
 }
 
-TEST(ControllerTime, StraightOnWithBlendsNothingIsLost) {
+TEST(ControllerTime, BlendsOnAStraightLineCostNoTime) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= 100; ++i)
     points.emplace_back(0.3 * i, 0, 0);
   EXPECT_NEAR(total(times(through(points, 20, 500, 0.1))), 30.0 / 20 + 0.04, 1e-9);
-  // Without blends the arm stands at each point.
+  // Without blends the arm stops at each point.
   EXPECT_NEAR(total(times(through(points, 20, 500, 0.0))), 100 * 2 * std::sqrt(0.3 / 500), 1e-9);
   // Where the controller looks one motion ahead, it can't be faster than it brakes within one.
   plan::ReadProgram shortSighted = through(points, 20, 500, 0.1);
@@ -69,7 +69,7 @@ TEST(ControllerTime, StraightOnWithBlendsNothingIsLost) {
   EXPECT_GT(total(times(shortSighted)), 30.0 / 20 + 0.04);
 }
 
-TEST(ControllerTime, ACornerIsPassedAtWhatItsBlendAllows) {
+TEST(ControllerTime, CornerSpeedFollowsTheBlendRadius) {
   // A right angle, r = 0.1 mm at 500 mm/s2: sqrt(500 x 0.1 / sin 45) = 8.41 mm/s.
   const double corner = std::sqrt(500 * 0.1 / std::sin(base::kPi / 4));
   const auto s = times(through({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 20, 500, 0.1));
@@ -166,7 +166,7 @@ test::ProgramText bySpeeds(test::ProgramText text, const std::string& accelerati
   return text;
 }
 
-TEST(ControllerTime, OurProgramsLayWhatWasPlannedUnderBothLaws) {
+TEST(ControllerTime, OurProgramsDepositThePlannedVolumeUnderBothLaws) {
   for (const program::Dialect& d : test::dialectsFor("urscript")) {
     const Verification v = verify(textOf(std::string(d.id)));
     EXPECT_LE(v.flowErrorFraction, 0.01) << d.id;
@@ -193,7 +193,7 @@ TEST(ControllerTime, AProgramThatWouldPrintForWeeksIsRefused) {
   })) << told(v);
 }
 
-TEST(ControllerTime, AnAccelerationThatNobodyPlannedIsFound) {
+TEST(ControllerTime, UnplannedAccelerationIsFound) {
   const test::ProgramText text = bySpeeds(textOf("urscript"), "0.5");
   const auto harder = [&](const char* acceleration) {
     test::ProgramText changed = text;
@@ -218,7 +218,7 @@ TEST(ControllerTime, SpeedsThatTheTurnSlowsAreRefused) {
   EXPECT_GT(total(controllerTimes(p, path, TurnLaw::WaySpeed)), 10.0 * text);
 }
 
-// A transfer in two pieces, planned through without a stop: poses of a foreign program stand at the
+// A transfer in two pieces, planned through without a stop: poses of a foreign program are at the
 // end of each, and take no longer for it.
 TEST(ControllerTime, PiecesOfATransferTakeTheirTimeForAForeignController) {
   test::Scene s = test::boxScene(1, "tm5-moving");

@@ -40,7 +40,7 @@ ReadProgram program(const std::vector<Place>& places, const std::vector<double>&
   return read;
 }
 
-// The same as poses of the nozzle in the work frame of a cell whose nozzle stands.
+// The same as poses of the nozzle in the work frame of a cell with a fixed nozzle.
 ReadProgram asPoses(ReadProgram read, const robot::Cell& cell) {
   read.flange_T_tcp = cell.flange_T_moved();
   for (ProgramMotion& m : read.motions) {
@@ -138,8 +138,9 @@ TEST(Corners, AreAsSharpAsTheyTurnAndTakeNoTimeOfTheirOwn) {
   EXPECT_NEAR(path.totalS(), begins, 1e-12);
 }
 
-// Two blends on one way may fill it, not more; told with the way's length and what they ask for.
-TEST(Corners, OverlapWhereTwoBlendsAskForMoreThanTheirWay) {
+// Two blends on one way may fill it, not more; the violation has the way's length and the sum of
+// the two.
+TEST(Corners, OverlapIfTwoBlendsExceedTheirWay) {
   const std::vector<Place> places{
       {{0, 0, 0}, 0}, {{9, 0, 0}, 0}, {{9, 4, 0}, 0}, {{0, 4, 0}, 0}, {{0, 0, 0}, 0}};
   const auto overlaps = [&](double first, double second) {
@@ -231,7 +232,7 @@ TEST_F(JointMotions, TurnAllJointsInProportionInTheTimeOfTheOneThatTurnsFurthest
   EXPECT_EQ(steps, 17u); // 0.5 rad in steps of 0.03 at most
 }
 
-TEST_F(JointMotions, OneTargetIsAnArmThatStands) {
+TEST_F(JointMotions, OneTargetIsAnArmAtRest) {
   ReadProgram read;
   EXPECT_FALSE(executeProgram(read, cell_, {}).arm);
   read.motions = {to(cell_.home(), 0.0)};
@@ -262,7 +263,7 @@ TEST_F(JointMotions, TakeLongerWithRamps) {
         turn > up ? turn / 0.4 + 0.4 / acceleration : 2.0 * std::sqrt(turn / acceleration);
     EXPECT_NEAR(jointMotionS(path, 1, 0.0), turn / 0.4, 1e-9);
     EXPECT_NEAR(jointMotionS(path, 1, acceleration), ramped, 1e-9);
-    // By the motion's own acceleration, else by its controller's; told in time it takes that.
+    // By the motion's own acceleration, else by its controller's; a motion with a time takes that.
     read.time.jointAccelerationRadPerS2 = acceleration;
     std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
     ASSERT_EQ(seconds.size(), 3u);
@@ -274,8 +275,8 @@ TEST_F(JointMotions, TakeLongerWithRamps) {
   }
 }
 
-// Straight to a target that only another branch reaches: the joints jump, and that is told.
-TEST_F(JointMotions, AJumpToAnotherBranchIsTold) {
+// Straight to a target that only another branch reaches: the joints jump, which is a violation.
+TEST_F(JointMotions, JumpToAnotherBranchIsAViolation) {
   robot::JointVector a = cell_.home(), b = a;
   b[0] += base::kPi;
   ReadProgram read;
@@ -290,7 +291,7 @@ TEST_F(JointMotions, AJumpToAnotherBranchIsTold) {
   EXPECT_TRUE(told);
 }
 
-TEST_F(JointMotions, TellWhichJointIsTooFastAndByHowMuch) {
+TEST_F(JointMotions, NameTheJointThatIsTooFastAndItsSpeed) {
   robot::JointVector a = cell_.home(), b = a;
   b[1] += 0.3;
   b[4] += 0.25;
@@ -311,7 +312,7 @@ TEST_F(JointMotions, TellWhichJointIsTooFastAndByHowMuch) {
   }
 }
 
-TEST_F(JointMotions, TellWhichJointLeavesItsRangeAndWhere) {
+TEST_F(JointMotions, NameTheJointOutOfItsRangeAndThePlace) {
   for (const double beyond : {-1e-3, 5e-5, 1e-3}) {
     for (const bool upper : {false, true}) {
       const robot::JointLimits& limits = cell_.limits()[2];

@@ -15,7 +15,7 @@ namespace {
 
 using TextLines = std::vector<std::string>;
 
-// The box of one layer; amid one of its beads tape is cut.
+// The box of one layer; within one of its beads tape is cut.
 class CutPulses : public EventPrograms {
 protected:
   void SetUp() override {

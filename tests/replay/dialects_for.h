@@ -1,4 +1,4 @@
-// The formats that can be written for an arm: all but those that tell joints of another maker's.
+// The formats that can be written for an arm: all except those with joints of another maker's.
 #pragma once
 
 #include "program/dialect.h"

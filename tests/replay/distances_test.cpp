@@ -131,7 +131,7 @@ double leastOfSegments(const Vector3d& p0, const Vector3d& p1, const Vector3d& q
   });
 }
 
-// All ways that two segments can lie, also parallel, in one line, and without length.
+// All relative positions of two segments, also parallel, in one line, and without length.
 TEST(Distances, SegmentsAgainstAllPlacesOnBoth) {
   std::mt19937 random(21);
   std::uniform_int_distribution<int> grid(-2, 2);
@@ -200,7 +200,7 @@ TEST(Distances, BoxesAgainstTheirEdges) {
   EXPECT_GT(met, 20);
 }
 
-// A ball's distance is its centre's less its radius, whatever it is held against; inside it is 0.
+// A ball's distance is its centre's less its radius, for every solid; inside it is 0.
 TEST(Distances, ABallIsItsCentreLessItsRadius) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> u(-20, 20), r(0.1, 3.0);
@@ -300,8 +300,8 @@ TEST(Distances, ALeaningHeadIsAsLowAsItsLowestRim) {
   EXPECT_NEAR(head.ball().radius, std::hypot(30.0, 15.0), 1e-12);
 }
 
-// Near and far, above and below: within() is what distance() says, at any reach.
-TEST(Distances, WithinReachIsWhatTheDistanceSays) {
+// Near and far, above and below: within() agrees with distance(), at any reach.
+TEST(Distances, WithinReachAgreesWithTheDistance) {
   const HeadSolid head({{{0.0, 0.5}, {10.0, 4.0}, {30.0, 4.0}, {30.0, 15.0}, {60.0, 15.0}}});
   std::mt19937 random(25);
   std::uniform_real_distribution<double> across(-25, 25), up(-12, 75);

@@ -47,7 +47,7 @@ TEST(ExecutedPath, ABlendCutsItsCornerByTheParabola) {
   EXPECT_NEAR(nearest, 0.5 * r * std::sin(0.25 * base::kPi), 1e-9);
 }
 
-TEST(ExecutedPath, TellsOverlappingBlends) {
+TEST(ExecutedPath, FindsOverlappingBlends) {
   const auto path =
       executeToolPoints(points({{0, 0, 0}, {10, 0, 0}, {12, 0, 0}, {12, 9, 0}}, 20, 1.5), {});
   ASSERT_EQ(path.violations.size(), 1u);
@@ -98,7 +98,7 @@ TEST(ExecutedPath, AnArmFollowsPosesAsItFollowsJoints) {
   EXPECT_NEAR(a.totalS(), s.trajectory.timeS.back(), 1e-9);
 }
 
-TEST(ExecutedPath, ATargetOutOfReachIsTold) {
+TEST(ExecutedPath, TargetOutOfReachIsAViolation) {
   const test::Scene s = test::boxScene(1);
   plan::ReadProgram program;
   plan::ProgramMotion m;

@@ -1,4 +1,4 @@
-// Programs for extruders that lag: read back, run and judged in every dialect that can say it;
+// Programs for extruders that lag: read back, run and judged in every dialect that can state them;
 // programs without the lags are refused. Statements of the process at the ends of beads.
 #include "replay/extruder_lag.h"
 

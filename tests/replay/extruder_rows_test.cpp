@@ -177,7 +177,7 @@ std::vector<Kind> streamKinds() {
   return all;
 }
 
-// Of an axis that goes with each motion, mm of filament.
+// Of an axis that moves with each motion, mm of filament.
 std::vector<Kind> axisKinds(const std::string& dialect) {
   const bool krl = dialect == "krl";
   const std::string bead = krl ? "^LIN .*,E1 ([0-9.]+)\\}" : "^    MoveL .*,\\[([0-9.]+),9E9",
@@ -221,7 +221,7 @@ std::vector<Kind> axisKinds(const std::string& dialect) {
                                 std::swap(lines[*i], lines[*other]);
                               return i;
                             }}};
-  // The prime stands before all beads.
+  // The prime comes before all beads.
   for (Kind& kind : all)
     if (kind.name.starts_with("the prime is ten"))
       kind.harm = [harm = kind.harm](TextLines& lines, std::size_t) { return harm(lines, 0); };
@@ -353,7 +353,7 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
   EXPECT_EQ(found, tried) << missed;
 }
 
-TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
+TEST_P(ExtruderRows, HarmlessEditsRaiseNoAlarm) {
   const std::size_t step =
       test::ofSeeds(std::max(std::size_t{17}, lines().size() / 20), std::size_t{17});
   int alarms = 0, tried = 0;

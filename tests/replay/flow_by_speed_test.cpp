@@ -1,5 +1,5 @@
-// RAPID whose flow goes by the TCP's speed (TriggSpeed): the undamaged program passes, whatever the
-// speed, and harm to the flow is refused at its line.
+// RAPID whose flow follows the TCP's speed (TriggSpeed): the undamaged program passes, whatever the
+// speed, and damage to the flow is refused at its line.
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/replay_scene.h"
@@ -53,7 +53,7 @@ TEST_F(FlowBySpeed, harmIsFoundAtItsLine) {
       {scale, "$1-$2"},         {scale, "$10"},         {"aoFlow,", "aoFan,"},
       {"Start,0,", "Start,1,"}, {"tFlow,0", "tFlow,5"}, {"TriggSpeed", "TriggIO"},
       {"tFlow", "tOther"},      {"TriggSpeed.*;", ""},  {"\\\\Start", ""}};
-  // The box has one section, so it is said once.
+  // The box has one section, so it is stated once.
   const std::size_t at = next(0, "TriggSpeed tFlow");
   ASSERT_LT(at, whole_.lines.size());
   EXPECT_EQ(next(at + 1, "TriggSpeed tFlow"), whole_.lines.size());
@@ -71,7 +71,7 @@ TEST_F(FlowBySpeed, harmIsFoundAtItsLine) {
     ASSERT_NE(text.lines[at], whole_.lines[at]) << from;
     expectNamed(text, at, from + " -> " + to);
   }
-  // Amid a bead: a share that holds from there on, whatever the speed.
+  // Within a bead: a share that holds from there on, at any speed.
   const std::size_t bead = next(at + 60, "MoveL.*\\[FALSE");
   for (const char* amid :
        {"    SetAO aoFlow,0.9;\r", "    SetAO aoFlow,0;\r", "    TriggSpeed x;\r"}) {

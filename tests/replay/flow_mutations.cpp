@@ -10,7 +10,8 @@ namespace voluta::test {
 
 namespace {
 
-// How a dialect whose flow is a rate says it, its value alone in brackets, and that it flows.
+// Patterns of a dialect whose flow is a rate: the flow, its value alone in brackets, and the switch
+// that turns it on.
 struct RateWords {
   std::string flow, on;
   int decimals = 6;
@@ -26,7 +27,7 @@ const std::map<std::string, RateWords>& rateWords() {
   };
   return kTable;
 }
-// What stands before a running amount.
+// The text before a cumulative amount.
 std::string amountWords(const std::string& format) {
   return format == "csv" ? R"(^[0-9].*,([0-9.]+),-?[0-9]+,[a-z]+)" : R"(^G1 .*E([0-9.]+))";
 }
@@ -48,8 +49,8 @@ std::string with(const std::string& line, const Found& found, double value, int 
   return line.substr(0, found.begin) + buffer + line.substr(found.begin + found.length);
 }
 
-// From the next bead on, whatever the text says of its flow; behind the stretch the next bead has
-// its own again.
+// From the next bead on, whatever its flow in the text; behind the stretch the next bead has its
+// own again.
 Line lowerRate(Subject& s, std::size_t m, const RateWords& words, double share, std::size_t lines) {
   const std::regex flow(words.flow), on(words.on);
   std::vector<std::string>& text = s.text.lines;
@@ -81,7 +82,7 @@ Line lowerRate(Subject& s, std::size_t m, const RateWords& words, double share, 
   return begin;
 }
 
-// Amounts that run on: what is missing in the stretch is missing from all behind it, too.
+// Cumulative amounts: the amount missing in the stretch is missing from all behind it, too.
 Line lowerAmounts(Subject& s, std::size_t m, const std::string& pattern, double share,
                   std::size_t lines) {
   const std::regex words(pattern);
@@ -106,7 +107,7 @@ Line lowerAmounts(Subject& s, std::size_t m, const std::string& pattern, double 
   return begin;
 }
 
-// Each line says its own, behind which nothing is left of it.
+// Each line states its own amount, after which none of it remains.
 Line lowerEach(Subject& s, std::size_t m, const std::string& pattern, int decimals, double share,
                std::size_t lines) {
   const std::regex words(pattern);

@@ -1,4 +1,4 @@
-// Harm to what a program lays, of a whole stretch of it, as the dialect says flow.
+// Damage to the deposition of a whole stretch of a program, in the dialect's words for flow.
 #pragma once
 
 #include "replay/mutations.h"
@@ -8,8 +8,8 @@
 
 namespace voluta::test {
 
-// Over so many lines the extruder gives only this share of what it should; before and behind them
-// all is as it was. At the line: where that begins.
+// Over so many lines the extruder gives only this share of its amount; before and after them
+// nothing changes. At the line: where that begins.
 Mutation lowerFlow(const std::string& format, double share, std::size_t lines);
 
 } // namespace voluta::test

@@ -1,4 +1,4 @@
-// What lies beneath a first bead, and the nozzle's ways by joints: in closed form.
+// The ground under a first bead, and the nozzle's ways by joints: in closed form.
 #include "replay/replay_ground.h"
 
 #include "base/run_context.h"
@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using robot::JointVector;
 
-TEST(GroundProbe, APlateGoesDownWithoutEndAndALittleOverItsEdge) {
+TEST(GroundProbe, PlateIsDeepAndSlightlyWiderThanItsOutline) {
   const platform::PlatformSolid plate{{-10, -5}, {10, -5}, {10, 5}, {-10, 5}};
   const GroundProbe probe(plate);
   for (const double z : {0.0, -1.0, -1000.0}) {
@@ -79,7 +79,7 @@ TEST(GroundProbe, ARodIsAsThickAsItsProfile) {
   }
 }
 
-TEST(GroundProbe, ABodyHoldsWhatIsInIt) {
+TEST(GroundProbe, BodySupportsPointsInsideIt) {
   platform::PlatformSolid body;
   body.mesh = std::make_shared<const geometry::TriangleMesh>(test::box({-3, -2, 1}, {3, 2, 4}));
   const GroundProbe probe(body);
@@ -90,7 +90,7 @@ TEST(GroundProbe, ABodyHoldsWhatIsInIt) {
 }
 
 // A head beyond reach along outward() touches no solid: they end there, and nowhere before.
-TEST(GroundSolids, ReachAsFarAsTheySay) {
+TEST(GroundSolids, ReachCoversTheSolids) {
   test::usesSourceTreeResources();
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::squarePlatform(30.0));

@@ -14,8 +14,8 @@ Vector3d randomVector(std::mt19937& random) {
   return {u(random), u(random), u(random)};
 }
 
-// What it finds is what is found anew at each place.
-TEST(HeadFollower, FindsWhatEachPlaceByItselfTells) {
+// Its results equal those of a new search at each place.
+TEST(HeadFollower, AgreesWithASeparateSearchAtEachPlace) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> u(0, 1);
   BeadGrid beads;
@@ -28,7 +28,7 @@ TEST(HeadFollower, FindsWhatEachPlaceByItselfTells) {
     pieces[p].run = static_cast<std::uint32_t>(p / 100);
     pieces[p].runMm = static_cast<float>(p % 100);
   }
-  // Laid from below, with gaps and some that stand out.
+  // Deposited from below, with gaps and some that stick out.
   for (std::size_t c = 0; c < beads.grid.cellCount(); ++c)
     if (u(random) < 0.3) {
       const double order = beads.grid.cell(c).z() / 40.0 + (u(random) < 0.01 ? -0.3 : 0.0);

@@ -26,7 +26,7 @@ double shareIn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
   return std::max(0.0, end - begin);
 }
 
-TEST(LineWalk, FourLinesLieInTheirCells) {
+TEST(LineWalk, FourLinesCrossTheirOwnCells) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> u(0, 1);
   const Eigen::Vector3i size(7, 5, 4);
@@ -65,7 +65,7 @@ TEST(LineWalk, FourLinesLieInTheirCells) {
   }
 }
 
-TEST(LineWalk, WhatEndsBeyondTheBoxStaysInIt) {
+TEST(LineWalk, LinesThatEndBeyondTheBoxStayInIt) {
   const Eigen::Vector3i size(3, 2, 1);
   Lines lines;
   lines.from = {Floats{-1e-4f, 3.0f, 1.5f, 0.5f}, Floats{0.5f, 2.0f, -1e-4f, 1.5f},

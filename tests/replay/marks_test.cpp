@@ -371,7 +371,7 @@ TEST(AnyStart, OfWholeProgramsIsSafe) {
                            std::array{a.seconds, b.seconds, c.seconds}));
 }
 
-// Without its start mark a program takes what an earlier run has left for a mark.
+// Without its start mark a program takes the rest of an earlier run for a mark.
 TEST(AnyStart, WithoutStartMarksIsFound) {
   Timed a = run(0, {2.0, 3.0}, {{1}}), b = run(1, {5.0, 1.0}, {{1}});
   for (Timed* timed : {&a, &b}) {

@@ -1,4 +1,4 @@
-// Lines that have no business amid a print, a format at a time.
+// Lines that must not be within a print, by format.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ protected:
                          ReplayThresholds{}, {});
   }
 
-  // Amid a bead of the middle of the print: motions from 2 before to 12 behind extrude.
+  // Within a bead of the middle of the print: motions from 2 before to 12 behind extrude.
   std::size_t place(std::mt19937_64& random) const {
     for (;;) {
       const std::size_t m = 3 + random() % (read_.motions.size() - 20);
@@ -53,8 +53,8 @@ protected:
     }
   }
 
-  // At the line or the one beside it, or at the first motion behind it where no motion stands
-  // between. What is in the head shows at the first motion that it concerns.
+  // At the line or the one beside it, or at the first motion behind it where no motion is in
+  // between. Damage in the head shows at the first motion that it concerns.
   static bool named(const Verification& v, std::size_t line, const plan::ReadProgram& read) {
     std::size_t next = 0, first = 0;
     for (const plan::ProgramMotion& m : read.motions)
@@ -110,7 +110,7 @@ TEST_P(Mutants, HarmIsFoundAtItsLine) {
   EXPECT_GE(static_cast<double>(found), 0.99 * static_cast<double>(tried)) << missed;
 }
 
-TEST_P(Mutants, WhatDoesNoHarmBringsNoAlarm) {
+TEST_P(Mutants, HarmlessEditsRaiseNoAlarm) {
   const int edits = test::ofSeeds(60, 300);
   std::mt19937_64 random(81);
   const std::vector<test::Mutation> all = test::harmlessMutations(GetParam());

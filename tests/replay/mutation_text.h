@@ -1,4 +1,4 @@
-// Where a line of a program stands that is to be damaged, and where its own text ends.
+// The place of a line of a program that is to be damaged, and the end of its own text.
 #pragma once
 
 #include "replay/mutations.h"

@@ -16,7 +16,7 @@ namespace voluta::test {
 
 namespace {
 
-// How far two motions' targets are apart, in what is about a millimetre.
+// The distance of two motions' targets, in about millimetres.
 double apart(const plan::ProgramMotion& a, const plan::ProgramMotion& b) {
   constexpr double kLeverMm = 15.0; // of a small part on its plate
   double d =
@@ -39,7 +39,7 @@ bool matters(Subject& s, std::size_t m) {
          apart(now.motions[m], s.read.motions[m]) > 0.3;
 }
 
-// Where the numbers stand in a motion's line that say where it goes.
+// Positions of the target's numbers in a motion's line.
 std::vector<std::pair<std::size_t, std::size_t>> targetNumbers(Subject& s, std::size_t m) {
   std::string& line = lineOf(s, m);
   const std::string as = line;

@@ -1,5 +1,5 @@
 // Edits of programs' texts: harmful ones, each named, and harmless ones, the same for every dialect
-// but for what its own words make of them.
+// except for its own words.
 #pragma once
 
 #include "plan/program.h"
@@ -15,7 +15,7 @@
 
 namespace voluta::test {
 
-// A text that is to be damaged at a motion amid a bead, and what its reader makes of it.
+// A text that is to be damaged at a motion within a bead, and the program that its reader read.
 struct Subject {
   ProgramText text;
   plan::ReadProgram read;

@@ -53,7 +53,7 @@ protected:
                           s.part, s.platform},
                          ReplayThresholds{}, {});
   }
-  // Is one of these files, or a line of them, what the first finding tells?
+  // Does the first finding name one of these files, or a line of them?
   bool named(const Verification& v, const std::vector<std::size_t>& files) const {
     return !v.passed && std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
       return std::find(files.begin(), files.end(), p.file - 1) != files.end();
@@ -70,7 +70,7 @@ protected:
   std::vector<std::size_t> parts_; // files with motions
 };
 
-// What a main program calls a part.
+// The name of a part in a main program.
 std::string nameOf(const plan::ProgramFile& file) {
   return file.name.substr(0, file.name.rfind('.'));
 }
@@ -78,7 +78,7 @@ std::string nameOf(const plan::ProgramFile& file) {
 TEST_P(PartOrder, TextsThatChangedPlacesAreRefused) {
   auto files = whole_.files;
   std::swap(files[parts_[1]].text, files[parts_[2]].text);
-  // These find a function by its own name, whatever the file is called that it stands in.
+  // These find a function by its own name, whatever the name of its file.
   if (GetParam() == "urscript" || GetParam() == "spel")
     EXPECT_TRUE(verify(files).passed);
   else
@@ -91,7 +91,7 @@ TEST_P(PartOrder, APartInThePlaceOfAnotherIsRefused) {
   expectRefused("a part stands in another's place", files, {0, parts_[1], parts_[2]});
 }
 
-TEST_P(PartOrder, APartOfWhichTheEndIsLostIsRefused) {
+TEST_P(PartOrder, PartWithoutItsEndIsRefused) {
   auto files = whole_.files;
   std::string& text = files[parts_[1]].text;
   text.resize(text.find('\n', 2 * text.size() / 3) + 1);

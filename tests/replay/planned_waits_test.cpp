@@ -104,7 +104,7 @@ TEST_F(PlannedWaits, TheClockCountsThem) {
   })) << told(hasty);
 }
 
-TEST_F(PlannedWaits, OldPlacesAreReported) {
+TEST_F(PlannedWaits, OldNeighboursGiveAFinding) {
   ReplayInput input{test::read(textFor(program::findDialect("urscript")), scene_.process),
                     scene_.plan,
                     scene_.trajectory,

@@ -71,7 +71,7 @@ protected:
         << "line " << line << "\n"
         << told(v);
   }
-  // Streams of joints say some travels in pieces.
+  // Streams of joints write some travels in pieces.
   static std::size_t motionTo(std::size_t point, const plan::ReadProgram& program) {
     const plan::Trajectory& t = scene().trajectory;
     std::size_t m = point;
@@ -106,7 +106,7 @@ TEST_P(EachDialect, TheUndamagedProgramPasses) {
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.findings.empty()) << told(v);
   EXPECT_GE(v.coveredFraction, 0.98);
-  EXPECT_NEAR(v.massRatio, 1.0, 0.01); // ramps from and to a stand take their time
+  EXPECT_NEAR(v.massRatio, 1.0, 0.01); // ramps from and to rest take their time
   EXPECT_LT(v.maxDeviationMm, 0.03);
   EXPECT_EQ(v.unsupportedFraction, 0.0);
   const plan::ReadProgram program = test::read(text, scene().process);
@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(test::idsFor("
                            return std::regex_replace(i.param, std::regex("-"), "_");
                          });
 
-// ---- what a program can do wrong though its text is as planned
+// ---- faults of a program although its text is as planned
 
 Verification replayPlan(const test::Scene& s, const std::string& format = "csv") {
   const plan::Program program = program::writeProgram(
@@ -267,7 +267,7 @@ TEST(Replay, APrintInMidAirIsUnsupported) {
   EXPECT_GE(v.coveredFraction, 0.97);
 }
 
-// Told where a process bridges less than the longest of the beads that hang, and only there.
+// Found where a process bridges less than the longest of the unsupported beads, and only there.
 TEST(Replay, ABridgeIsAsLongAsTheProcessLays) {
   test::Scene s = test::boxScene(2);
   s.plan = test::boxPlan(12.0, 11, 1, s.process, 9.6);
@@ -282,7 +282,7 @@ TEST(Replay, ABridgeIsAsLongAsTheProcessLays) {
   }
 }
 
-// Layers much lower than beads are wide: cells by the width alone would hide what is beneath.
+// Layers much lower than beads are wide: cells by the width alone would hide the layer below.
 class ThinLayers : public ::testing::TestWithParam<double> {
 protected:
   static constexpr double kSide = 16.0, kTall = 3.0;
@@ -324,7 +324,7 @@ TEST_P(ThinLayers, ASolidBoxPasses) {
   EXPECT_LE(v.pitchMm, 0.5 * p.layerHeightMm);
 }
 
-TEST_P(ThinLayers, CellsGoByTheLayersThatAreThere) {
+TEST_P(ThinLayers, CellsAreSizedByTheActualLayers) {
   test::Scene s = boxOf(thinProcess(), 0.0);
   s.process.layerHeightMm = 0.35;
   const Verification v = replayPlan(s);

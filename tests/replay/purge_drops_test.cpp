@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::AlignedBox3d, Eigen::Vector3d;
 
-TEST(Drop, MeetsWhatIsBelowIt) {
+TEST(Drop, HitsBoxesBelowIt) {
   const AlignedBox3d box(Vector3d(-1, -2, 0), Vector3d(1, 2, 3));
   const Vector3d down = -Vector3d::UnitZ();
   EXPECT_TRUE(geometry::dropMeets({0, 0, 100}, down, box));
@@ -99,8 +99,8 @@ TEST_F(PurgeDrops, APlannedPurgeAbovePartIsRefused) {
   EXPECT_EQ(count(beside, plan::FindingKind::PurgeOnPart), 0u) << told(beside);
 }
 
-// A purge before the first bead stands for the prime, in every dialect that can state one.
-TEST_F(PurgeDrops, APurgeStandsForThePrime) {
+// A purge before the first bead replaces the prime, in every dialect that can state one.
+TEST_F(PurgeDrops, PurgeReplacesThePrime) {
   const double mm3 = process::primeFlow(scene_.process) * scene_.process.primeS;
   scene_.trajectory.events = {{.point = 1,
                                .kind = plan::EventKind::Purge,

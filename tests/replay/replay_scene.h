@@ -111,7 +111,7 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
 inline Eigen::Vector3d aside(const Eigen::Vector3d& direction, double mm) {
   return mm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
 }
-// The same from the first waypoint, so far that what drops falls beside the print.
+// The same from the first waypoint, so far that drops fall beside the print.
 inline Eigen::Vector3d besidePrint(const plan::ToolPlan& plan) {
   constexpr double kSpareMm = 15.0;
   const Eigen::Vector3d way = aside(plan.direction.front(), 1.0);
@@ -261,8 +261,7 @@ inline Scene rodScene(int layers = 2) {
           rod};
 }
 
-// The cell that a format's own robot stands in, where it tells joints of no other; else the
-// scenes'.
+// The cell of a format's own robot, if it states joints of no other; else the scenes'.
 inline std::string cellFor(const std::string& format) {
   return format == "melfa-stream" ? "rv2f-moving" : "ur5-fixed";
 }

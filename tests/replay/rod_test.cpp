@@ -30,7 +30,7 @@ robot::JointVector jointsOf(const test::Scene& s, std::size_t point) {
   return Eigen::Map<const Eigen::VectorXd>(s.trajectory.at(point), s.trajectory.dof);
 }
 
-// The trajectory as targets of the given kind; what goes from rest stays joints.
+// The trajectory as targets of the given kind; motions from rest stay joints.
 plan::ReadProgram programOf(const test::Scene& s, plan::TargetKind kind) {
   plan::ReadProgram program;
   program.complete = true;
@@ -145,7 +145,7 @@ TEST(Rod, RapidPasses) {
       scene(), 5, [](std::string&) {}, line);
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.armChecked);
-  EXPECT_LE(v.maxDeviationMm, 0.02); // what blends may round
+  EXPECT_LE(v.maxDeviationMm, 0.02); // rounding allowed to blends
 }
 
 // The arm hardly moves while the rod turns on to where the next bead begins: its speed is the
@@ -208,7 +208,7 @@ TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
 
 TEST(Rod, HeldStillAPoseIsOneInBase) {
   test::Scene s = scene();
-  // One ring's beginning, laid with the rod at rest at its angle.
+  // The beginning of one ring, deposited with the rod at rest at its angle.
   constexpr std::size_t kPoints = 12;
   plan::ReadProgram byWork = programOf(s, plan::TargetKind::WorkPose);
   byWork.motions.resize(kPoints);
@@ -216,7 +216,7 @@ TEST(Rod, HeldStillAPoseIsOneInBase) {
   for (std::size_t j = 1; j < kPoints; ++j) {
     byWork.motions[j].externals = byWork.motions[1].externals;
     byBase.motions[j].target = plan::TargetKind::FlangePose;
-    byBase.motions[j].externals.clear(); // they would be told of axes under the robot
+    byBase.motions[j].externals.clear(); // they would be values of axes under the robot
     byBase.motions[j].frame_T_tcp =
         s.cell.base_T_work(jointsOf(s, 1)) * byWork.motions[j].frame_T_tcp;
   }
@@ -290,7 +290,7 @@ TEST(Rod, TargetsOfAnotherCellAreOutOfReach) {
   EXPECT_EQ(out, (std::vector<std::size_t>{0, 7, 9}));
 }
 
-// Controllers tell of all the axes that they could have.
+// Controllers state values for all axes that they could have.
 TEST(Rod, FurtherAxesOfATargetRestOrItIsOutOfReach) {
   const test::Scene& s = scene();
   plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
@@ -326,7 +326,7 @@ TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
   EXPECT_TRUE(tells(beside, "collision", "bearing and printed part")) << told(beside);
 }
 
-TEST(Ground, ARodHoldsWhatIsWithinIt) {
+TEST(Ground, RodSupportsPointsWithinIt) {
   platform::PlatformSolid platform;
   platform.rod = platform::straightRod(5.0, 100.0);
   const GroundProbe round(platform);

@@ -1,5 +1,5 @@
-// Programs for an arm of four axes: what it is offered passes, what its controller would do
-// otherwise is found and told in degrees and mm.
+// Programs for an arm of four axes: offered formats pass, deviations of its controller are found
+// and stated in degrees and mm.
 #include "base/run_context.h"
 #include "base/units.h"
 #include "program/dialect.h"
@@ -96,7 +96,7 @@ TEST(ScaraReplay, ATurnOfJoint4IsNoOtherPath) {
   EXPECT_NE(all.find("configuration is not the planned one"), std::string::npos) << all;
 }
 
-TEST(ScaraReplay, ASlideBeyondItsLimitIsToldInMillimetres) {
+TEST(ScaraReplay, SlideBeyondItsLimitIsGivenInMillimetres) {
   test::ProgramText text = textOf("csv");
   const std::size_t i = lineWith(text, ",print");
   std::vector<std::string> fields;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kArea = 0.9, kSpeed = 20.0;
 
-// A bead along x with steps of 1, 2, 3 ... mm, and a trajectory that lays kArea along it. Motion m
-// is point m; all is told by amounts.
+// A bead along x with steps of 1, 2, 3 ... mm, and a trajectory that deposits kArea along it.
+// Motion m is point m; all motions have amounts.
 struct Bead {
   plan::ReadProgram program;
   plan::Trajectory trajectory;
@@ -43,7 +43,7 @@ struct Bead {
   }
 };
 
-TEST(SectionErrors, WhatThePlanWantsIsRight) {
+TEST(SectionErrors, PlannedVolumesGiveNoError) {
   const SectionErrors e = Bead(8).errors();
   EXPECT_EQ(e.fraction, 0.0);
   EXPECT_FALSE(e.first);
@@ -62,7 +62,7 @@ TEST(SectionErrors, MoreOrLessThanTheToleranceIsTheMotionsLength) {
   }
 }
 
-// Flows that are a fifth off, told by the text and right by the text alone: only the plan knows.
+// Flows that are a fifth off, stated by the text and right by the text alone: only the plan knows.
 TEST(SectionErrors, AWrongRateIsSeenAgainstThePlan) {
   for (const double by : {0.8, 1.0, 1.2}) {
     Bead bead(6);
@@ -76,8 +76,8 @@ TEST(SectionErrors, AWrongRateIsSeenAgainstThePlan) {
   }
 }
 
-// A controller that takes longer lays more of what flows, and the same of what is told in amounts.
-TEST(SectionErrors, WhatFlowsGrowsWithTheTimeThatTheControllerTakes) {
+// A controller that takes longer deposits more at a given flow, and the same for given amounts.
+TEST(SectionErrors, VolumeOfAFlowGrowsWithTheControllersTime) {
   for (const bool flows : {false, true}) {
     Bead bead(6);
     if (flows)
@@ -97,7 +97,7 @@ TEST(SectionErrors, WhatFlowsGrowsWithTheTimeThatTheControllerTakes) {
   }
 }
 
-// Where a motion goes over points of the plan, or is at none, its own text is what it is held to.
+// Where a motion passes over points of the plan, or is at none, its own text is the reference.
 TEST(SectionErrors, WithoutTwoPointsInARowTheTextIsTheMeasure) {
   const auto fractionWith = [](std::vector<std::size_t> pointOf, double slower) {
     Bead bead(4);
@@ -111,7 +111,7 @@ TEST(SectionErrors, WithoutTwoPointsInARowTheTextIsTheMeasure) {
   const std::size_t none = kUnmatched;
   EXPECT_EQ(fractionWith({none, none, none, none, none}, 1.0), 0.0);
   EXPECT_EQ(fractionWith({none, none, none, none, none}, 1.2), 1.0);
-  // Motion 1 is at the plan's first point, 2 at its second; 4 goes over a point.
+  // Motion 1 is at the plan's first point, 2 at its second; 4 passes over a point.
   EXPECT_NEAR(fractionWith({none, 0, 1, none, 3}, 1.0), 0.2, 1e-12);
   EXPECT_NEAR(fractionWith({0, 2, 4, 4, 3}, 1.0), 0.0, 1e-12);
   // Points that the trajectory does not have.

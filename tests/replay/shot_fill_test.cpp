@@ -89,7 +89,7 @@ TEST(ShotFill, AFullBlockTakesNothing) {
   EXPECT_NEAR(std::pow(kPitch, 3) * fillFromTip(beads, shotOf(50.0, 6.0), 0), 50.0, 1e-3);
 }
 
-// As one of the pieces of a print: its volume counts, and what finds no room is its excess.
+// As one of the pieces of a print: its volume counts, and material without room is its excess.
 TEST(ShotFill, TheDepositorCountsIt) {
   const BeadPiece shot = shotOf(40.0, 3.0);
   const BeadGrid beads = depositBeads(gridOver({-9, -9, -3}, {9, 9, 1}, kPitch, 1'000'000), {shot},

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFarMm = 120.0;
 
-// The box, printed while the slide goes to 120 mm and back.
+// The box, printed while the slide moves to 120 mm and back.
 const test::Scene& slid(const std::string& cell) {
   static std::map<std::string, test::Scene> known;
   if (const auto made = known.find(cell); made != known.end())
@@ -85,8 +85,8 @@ TEST_P(Slide, ABoxPrintedOnItPasses) {
   }
 }
 
-// Where the slide is said to be in mm it is: as far as the plan has it.
-TEST_P(Slide, StandsWhereTheTextSaysInMm) {
+// The slide is at its position in the text, in mm: as far as in the plan.
+TEST_P(Slide, PositionEqualsTheTextInMm) {
   for (const char* format : {"krl", "rapid", "csv"}) {
     const ExecutedPath path = executeProgram(programOf(format), slid().cell, base::RunContext());
     EXPECT_TRUE(path.violations.empty()) << format;

@@ -1,5 +1,5 @@
-// Speeds that stand in lines of their own: each is held against the plan, of beads, wipes, lifts
-// and ways above the part alike.
+// Speeds in lines of their own: each is compared with the plan, of beads, wipes, lifts and ways
+// above the part alike.
 #include "helpers/all_seeds.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"

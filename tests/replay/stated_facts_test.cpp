@@ -1,6 +1,6 @@
-// What a program states beside its motions, where it takes a scene or an extruder of its own to
-// show: names of units, triggers amid a bead, texts that heat, posture flags of MELFA's own arm,
-// waits that are planned. All else is among the mutations (stated_mutations.h).
+// Statements of a program beside its motions whose check needs a scene or an extruder of its own:
+// names of units, triggers within a bead, texts that heat, posture flags of MELFA's own arm, waits
+// that are planned. All else is among the mutations (stated_mutations.h).
 #include "base/units.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
@@ -176,7 +176,7 @@ TEST(StatedFacts, FlagsThatAreLeftOutAreThoseThatTheControllerTakes) {
   EXPECT_GE(taken, 1); // of the other wrist axis 4 is half a turn further
 }
 
-// What a head writes of any full flow is what the process has.
+// The full flow in a head is compared with the process.
 TEST(StatedFacts, AFullFlowMayBeRounded) {
   test::Scene s = test::boxScene(1);
   for (const double flow : {0.2344, 0.0126, 1.9995, 40.0}) {
@@ -196,7 +196,7 @@ TEST(StatedFacts, AFullFlowMayBeRounded) {
 }
 
 // Of a stop that ends by itself, and of corners without distances, the line itself is wrong.
-TEST(StatedFacts, WhatALineSaysWronglyIsChangedAndNotMissing) {
+TEST(StatedFacts, WrongStatementsAreChangedAndNotMissing) {
   const test::Scene s = test::boxScene(1);
   test::ProgramText gcode = write(s, "gcode-extended");
   const std::size_t stop = replace(gcode, "^M0$", "M0 P100");
@@ -234,7 +234,7 @@ TEST(StatedFacts, WaitsThatThePlanHasAreNone) {
   }
 }
 
-TEST(StatedFacts, AWaitThatHardlyLastsIsNone) {
+TEST(StatedFacts, VeryShortWaitIsIgnored) {
   const test::Scene s = test::boxScene(1);
   test::ProgramText text = write(s, "gcode-extended");
   const std::size_t line = test::read(text, s.process).motions[8].line;

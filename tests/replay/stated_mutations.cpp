@@ -62,7 +62,7 @@ Mutation movedBehindFirstMotion(const std::string& kind, const std::string& patt
           }};
 }
 
-// What makes the arm stand behind motion m, and what it then needs to go on.
+// The line that stops the arm after motion m, and the lines needed to continue.
 TextLines waitBehind(const Subject& s, std::size_t m, const std::string& seconds) {
   const std::string& format = s.text.format;
   static const std::map<std::string, std::array<std::string, 2>> kWords = {
@@ -150,7 +150,7 @@ void waits(std::vector<Mutation>& all, const std::string& format) {
                    }});
 }
 
-// The operator's stop: gone, of no duration, too late.
+// The operator's stop: removed, of no duration, too late.
 void stops(std::vector<Mutation>& all, const std::string& format) {
   struct Stop {
     std::string line, word;
@@ -289,7 +289,7 @@ std::vector<Mutation> statedMutations(const std::string& format) {
   std::vector<Mutation> all;
   waits(all, format);
   stops(all, format);
-  // The lines of an EthernetKRL program say nothing of it.
+  // The lines of an EthernetKRL program do not state it.
   const bool saysFullFlow = format != "csv" && format != "krl-eki" && !format.starts_with("gcode");
   if (saysFullFlow) {
     all.push_back(replacedInHead("half the full flow", " = 40 mm3/s", " = 20 mm3/s"));

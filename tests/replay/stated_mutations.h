@@ -1,5 +1,5 @@
-// Harm to what a program states beside its motions: heat, modes, the operator's stop, the full
-// flow, waits, velocities of PVT, posture flags, names of functions.
+// Damage to statements beside the motions: heat, modes, the operator's stop, the full flow, waits,
+// velocities of PVT, posture flags, names of functions.
 #pragma once
 
 #include "replay/mutations.h"

@@ -169,7 +169,7 @@ TEST_P(StatementMutants, HarmIsFoundAtItsLine) {
   EXPECT_EQ(missed, "");
 }
 
-TEST_P(StatementMutants, WhatDoesNoHarmBringsNoAlarm) {
+TEST_P(StatementMutants, HarmlessEditsRaiseNoAlarm) {
   const int edits = test::ofSeeds(60, 300);
   std::mt19937_64 random(81);
   const std::vector<test::Mutation> all = test::harmlessMutations(GetParam());

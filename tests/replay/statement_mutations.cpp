@@ -17,15 +17,15 @@ bool has(const std::string& line, const char* pattern) {
   return std::regex_search(line, std::regex(pattern));
 }
 
-// What only prepares the next motion or the flow, or says something: it may stand anywhere between
-// two motions, and heat that a wait for it states again.
+// Statements that only prepare the next motion or the flow, or show a message: they may be anywhere
+// between two motions; so may heat that a wait for it states again.
 bool isSetting(const std::string& line) {
   return has(line,
              R"(analog_out|ANOUT|aoFlow|AIO_Out|M_Outw|\.AO\[|VEL|APO\.CDIS|SpeedS|AccelS)") ||
          has(line, R"(Spd |Cnt |Speed [0-9]|JOvrd|MsgNotify|Print |Open |Close |QueueTag|PVTE)") ||
          has(line, R"(^M10[467]|^M140|^M117|VEL_PTP)");
 }
-// What takes time.
+// Statements that take time.
 bool isTimed(const std::string& line) {
   return has(line, R"(sleep\(|WaitTime|WAIT SEC|Wait [0-9]|Dly|PVTPoint|^G4|^,-|^3,)") ||
          has(line, R"(popup|UIMsgBox|^HALT|  Pause|Hlt|^M0|Pause\(\)|^M109|^M190)");
@@ -92,7 +92,7 @@ private:
     return edits_.emplace_back(StatementEdit{std::move(kind), whole_, first, last});
   }
 
-  // Where the change of a line is to be told: a cut at any of its lines, an amount where filament
+  // Where the change of a line should be found: a cut at any of its lines, an amount where filament
   // is next needed.
   std::size_t firstOf(std::size_t l) const {
     return isOfCut(line(l)) ? *std::prev(motions_.upper_bound(l)) + 1 : l;

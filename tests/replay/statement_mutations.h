@@ -1,5 +1,5 @@
 // Edits of the statements of a program between its motions: changes of tools, purges, cuts, shots,
-// marks, heat, waits, stops. Each is harmful: what does no harm is left out.
+// marks, heat, waits, stops. Each is harmful: harmless ones are left out.
 #pragma once
 
 #include "plan/program.h"
@@ -14,7 +14,7 @@ namespace voluta::test {
 struct StatementEdit {
   std::string kind;
   ProgramText text;
-  std::size_t first = 0, last = 0; // lines, from 1, between which it is to be told
+  std::size_t first = 0, last = 0; // lines, from 1, between which it should be found
 };
 
 // Drops, doubles and exchanges with the next one each statement, moves it past motions, and gives

@@ -1,5 +1,5 @@
-// A table that is wound back amid a travel is no deviation from the plan; what only looks like it
-// is.
+// A table that is wound back in a travel is no deviation from the plan; motions that only look like
+// it are.
 #include "program/program_fixture.h"
 
 #include "base/run_context.h"

@@ -186,8 +186,8 @@ TEST_F(ToolChanges, TheOperatorReadsItOnEveryPendant) {
   }
 }
 
-// Its pendant shows no texts: the head says so, and the remark above the stop names the tool.
-TEST_F(ToolChanges, TmscriptSaysThatThePendantShowsNoText) {
+// Its pendant shows no texts: the head states this, and the remark above the stop names the tool.
+TEST_F(ToolChanges, TmscriptStatesThatThePendantShowsNoText) {
   const std::vector<std::string> lines = test::textOf(programFor("tmscript")).lines;
   EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
     return line.find("// the pendant shows no text at Pause()") != std::string::npos;
@@ -277,7 +277,7 @@ TEST_F(ToolChanges, EveryOtherOrderIsRefusedAtItsLine) {
   }
 }
 
-// Before the stop the machine does not have the tool: its heat stands in the change alone.
+// Before the stop the machine does not have the tool: its heat is in the change alone.
 TEST_F(ToolChanges, AToolThatIsFittedByHandIsHeatedWhenItIsFitted) {
   for (const char* const format : {"gcode-extended", "gcode"}) {
     SCOPED_TRACE(format);
@@ -331,7 +331,7 @@ TEST_F(ToolChanges, AToolThatIsFittedByHandIsHeatedWhenItIsFitted) {
   EXPECT_LT(static_cast<std::size_t>(hot - fed.lines.begin()), read(fed).motions.front().line);
 }
 
-// What comes before the first motion: an earlier run may have left another tool selected.
+// Statements before the first motion: an earlier run may have left another tool selected.
 TEST_F(ToolChanges, TheFirstSelectionIsNeeded) {
   for (const std::string_view format : formats()) {
     SCOPED_TRACE(format);

@@ -34,8 +34,8 @@ FlatDisc leaning(double angle, double y, double z, double radius) {
   return {{9.5, y, z}, {0.0, std::sin(angle), std::cos(angle)}, radius};
 }
 
-// Whatever has its lowest place within the bead's flat top, of a disc that comes from aside: the
-// rim is where it comes nearest, at its height over the top; beyond, it is nearest to the rounding.
+// A disc from the side with its lowest place within the bead's flat top: the rim is nearest, at its
+// height over the top; beyond, it is nearest to the rounding.
 double closedForm(const FlatDisc& disc, double angle) {
   const double y = disc.centre.y() + disc.radius * std::cos(angle),
                z = disc.centre.z() - disc.radius * std::sin(angle);
@@ -50,7 +50,7 @@ TEST(Underside, ComesAsNearToABeadAsItsRim) {
       for (const double radius : {0.3, 0.5, 2.0}) {
         const FlatDisc disc = leaning(angle, -0.1 - radius * std::cos(angle), z, radius);
         if (z - radius * std::sin(angle) < 0.5 * kHeight)
-          continue; // the rim is beneath the bead's middle
+          continue; // the rim is below the bead's middle
         const double wanted = closedForm(disc, angle);
         ++tried;
         if (wanted > 1e-3)
@@ -87,7 +87,7 @@ TEST(Underside, IsFoundAsDeepAsProgramsAreWritten) {
     }
 }
 
-// A step at the tip: the wider of two sections there is what reaches.
+// A step at the tip: the wider of two sections there counts.
 TEST(Underside, OfAStepIsTheWiderSection) {
   const std::vector<BeadPiece> bead = beadAlongX();
   const process::HeadShape stepped{{{0.4, 0.5}, {0.4, 3.0}, {12.4, 5.6}}},
@@ -101,7 +101,7 @@ TEST(Underside, OfAStepIsTheWiderSection) {
 }
 
 // A bead that got less material than planned keeps its bottom.
-TEST(Underside, ABeadLowerThanPlannedLiesWhereItWasToLie) {
+TEST(Underside, BeadLowerThanPlannedKeepsItsPlannedPlace) {
   std::vector<BeadPiece> pieces = beadAlongX();
   const double diameter = 0.5;
   pieces[9].volumeMm3 = static_cast<float>(0.25 * M_PI * diameter * diameter);

@@ -1,6 +1,6 @@
-// The bead that fills the nozzle before the part begins is waste: it is not the part, it may lie in
-// the air, and a program with it does not prime where the arm stands. Filament that is drawn back
-// for travels comes to the same print.
+// The bead that fills the nozzle before the part begins is waste: it is not the part, it may be
+// unsupported, and a program with it does not prime at rest. Retracted filament gives the same
+// print.
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "replay/beads.h"
@@ -47,7 +47,7 @@ Verification verify(const test::Scene& s, const plan::ReadProgram& read) {
       ReplayThresholds{}, {});
 }
 
-TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
+TEST(Waste, IsNotThePartAndNeedsNoSupport) {
   const test::Scene s = primedScene();
   EXPECT_EQ(plannedPrimeMm3(s.plan, s.trajectory, s.process), 0.0);
   const double waste = 20.0 * process::beadArea(s.process.beadWidthMm, s.process.layerHeightMm);
@@ -69,7 +69,7 @@ TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
   }
 }
 
-// It falls beside the plate: the head may go where it was laid, and nothing rests on it.
+// It falls beside the plate: the head may be where it was deposited, and nothing rests on it.
 TEST(Waste, IsNotThereWhereItFalls) {
   const test::Scene s = primedScene();
   std::vector<BeadPiece> pieces(3);
@@ -87,7 +87,7 @@ TEST(Waste, IsNotThereWhereItFalls) {
   dropFallen(left, ground);
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left.front().run, 1u);
-  // On the plate it stays, and so does what is no waste.
+  // On the plate it stays, and so do pieces that are not waste.
   left = pieces;
   for (BeadPiece& piece : left)
     piece.from.y() = piece.to.y() = 0.0, piece.from.z() = piece.to.z() = 0.8;
@@ -99,8 +99,8 @@ TEST(Waste, IsNotThereWhereItFalls) {
   EXPECT_EQ(left.size(), 3u);
 }
 
-// The same bead as a part of the print hangs in the air.
-TEST(Waste, WhatIsNoneIsUnsupported) {
+// The same bead as a part of the print is unsupported.
+TEST(Waste, BeadThatIsNotWasteIsUnsupported) {
   test::Scene s = primedScene();
   s.plan.paths[0].kind = plan::PathKind::Support;
   const plan::Program program = program::writeProgram(
@@ -111,7 +111,7 @@ TEST(Waste, WhatIsNoneIsUnsupported) {
   EXPECT_GT(v.unsupportedFraction, 0.05);
 }
 
-TEST(DrawnBack, ComesToTheSamePrint) {
+TEST(DrawnBack, GivesTheSamePrint) {
   test::Scene s = test::boxScene(1);
   s.process.retractMm = 1.5;
   for (const program::Dialect& d : test::dialectsFor("urscript"))
@@ -148,8 +148,8 @@ TEST(DrawnBack, ComesToTheSamePrint) {
     }
 }
 
-// The nozzle goes back over its bead before it lifts, in every format: nothing more is laid, and a
-// wipe that is left out is found where it was.
+// The nozzle moves back over its bead before it lifts, in every format: nothing more is deposited,
+// and a missing wipe is found at its place.
 TEST(Wipe, IsAMotionThatLaysNothing) {
   test::Scene s = test::boxScene(1);
   s.trajectory = test::walk(s.plan, s.cell, s.process, 3.0, 3.0);

@@ -1,5 +1,5 @@
-// What robots look like: every robot has a shape, and every solid of it is a clean surface near the
-// solids that are checked.
+// Shapes of robots: every robot has one, and every solid of it is a clean surface near the solids
+// that are checked.
 #include "resource_fixture.h"
 #include "sampled_distance.h"
 
@@ -123,7 +123,8 @@ protected:
       EXPECT_TRUE(isClosed(loft.mesh)) << which;
       EXPECT_GT(geometry::volume(loft.mesh), 0.0) << which;
       EXPECT_GT(leastArea(loft.mesh), 1e-7) << which;
-      // Shaded as what it is: no facet beside a right-angled edge takes part in both of its faces.
+      // Shaded by its geometry: no facet beside a right-angled edge takes part in both of its
+      // faces.
       EXPECT_LT(worstNormal(loft), kPi / 4.0) << which;
       for (const Vector3d& normal : loft.normals)
         ASSERT_NEAR(normal.norm(), 1.0, 1e-9) << which;
@@ -176,13 +177,13 @@ double halfWidth(const Shape& shape) {
   return 0.0;
 }
 
-// What is seen and what is checked must not tell different stories: a part that looks clear of the
-// arm is, and one that meets the solids looks near it. Solids are few and round, links have
-// corners: those of a square housing about a round solid are at 1.41 times its radius.
+// Drawn and checked shapes must agree: a part that looks clear of the arm is, and one that meets
+// the solids looks near it. Solids are few and round, links have corners: those of a square housing
+// about a round solid are at 1.41 times its radius.
 TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
   const double cornerShare = std::sqrt(2.0) - 1.0;
   constexpr double kSmallMm = 20.0; // flange plates and caps, on solids of small radius
-  constexpr double kFootMm = 20.0;  // plates on which the arm stands: nothing gets beside them
+  constexpr double kFootMm = 20.0;  // plates on which the arm is mounted: nothing gets beside them
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::vector<Isometry3d> poses;
@@ -192,7 +193,7 @@ TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
     for (const ShapeSolid& solid : solids)
       for (const Vector3d& v : meshOf(solid.loft).mesh.vertices)
         ground = solid.frame == 0 ? std::min(ground, v.z()) : ground;
-    std::map<int, double> worst; // beyond what its nearest solid allows, mm
+    std::map<int, double> worst; // beyond the allowance of its nearest solid, mm
     for (const ShapeSolid& solid : solids)
       for (const Vector3d& v : meshOf(solid.loft).mesh.vertices) {
         if (solid.frame == 0 && v.z() < ground + kFootMm)
@@ -216,7 +217,7 @@ TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
 }
 
 // Faces of two solids in one place, facing the same way: they would flicker.
-TEST_F(Shapes, NoTwoFacesLieInOnePlace) {
+TEST_F(Shapes, NoTwoFacesCoincide) {
   constexpr double kApartMm = 0.15, kSameWay = 0.995, kSpotMm2 = 12.0;
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
@@ -252,7 +253,7 @@ TEST_F(Shapes, NoTwoFacesLieInOnePlace) {
   }
 }
 
-TEST_F(Shapes, SayWhatIsWrongInThem) {
+TEST_F(Shapes, ErrorsNameTheFault) {
   const auto complaint = [](const std::string& solid) {
     const std::string text =
         R"({"shape": {"colours": {"white": "#ffffff"}, "solids": [)" + solid + "]}}";

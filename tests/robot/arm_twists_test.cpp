@@ -132,7 +132,7 @@ TEST_F(EveryArm, SidesAreThoseOfTheDeterminant) {
   }
 }
 
-TEST_F(EveryArm, WhatIsOutOfReachIsNotFollowed) {
+TEST_F(EveryArm, PoseOutOfReachIsNotFollowed) {
   const RobotModel robot = loadRobot("ur5");
   const ArmTwists twists(*robot.kinematics);
   JointVector q = JointVector::Constant(6, 0.5);

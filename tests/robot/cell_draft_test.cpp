@@ -1,4 +1,4 @@
-// Cells edited as files: what an edit says and nothing else is another cell.
+// Cells edited as files: an edit changes its own values and nothing else.
 #include "robot/cell_draft.h"
 
 #include "base/error.h"
@@ -68,7 +68,7 @@ TEST_F(Drafts, aMovedPlateIsTheCellsWorkFrame) {
   EXPECT_TRUE(read(draft.withPose(plate, there)).base_T_fixed().isApprox(there, 1e-9));
 }
 
-TEST_F(Drafts, boxesComeAndGoWithWhatIsSaidOfThem) {
+TEST_F(Drafts, boxesAreAddedAndRemovedWithTheirPairs) {
   const CellDraft draft = draftOfCell("ur5-fixed");
   const std::size_t before = read(draft).bodies().size();
   const CellDraft one = draft.withBox("post", someTurn(), {10, 20, 30});
@@ -101,7 +101,7 @@ TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
   const CellDraft moved = added.withPose(place, someTurn());
   EXPECT_EQ(*read(moved).purgePlaceMm(), someTurn().translation());
   EXPECT_TRUE(body(moved, Kind::PurgePlace).pose.linear().isIdentity());
-  // Without it the file is as before, but for its layout.
+  // Without it the file is as before, except for its layout.
   EXPECT_EQ(moved.without(place), draft.named(draft.id(), draft.label()));
   std::string text = added.text();
   text.replace(text.find("-150"), 4, "true");
@@ -109,7 +109,7 @@ TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
 }
 
 // Solids with a frame of their own: it moves, and they go with it.
-TEST_F(Drafts, solidsFromAFileStandInTheirFrame) {
+TEST_F(Drafts, solidsFromAFileAreInTheirFrame) {
   const std::vector<Shape> solids{Frustum{{0, 0, 0}, {0, 0, 200}, 15, 15},
                                   Capsule{{0, 0, 200}, {80, 0, 200}, 12},
                                   Box{someTurn(), {5, 6, 7}}};
@@ -135,7 +135,7 @@ TEST_F(Drafts, solidsFromAFileStandInTheirFrame) {
   EXPECT_TRUE(one.withPose(crate, there).bodies().back().pose.isApprox(there, 1e-9));
 }
 
-TEST_F(Drafts, anotherRobotStandsInTheSameCell) {
+TEST_F(Drafts, anotherRobotFitsIntoTheSameCell) {
   for (const char* id : {"ur5-fixed", "irb1200-irbp", "t3"})
     for (const std::string& robot : robotIds()) {
       const RobotModel model = loadRobot(robot);
@@ -148,7 +148,7 @@ TEST_F(Drafts, anotherRobotStandsInTheSameCell) {
     }
 }
 
-TEST_F(Drafts, whatIsCarriedAndWhatTurnsTheFilament) {
+TEST_F(Drafts, carriedMassAndExtruderAreEdited) {
   const CellDraft draft = draftOfCell("ur5-fixed");
   EXPECT_FALSE(draft.carriedKg());
   EXPECT_TRUE(read(draft).carriedIsAssumed());
@@ -190,7 +190,7 @@ TEST_F(OwnCells, takeNoNameOfTheProgramsOwnAndNoPath) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "cells"));
 }
 
-TEST_F(OwnCells, thatCannotBeWrittenSaySo) {
+TEST_F(OwnCells, thatCannotBeWrittenGiveAnError) {
   std::ofstream(folder_.path() / "cells") << "a file where the folder should be";
   try {
     saveOwnCell(draftOfCell("ur5-fixed").named("mine", "x"));
@@ -200,7 +200,7 @@ TEST_F(OwnCells, thatCannotBeWrittenSaySo) {
   }
 }
 
-TEST_F(Drafts, whatIsNoCellIsRefused) {
+TEST_F(Drafts, invalidCellsAreRefused) {
   EXPECT_THROW(CellDraft("no json"), base::Error);
   EXPECT_THROW(CellDraft("[]"), base::Error);
   EXPECT_THROW(CellDraft("{}"), base::Error);

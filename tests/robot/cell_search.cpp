@@ -1,7 +1,7 @@
-// Where what stands still in a cell should be: the fixed nozzle, or the plate of a nozzle that the
-// arm carries. For each place tried, the share of printing poses that some branch and some turn
-// about the nozzle reaches with all bodies clear (cells/cell_score.h); for places that are named
-// also where the arm rests there.
+// The best place of the fixed body of a cell: of the fixed nozzle, or of the plate if the arm
+// carries the nozzle. For each place tried, the share of printing poses that some branch and some
+// turn about the nozzle reaches with all bodies clear (cells/cell_score.h); for places that are
+// named also where the arm rests there.
 //   cell_search CELL [RADIUS] [ROW...]   CELL: a cell's id; RADIUS of the poses' ball, mm (65);
 //                                        ROW = x,y,z,stem (mm), stem: length of the plate's on the
 //                                        flange, else unused; none: a grid.
@@ -43,7 +43,7 @@ robot::Cell cellAt(json cell, const Place& place, const std::filesystem::path& f
     stem[0]["frustum"]["p1Mm"][2] = -place.stem + 8;
     stem[1]["frustum"]["p0Mm"][2] = -place.stem + 8;
   } else {
-    // The stem stands on the table, which stays where it is.
+    // The stem starts at the table, which stays in place.
     json& foot = stem[0]["frustum"]["p0Mm"][2];
     json& plate = cell["platform"]["pose"]["xyzMm"];
     foot = foot.get<double>() + plate[2].get<double>() - place.z;
@@ -76,7 +76,7 @@ void printHome(const robot::Cell& cell, const process::Process& process) {
 }
 
 // Of an arm that cannot tilt: ahead of the middle of joint 1's range, by the height of the lowest
-// tip, which the sliding joint says.
+// tip, which follows from the sliding joint.
 std::vector<Place> uprightGrid(const robot::Cell& cell) {
   std::vector<Place> places;
   robot::JointVector q = robot::JointVector::Zero(cell.dof());
@@ -93,8 +93,8 @@ std::vector<Place> uprightGrid(const robot::Cell& cell) {
   return places;
 }
 
-// A plate ahead of the arm between 0.4 and 0.7 of what it stretches to, at heights up to 0.45 of
-// it; a fixed nozzle and stems as the first cell was laid out.
+// A plate ahead of the arm between 0.4 and 0.7 of its reach, at heights up to 0.45 of it; a fixed
+// nozzle and stems as in the first cell.
 std::vector<Place> grid(const robot::Cell& cell) {
   std::vector<Place> places;
   if (cell.nozzleMount() == robot::Mount::World) {

@@ -1,4 +1,4 @@
-// The fixed nozzle's frames, joint wrap, and what every row of the tables has to keep.
+// The fixed nozzle's frames, joint wrap, and invariants of every row of the tables.
 #include "resource_fixture.h"
 
 #include "base/data_files.h"
@@ -138,9 +138,9 @@ TEST_F(Cells, toolPointsDownAndThePlateIsBelowItWhenUpright) {
   }
 }
 
-// Eq. 2.3 by hand: T_E^B T_P^E T_O^P = T_N^B, numbers of ur5-fixed's file. The nozzle stands at
-// (500, 0, 500) and points down, the plate's top 100 mm above the flange, the waypoint 30, 40, 25
-// on it with the build direction tilted to y by the angle of 3-4-5. The last is solved for T_E^B.
+// Eq. 2.3 by hand: T_E^B T_P^E T_O^P = T_N^B, numbers of ur5-fixed's file. The nozzle is at (500,
+// 0, 500) and points down, the plate's top 100 mm above the flange, the waypoint 30, 40, 25 on it
+// with the build direction tilted to y by the angle of 3-4-5. The last is solved for T_E^B.
 TEST_F(Cells, flangeOfTheFixedNozzleByHand) {
   const Cell cell = load("ur5-fixed");
   Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
@@ -181,7 +181,7 @@ TEST_F(Cells, bodiesOfTheFixedNozzle) {
   EXPECT_TRUE(pairs.count({"head", "wrist 3"}));
   EXPECT_TRUE(pairs.count({"holder", "forearm"}));
   EXPECT_TRUE(pairs.count({"upper arm", "wrist 3"}));
-  EXPECT_FALSE(pairs.count({"base", "head"}));        // both stand still
+  EXPECT_FALSE(pairs.count({"base", "head"}));        // both are fixed
   EXPECT_FALSE(pairs.count({"wrist 3", "platform"})); // fixed to each other
   EXPECT_FALSE(pairs.count({"forearm", "wrist 1"}));  // neighbours
 }
@@ -270,7 +270,8 @@ TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
     }
   // Controllers count from the plate's frame: its z is the last axis.
   EXPECT_TRUE(cell.work_T_unit().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
-  // The cradle tilts and does not turn; it may meet the arm and what is printed, not what it holds.
+  // The cradle tilts and does not turn; it may meet the arm and printed beads, not the body it
+  // holds.
   const auto name = [&](int b) { return cell.bodies()[static_cast<std::size_t>(b)].name; };
   for (const Body& body : cell.bodies())
     if (body.name == "cradle") {
@@ -293,7 +294,7 @@ TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
 }
 
 // Inverse, then forward, with external axes anywhere.
-TEST_F(Cells, posesComeBackWithThePositionerAnywhere) {
+TEST_F(Cells, inverseAndForwardAgreeForAnyPositionerPose) {
   const Cell cell = load("irb1200-irbp");
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -321,7 +322,7 @@ TEST_F(Cells, posesComeBackWithThePositionerAnywhere) {
 }
 
 // A slide between the tilting axis and the plate: mm, along the direction given.
-TEST_F(Cells, whatSlidesMovesThePlateByMillimetres) {
+TEST_F(Cells, aSlidingAxisMovesThePlateByMillimetres) {
   nlohmann::json description =
       nlohmann::json::parse(base::readFile(base::resourceFolder() / "cells/irb1200-irbp.json"));
   description["externalAxes"][1] = {{"name", "slide"},
@@ -342,7 +343,7 @@ TEST_F(Cells, whatSlidesMovesThePlateByMillimetres) {
   JointVector q = cell.home();
   q.tail(2) << kPi / 2, 50.0;
   const Eigen::Isometry3d pose = cell.base_T_work(q);
-  // In what is tilted it goes to (30, 40, -120); y of that is up now, and -z to the side.
+  // In the tilted frame it moves to (30, 40, -120); y of that is up now, and -z to the side.
   EXPECT_LT((pose.translation() - Eigen::Vector3d(530, 120, 280)).norm(), 1e-9);
   EXPECT_TRUE(pose.linear().isApprox(
       Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix(), 1e-12));

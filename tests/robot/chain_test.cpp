@@ -33,7 +33,7 @@ double nearest(const JointVector& q, const std::vector<JointVector>& among) {
   return least;
 }
 
-// Newton's steps from many starts: slow, and finds what there is.
+// Newton's steps from many starts: slow, and finds all solutions.
 std::vector<JointVector> searched(const SerialChain& chain, const Isometry3d& pose, int starts,
                                   MadeArms& random) {
   std::vector<JointVector> found;
@@ -126,7 +126,7 @@ TEST_F(Chains, AreAsTheFamiliesThatKnowThem) {
   }
 }
 
-TEST_F(Chains, AreRecognisedWhateverTheirFrames) {
+TEST_F(Chains, AreRecognisedForAnyFrames) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     MadeArms made(seed);

@@ -61,7 +61,7 @@ inline robot::SerialChain crxChain() {
 }
 
 // An arm by the lines of its axes, each with a frame of its own turn, a zero of its own, and a base
-// and a flange that stand anywhere.
+// and a flange at random poses.
 class MadeArms {
 public:
   explicit MadeArms(unsigned seed) : random_(seed) {}
@@ -114,7 +114,7 @@ public:
     return chain;
   }
 
-  // Upright: shoulder, elbow and wrist above each other, aside by what is drawn.
+  // Upright: shoulder, elbow and wrist above each other, with random offsets.
   robot::SerialChain sphericalWrist() {
     std::array<robot::AxisLine, 6> axes = orthoBase();
     axes[4] = {axes[3].point, kY};

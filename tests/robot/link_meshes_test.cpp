@@ -1,4 +1,4 @@
-// What an imported arm looks like: the meshes of its description, in the frames of its bodies.
+// The drawn shape of an imported arm: the meshes of its description, in the frames of its bodies.
 #include "robot/urdf/link_meshes.h"
 
 #include "base/files.h"

@@ -100,7 +100,7 @@ TEST(MeasuredFrames, pointsWithoutNoiseGiveTheFrameToRounding) {
   }
 }
 
-// Points of a mirror image fit no turn: the residual says so, and what comes is a turn all the
+// Points of a mirror image fit no turn: the residual shows it, and the result is a turn all the
 // same.
 TEST(MeasuredFrames, aMirrorImageIsNoFrame) {
   std::vector<TouchedPoint> points;
@@ -164,14 +164,14 @@ TEST(MeasuredFrames, noiseOfATenthIsMeasuredAway) {
     turn += *found.residual.turnRad / kSeeds;
   }
   EXPECT_GE(within, 990);
-  // What the residual tells of the result is so.
+  // The noise and the accuracy estimated from the residual are right.
   EXPECT_NEAR(noise, 0.1, 0.002);
   EXPECT_NEAR(place / std::sqrt(squaredPlace), 1.0, 0.05);
   EXPECT_GE(turn, std::sqrt(squaredTurn)); // of the worst direction
   EXPECT_LE(turn, 2.0 * std::sqrt(squaredTurn));
 }
 
-TEST(MeasuredFrames, whatGivesNoFrameSaysWhy) {
+TEST(MeasuredFrames, pointsWithoutAFrameAreRefused) {
   const Vector3d a(1, 2, 3), b(11, 2, 3), c(50, 2, 3), d(1, 40, 3);
   EXPECT_NO_THROW(frameFromPoints(a, b, d));
   EXPECT_THROW(frameFromPoints(a, b, c), base::Error);
@@ -234,7 +234,7 @@ TEST(ToolTip, noiseOfATenthIsMeasuredAway) {
   EXPECT_NEAR(noise, 0.1, 0.002);
 }
 
-TEST(ToolTip, posesThatSayNothingAreRefused) {
+TEST(ToolTip, insufficientPosesAreRefused) {
   Measured measured(5);
   const Vector3d tip(10, 20, 150), point(400, 100, 50);
   auto poses = touching(measured, tip, point, 4, 1.0, 0.0);

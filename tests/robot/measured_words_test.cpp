@@ -1,4 +1,4 @@
-// What is said of measured points.
+// Words about measured points.
 #include "robot/measured/measured_words.h"
 
 #include "base/units.h"

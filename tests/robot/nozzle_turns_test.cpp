@@ -49,7 +49,7 @@ protected:
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(NozzleTurning, CellsComeBackFromTheirText) {
+TEST_F(NozzleTurning, CellsAreReadBackFromTheirText) {
   const RobotModel robot = arm();
   const CellDescription described = description(robot);
   const Cell cell = cellOf(described, robot);

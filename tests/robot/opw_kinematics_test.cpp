@@ -111,7 +111,7 @@ TEST_F(Opw, linksAreThoseOfTheMakersDescription) {
   }
 }
 
-TEST_F(Opw, linksEndInTheFlangeWhateverTheGeometry) {
+TEST_F(Opw, linksEndInTheFlangeForEveryGeometry) {
   RandomJoints random(2);
   std::vector<Isometry3d> links;
   for (const OpwGeometry& geometry : kAll) {
@@ -165,7 +165,7 @@ TEST_F(Opw, inverseThenForwardOverRandomPoses) {
     EXPECT_LE(worstRad, 1e-12);
     EXPECT_EQ(lost, 0u);
     EXPECT_GT(branches, 4u * kPoses);
-    // With no offset of the shoulder what is reached one way is reached all ways.
+    // With no offset of the shoulder a pose reached by one branch is reached by all.
     if (kAll[g].a1 == 0.0) {
       EXPECT_EQ(all, static_cast<std::size_t>(kPoses));
     }
@@ -249,7 +249,7 @@ TEST_F(Opw, outOfReachGivesNothing) {
   pose.translation() = Vector3d(10, 0, 400); // nearer to axis 1 than b
   OpwKinematics(kOdd).inverse(pose, solutions);
   EXPECT_TRUE(solutions.empty());
-  pose.translation() = Vector3d(0, 0, 399.1 + 82); // inside what the folded arm reaches
+  pose.translation() = Vector3d(0, 0, 399.1 + 82); // inside the reach of the folded arm
   OpwKinematics(kIrb1200).inverse(pose, solutions);
   EXPECT_TRUE(solutions.empty());
 }

@@ -54,7 +54,7 @@ TEST_F(PayloadCurves, OfRobotsAreTheirFilesOrTheirRating) {
   EXPECT_DOUBLE_EQ(rated->kg, 5.0);
 }
 
-TEST_F(PayloadCurves, RefuseWhatIsNone) {
+TEST_F(PayloadCurves, RefuseInvalidCurves) {
   for (const char* text : {"[]", R"([{"offsetMm": -1, "kg": 2}])", R"([{"offsetMm": 0, "kg": 0}])",
                            R"([{"offsetMm": 9, "kg": 2}, {"offsetMm": 9, "kg": 1}])",
                            R"([{"offsetMm": 0, "kg": 2}, {"offsetMm": 9, "kg": 3}])",

@@ -1,4 +1,4 @@
-// Points the program's data folder at the source tree, whatever built the test and from where.
+// Points the program's data folder at the source tree, independent of the build and its folder.
 #pragma once
 
 #include <cstdlib>

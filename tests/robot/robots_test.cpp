@@ -69,7 +69,7 @@ protected:
   std::mt19937_64 random_{19};
 };
 
-TEST_F(Robots, EachComesBackFromWhereItsJointsLead) {
+TEST_F(Robots, InverseFindsTheJointsOfEachForwardPose) {
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::vector<JointVector> solutions;
@@ -93,7 +93,7 @@ TEST_F(Robots, EachComesBackFromWhereItsJointsLead) {
 }
 
 // Lengths alone: axes and zeros where every arm of the maker has them.
-TEST_F(Robots, UniversalRobotsStandStretchedAtZero) {
+TEST_F(Robots, UniversalRobotsAreStretchedAtZero) {
   struct Row {
     const char* id;
     double d1, a2, a3, d4, d5, d6;

@@ -12,7 +12,7 @@ namespace voluta::test {
 // Signed distance of a point (shape's own frame) to a solid: negative inside. mm.
 double signedDistance(const Eigen::Vector3d& point, const robot::Shape& shape);
 
-// A body's samples: each stands for a ball of `radius` about `point` inside the solid (0 on the
+// A body's samples: each represents a ball of `radius` about `point` inside the solid (0 on the
 // surface of one that is no capsule). Spacing about `spacingMm`.
 struct Sample {
   Eigen::Vector3d point;

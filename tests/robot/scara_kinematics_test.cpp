@@ -55,7 +55,7 @@ protected:
   std::mt19937_64 random_{4};
 };
 
-TEST_F(Scara, StandsWhereTheReferenceHasIt) {
+TEST_F(Scara, FlangePoseEqualsTheReference) {
   const RobotModel t3 = loadRobot("t3-401s");
   ASSERT_EQ(t3.dof(), 4);
   EXPECT_FALSE(t3.kinematics->tilts());
@@ -88,7 +88,7 @@ TEST_F(Scara, LinksFollowEachOther) {
   EXPECT_TRUE(links[5].isApprox(arm.flange(q), 1e-12));
 }
 
-TEST_F(Scara, ComesBackToEveryPose) {
+TEST_F(Scara, InverseFindsTheJointsOfEachForwardPose) {
   const RobotModel t3 = loadRobot("t3-401s");
   std::vector<JointVector> solutions;
   double worstMm = 0.0, worstTurn = 0.0, worstBack = 0.0;
@@ -111,7 +111,8 @@ TEST_F(Scara, ComesBackToEveryPose) {
   }
   EXPECT_LT(worstMm, 1e-8);
   EXPECT_LT(worstTurn, 1e-8);
-  EXPECT_LT(worstBack, 1e-5); // next to the stretched arm joints hang on the root of rounding
+  EXPECT_LT(worstBack,
+            1e-5); // next to the stretched arm joints depend on the root of the rounding error
   RecordProperty("worstMm", std::to_string(worstMm));
 }
 
@@ -197,7 +198,7 @@ TEST_F(Scara, TurnsByWholeTurnsAndSlidesByNone) {
   EXPECT_FALSE(near(joints(100, 70, -150.0, 0), q).empty());
 }
 
-TEST_F(Scara, IsToldInDegreesAndMillimetres) {
+TEST_F(Scara, AnglesAreInDegreesAndSlidesInMillimetres) {
   const RobotModel t3 = loadRobot("t3-401s");
   EXPECT_EQ(t3.limits[2].kind, JointKind::Sliding);
   EXPECT_EQ(t3.limits[2].min, -150.0);
@@ -216,7 +217,7 @@ TEST_F(Scara, IsToldInDegreesAndMillimetres) {
 }
 
 // Read the other way round and from another zero: joint 3 downwards, from 150 mm up.
-TEST_F(Scara, AReadingDoesNotWrapWhatSlides) {
+TEST_F(Scara, ReadingDoesNotWrapASlidingJoint) {
   const auto arm = std::make_shared<ScaraKinematics>(kT3);
   const ReadKinematics read(arm, {{1, -1, -1, 1}, {0, 0, 150, degreesToRadians(90)}, false});
   EXPECT_EQ(read.kindOf(2), JointKind::Sliding);

@@ -69,7 +69,7 @@ TriangleMesh turned(TriangleMesh mesh) {
   return mesh;
 }
 
-// A plate on four legs: what no single cut makes smaller. One component, as the legs go into the
+// A plate on four legs, which no single cut makes smaller. One component, as the legs go into the
 // plate's own corners, or five.
 TriangleMesh table() {
   TriangleMesh mesh = test::box({0, 0, 700}, {1200, 800, 740});
@@ -136,7 +136,7 @@ TEST(SolidPieces, OneMeshOfSeveralParts) {
   EXPECT_FALSE(held(piecesOf(angleIron()), {150, 150, 250}));
 }
 
-TEST(SolidPieces, NoMoreThanAskedFor) {
+TEST(SolidPieces, NoMorePiecesThanTheLimit) {
   TriangleMesh balls;
   for (int i = 0; i < 10; ++i)
     test::append(balls, test::sphere({100.0 * i, 0, 0}, 10.0, 6));
@@ -159,8 +159,8 @@ TEST(SolidPieces, AnOpenSheetIsThick) {
 }
 
 TEST(SolidPieces, ABlockIsFullInside) {
-  // With a slab beside it that goes into it: one component or two, cut into cubes where it is none
-  // that one solid fits, of which many lie deep inside.
+  // With a slab beside it that enters it: one component or two, cut into cubes where no single
+  // solid fits, of which many are deep inside.
   TriangleMesh block = turned(test::box({0, 0, 0}, {100, 100, 100}));
   test::append(block, turned(test::box({50, 0, 0}, {200, 100, 20})));
   expectHeld(block, piecesOf(block));

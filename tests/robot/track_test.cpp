@@ -72,8 +72,8 @@ protected:
   }
 };
 
-// The arm goes 300 mm along y: the plate and all that stands come to it as if they went back.
-TEST_F(Track, movesTheArmPastWhatStands) {
+// The arm moves 300 mm along y: the plate and all fixed bodies move back relative to it.
+TEST_F(Track, movesTheArmPastFixedBodies) {
   const Cell cell = read(own());
   ASSERT_EQ(cell.dof(), 7);
   EXPECT_EQ(cell.axesUnderRobot(), 1u);
@@ -100,7 +100,7 @@ TEST_F(Track, movesTheArmPastWhatStands) {
     }
 }
 
-TEST_F(Track, whatStandsIsCheckedAgainstWhatRides) {
+TEST_F(Track, fixedBodiesAreCheckedAgainstTheCarriage) {
   const Cell cell = read(own());
   std::set<std::pair<std::string, std::string>> pairs;
   for (const auto& [a, b] : cell.checkedPairs())
@@ -151,7 +151,7 @@ TEST_F(Track, aChainUnderTheRobotAndOneUnderThePlate) {
 }
 
 // Two axes under the robot, the one right under it first: a rail carries a column that turns.
-TEST_F(Track, whatIsRightUnderTheRobotComesFirst) {
+TEST_F(Track, axisRightUnderTheRobotComesFirst) {
   json description = own();
   description["externalAxes"] = {turn("column", "robot", {-200, 30, -100}, {0, 0, -2}),
                                  slide("rail", "robot", {5, 5, -300}, {3, 4, 0})};
@@ -179,7 +179,7 @@ TEST_F(Track, whatIsRightUnderTheRobotComesFirst) {
                       1e-12));
     cell.framePoses(q, frames);
     for (const Body& body : cell.bodies())
-      if (body.name == "saddle") { // goes with the rail, and does not turn with the column
+      if (body.name == "saddle") { // moves with the rail, and does not turn with the column
         const Box& box = std::get<Box>(body.shapes.front());
         const Isometry3d world_T_box =
             world_T_base * frames[static_cast<std::size_t>(body.frame)] * box.frame_T_box;

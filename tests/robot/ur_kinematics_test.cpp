@@ -233,7 +233,7 @@ TEST_F(Ur, outOfReachGivesNothing) {
 TEST_F(Ur, inverseNearTurnsEachJointWithinItsLimits) {
   const RobotModel robot = loadRobot("ur5");
   const JointVector q = joints({300, -250, 100, 200, -190, 350});
-  std::vector<JointVector> solutions(3, q); // what it held before is dropped
+  std::vector<JointVector> solutions(3, q); // its former contents are dropped
   inverseNear(robot, robot.kinematics->flange(q), q, solutions);
   ASSERT_LE(solutions.size(), 8u);
   double nearest = 1e9;

@@ -32,7 +32,7 @@ inline std::string urdfTube(const UrdfTube& tube) {
                      std::atan2(d.y(), d.x()), tube.radius, d.norm());
 }
 
-// `solid` stands for what a link has; of link 0 (base_link) to 6.
+// `solid` gives the solids of a link; of link 0 (base_link) to 6.
 template <typename Solid> std::string urdfOf(const UrdfArm& arm, Solid&& solid) {
   std::string text = "<?xml version=\"1.0\"?>\n<robot name=\"" + arm.name + "\">\n";
   const auto link = [](std::size_t i) { return i == 0 ? "base_link" : fmt::format("link_{}", i); };

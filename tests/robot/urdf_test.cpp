@@ -1,4 +1,4 @@
-// Robots from URDF: the arm that comes of it, what is said of what is missing, and what is refused.
+// Robots from URDF: the resulting arm, notes about missing values, and files that are refused.
 #include "joints_in_degrees.h"
 #include "resource_fixture.h"
 #include "urdf_arms.h"
@@ -91,7 +91,7 @@ TEST_F(Urdf, IsTheArmThatItDescribes) {
   EXPECT_THAT(robot.model.assumed, Contains(HasSubstr("frame of link 'base'")));
 }
 
-TEST_F(Urdf, IsTheIrb1200ThatComesAlong) {
+TEST_F(Urdf, EqualsTheBundledIrb1200) {
   const UrdfRobot robot = read(test::urdfOf(test::irb1200()));
   const RobotModel known = loadRobot("irb1200");
   std::mt19937_64 random(4);
@@ -107,8 +107,8 @@ TEST_F(Urdf, IsTheIrb1200ThatComesAlong) {
   }
 }
 
-// The branch that goes on from a pose is one that the whole inverse has.
-TEST_F(Urdf, GoesOnFromPoseToPoseWhereItsInverseIsSlow) {
+// The branch continued from a pose is one that the whole inverse has.
+TEST_F(Urdf, FollowsABranchWhereItsInverseIsSlow) {
   const UrdfRobot robot = read(test::urdfOf(test::oddArm()));
   const RobotModel& model = robot.model;
   ASSERT_FALSE(model.kinematics->isFast());
@@ -124,7 +124,8 @@ TEST_F(Urdf, GoesOnFromPoseToPoseWhereItsInverseIsSlow) {
   }
   JointVector far = from;
   far[0] += 0.5;
-  EXPECT_FALSE(nextBranch(model, model.kinematics->flange(far), from, 0.3)); // further than asked
+  EXPECT_FALSE(
+      nextBranch(model, model.kinematics->flange(far), from, 0.3)); // further than the limit
   Eigen::Isometry3d out = model.kinematics->flange(from);
   out.translation().x() += 5000.0;
   EXPECT_FALSE(nextBranch(model, out, from, 7.0));
@@ -148,11 +149,11 @@ TEST_F(Urdf, HasTheSolidsOfItsLinks) {
   EXPECT_LT((upper.p1 - Vector3d(37.5, 0, 132)).norm(), 1e-9);
   const auto& fore = std::get<Box>(links[3].shapes.at(0));
   EXPECT_LT((fore.half - Vector3d(180, 35, 35)).norm(), 1e-9);
-  EXPECT_DOUBLE_EQ(std::get<Capsule>(links[4].shapes.at(0)).radius, 55.0); // what is to be seen
+  EXPECT_DOUBLE_EQ(std::get<Capsule>(links[4].shapes.at(0)).radius, 55.0); // the visual shape
   EXPECT_EQ(links[6].frame, 6);
 }
 
-TEST_F(Urdf, ComesBackFromItsFile) {
+TEST_F(Urdf, IsReadBackFromItsFile) {
   UrdfOptions options;
   options.id = "left-arm";
   options.controller = "urscript";
@@ -177,7 +178,7 @@ TEST_F(Urdf, ComesBackFromItsFile) {
   EXPECT_NEAR(std::get<Box>(back.links[3].shapes.at(0)).half.x(), 180.0, 1e-9);
 }
 
-TEST_F(Urdf, SaysWhatIsAssumedOfLimits) {
+TEST_F(Urdf, StatesTheAssumedLimits) {
   const auto assumedWith = [&](const std::string& last) {
     const UrdfRobot robot = read(test::ur5Urdf("", last));
     EXPECT_NEAR(robot.model.limits[5].max, 2 * kPi, 1e-12);
@@ -230,7 +231,7 @@ TEST_F(Urdf, NamesSolidsThatItLeavesOut) {
               Contains(HasSubstr("a solid of unknown shape 'capsule' is left out")));
 }
 
-TEST_F(Urdf, RefusesInOneLineWhatItCannotTake) {
+TEST_F(Urdf, RefusesUnsupportedRobotsInOneLine) {
   const std::string ur5 = test::ur5Urdf();
   EXPECT_EQ(complaint(ur5), "");
   const auto elbowAs = [&](const std::string& type) {
@@ -277,7 +278,7 @@ TEST_F(Urdf, RefusesInOneLineWhatItCannotTake) {
   EXPECT_THAT(complaint("robot"), HasSubstr("arm.urdf"));
 }
 
-TEST_F(Urdf, LeavesOutWhatMovesBesideTheArm) {
+TEST_F(Urdf, LeavesOutJointsBesideTheArm) {
   UrdfOptions options;
   options.tip = "tool0";
   const UrdfRobot robot =
@@ -382,7 +383,7 @@ TEST_F(Urdf, SeveralCapsulesHoldAMeshTightly) {
     }
 }
 
-TEST_F(Urdf, NumbersBeyondMeasureAreSaidOrPassedOver) {
+TEST_F(Urdf, NumbersOutOfRangeAreRefusedOrReplaced) {
   const std::string ur5 = test::ur5Urdf();
   EXPECT_THAT(complaint(with(ur5, R"(xyz="-0.425 0 0")", R"(xyz="-4e9 0 0")")),
               HasSubstr("'xyz' is NaN or out of range"));
@@ -407,7 +408,7 @@ TEST_F(Urdf, NumbersBeyondMeasureAreSaidOrPassedOver) {
   EXPECT_THAT(complaint(""), HasSubstr("arm.urdf"));
 }
 
-TEST_F(Urdf, SaysWhichLinksMayBeTheFlange) {
+TEST_F(Urdf, ListsPossibleFlangeLinks) {
   const auto file = written(test::ur5Urdf(R"(<link name="finger"/><joint name="grip"
       type="prismatic"><parent link="wrist_3"/><child link="finger"/></joint>)"));
   EXPECT_EQ(urdfTips(readUrdfTree(file), "arm.urdf"),

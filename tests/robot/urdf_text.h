@@ -5,8 +5,8 @@
 
 namespace voluta::test {
 
-// A UR5 as its maker describes it, with simple solids; `inside` goes in before the end, `last`
-// stands for the limits of its last joint.
+// A UR5 as its maker describes it, with simple solids; `inside` is inserted before the end, `last`
+// are the limits of its last joint.
 inline std::string ur5Urdf(
     const std::string& inside = "",
     const std::string& last = R"(<limit lower="-6.2831853" upper="6.2831853" velocity="3.14"/>)") {

@@ -42,7 +42,7 @@ TEST(Colouring, UnknownNameIsAnsweredWithTheNearest) {
   }
 }
 
-TEST(Colouring, SequentialMapGetsLighterAllTheWay) {
+TEST(Colouring, SequentialMapGetsSteadilyLighter) {
   double before = -1.0;
   for (int i = 0; i <= 50; ++i) {
     const double now = luminance(sequentialColour(i / 50.0));
@@ -51,18 +51,18 @@ TEST(Colouring, SequentialMapGetsLighterAllTheWay) {
   }
 }
 
-TEST(Colouring, DivergingMapIsLightestInTheMiddleAndItsLimitsStandOut) {
+TEST(Colouring, DivergingMapIsLightestInTheMiddleAndLimitsContrast) {
   for (int i = 0; i < 25; ++i) {
     EXPECT_LT(luminance(divergingColour(i / 50.0)), luminance(divergingColour((i + 1) / 50.0)));
     EXPECT_LT(luminance(divergingColour(1.0 - i / 50.0)),
               luminance(divergingColour(1.0 - (i + 1) / 50.0)));
   }
-  // By lightness alone, whatever eyes make of the hues.
+  // By lightness alone, independent of the hues.
   EXPECT_GT(luminance(tooThinColour()), 5.0 * luminance(divergingColour(0.0)));
   EXPECT_GT(luminance(tooThickColour()), 5.0 * luminance(divergingColour(1.0)));
 }
 
-TEST(Colouring, ReasonsAndStepsAreToldApart) {
+TEST(Colouring, ReasonsAndStepsAreDistinct) {
   for (const Theme& theme : {lightTheme(), darkTheme()}) {
     const Colour all[] = {theme.blocked, theme.unreached, theme.cascade, theme.current,
                           supportColour()};
@@ -81,7 +81,7 @@ TEST(Colouring, EveryKindOfBeadHasItsOwnColour) {
       EXPECT_GT(distance(categoricalColour(i), categoricalColour(k)), 0.25) << i << " and " << k;
 }
 
-TEST(Colouring, RedIsKeptForWhatIsBlocked) {
+TEST(Colouring, RedIsReservedForBlockedParts) {
   for (const Theme& theme : {lightTheme(), darkTheme()}) {
     for (int i = 0; i <= 100; ++i)
       EXPECT_GT(distance(sequentialColour(i / 100.0), theme.blocked), 0.45) << i;

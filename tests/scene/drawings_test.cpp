@@ -1,4 +1,4 @@
-// What is left out of a picture is only what cannot be seen: counted against plain enumeration.
+// Only geometry that cannot be seen is left out of a picture: counted against plain enumeration.
 #include "curved/decomposition.h"
 #include "layers/layer_stack.h"
 #include "scene/colour_values.h"
@@ -27,7 +27,7 @@ std::size_t total(const std::vector<Stretch>& stretches) {
   return sum;
 }
 
-TEST(VoxelDrawing, ShowsTheFacesBetweenWhatIsShownAndWhatIsNot) {
+TEST(VoxelDrawing, ShowsTheFacesBetweenShownAndHiddenCells) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> anyRank(0, 5);
   curved::Decomposition d;
@@ -164,7 +164,7 @@ plan::ToolPlan block(int layers, int beads, int waypoints) {
   return plan;
 }
 
-TEST(PathsDrawing, LeavesOutWhatLaterBeadsSurround) {
+TEST(PathsDrawing, LeavesOutBeadsSurroundedByLaterOnes) {
   const plan::ToolPlan plan = block(12, 12, 30);
   const auto drawing = scene::drawPaths(plan);
   const std::size_t segments = 12 * 12 * 29;
@@ -276,7 +276,7 @@ TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
   };
   constexpr std::size_t whole = 2 * kSquares * kSquares;
   EXPECT_EQ(shown(drawing->bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 4u * kSquares);
-  // One side in full; of the covered ones only what is near the edge.
+  // One side in full; of the covered ones only those near the edge.
   const std::size_t upper = shown(drawing->upper, 0, 2, 2);
   const std::size_t edge = (upper - whole) / 2;
   EXPECT_GT(edge, 4u * kSquares);

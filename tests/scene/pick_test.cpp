@@ -36,7 +36,7 @@ TEST_F(Picking, PartFacetWithItsNormal) {
   EXPECT_FALSE(scene_.pick(1, 1));
 }
 
-TEST_F(Picking, WhatASectionCutsAwayIsNotMet) {
+TEST_F(Picking, PartsCutAwayByASectionAreNotHit) {
   scene_.setPart(scene::drawPart(test::box({-10, -20, 0}, {10, 20, 30})));
   scene_.standardView(scene::StandardView::Front);
   scene::ViewState view;

@@ -1,4 +1,4 @@
-// Pieces as they are drawn and met: colours, what needs support, moved apart.
+// Pieces as they are drawn and picked: colours, areas that need support, exploded view.
 #include "helpers/shapes.h"
 #include "planar/given_cuts.h"
 #include "scene/label_places.h"
@@ -14,7 +14,7 @@ namespace {
 using namespace voluta;
 using Eigen::Vector3d;
 
-// A ball, and what is above the plane z = 30 as a piece of its own.
+// A ball, and the part above the plane z = 30 as a piece of its own.
 std::vector<planar::Piece> ball(bool cut) {
   planar::Piece whole = planar::wholePart(test::sphere({0, 0, 20}, 20), {});
   if (!cut)
@@ -26,7 +26,7 @@ scene::Colour distanceTo(const scene::Colour& a, const scene::Colour& b) {
   return {std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])};
 }
 
-TEST(PieceColours, AreDistinctAndNeitherRedNorThatOfWhatNeedsSupport) {
+TEST(PieceColours, AreDistinctFromRedAndFromTheColourOfOverhangs) {
   std::vector<scene::Colour> known;
   for (const scene::Theme& theme : {scene::lightTheme(), scene::darkTheme()}) {
     known.push_back(theme.blocked);
@@ -42,7 +42,7 @@ TEST(PieceColours, AreDistinctAndNeitherRedNorThatOfWhatNeedsSupport) {
   }
 }
 
-TEST(Pieces, MoveOffTheOneTheyStandOn) {
+TEST(Pieces, MoveAwayFromTheirBasePiece) {
   auto pieces = ball(true);
   pieces[1].parent = 0;
   const auto drawing = scene::drawPieces(pieces, {});
@@ -53,7 +53,7 @@ TEST(Pieces, MoveOffTheOneTheyStandOn) {
   EXPECT_EQ(scene::basePlaneOffset(*drawing, 1, 7.0), Vector3d(0, 0, 0)) << "it stays below";
 }
 
-TEST(Pieces, AreMetWhereTheyAreDrawnAndToldWhereTheyBelong) {
+TEST(Pieces, AreHitWhereTheyAreDrawnAndReturnTheirTruePlace) {
   auto pieces = ball(true);
   pieces[1].parent = 0;
   scene::OffscreenTarget target;
@@ -82,7 +82,7 @@ TEST(Pieces, AreMetWhereTheyAreDrawnAndToldWhereTheyBelong) {
   EXPECT_FALSE(scene.pick(100, 80));
 }
 
-TEST(Pieces, LegendNamesThemAndWhatNeedsSupport) {
+TEST(Pieces, LegendNamesThemAndAreasThatNeedSupport) {
   scene::Scene scene(scene::lightTheme());
   auto pieces = ball(true);
   pieces[1].parent = 0;
@@ -104,8 +104,8 @@ TEST(Pieces, LegendNamesThemAndWhatNeedsSupport) {
   EXPECT_EQ(legend.marks[0].colour, scene::lightTheme().risky);
 }
 
-// Seen from below, the ball shows nothing but what needs support; from above it shows none of it.
-TEST(Pieces, WhatNeedsSupportHasItsColour) {
+// Seen from below, the ball shows only the area that needs support; from above it shows none of it.
+TEST(Pieces, AreaThatNeedsSupportHasItsColour) {
   const auto magenta = [](const scene::Image& image) {
     std::size_t count = 0;
     for (std::size_t p = 0; p + 2 < image.rgb.size(); p += 3)
@@ -126,7 +126,7 @@ TEST(Pieces, WhatNeedsSupportHasItsColour) {
   EXPECT_EQ(from(scene::StandardView::Top), 0u);
 }
 
-// What is seen from the front with 2 pixels a mm, x to the right and z up.
+// The view from the front with 2 pixels a mm, x to the right and z up.
 scene::LabelView fromTheFront() {
   scene::LabelView view;
   view.width = 400;
@@ -135,7 +135,7 @@ scene::LabelView fromTheFront() {
   return view;
 }
 
-TEST(LabelPlaces, AreInTheMiddleOfWhatIsSeenOfABody) {
+TEST(LabelPlaces, AreInTheMiddleOfTheVisiblePartOfABody) {
   const auto wall = test::box({-60, 10, -40}, {60, 20, 40});
   const auto before = test::box({-60, 0, -40}, {20, 5, 40});
   scene::LabelView view = fromTheFront();
@@ -160,7 +160,7 @@ TEST(LabelPlaces, AreInTheMiddleOfWhatIsSeenOfABody) {
   EXPECT_NEAR(places[1]->x(), -30.0, 12.0);
 }
 
-TEST(LabelPlaces, AreOfTheBodyWhereverItIsMoved) {
+TEST(LabelPlaces, AreOnTheMovedBody) {
   const auto ball = test::sphere({0, 0, 0}, 20);
   const Eigen::Isometry3d aside(Eigen::Translation3d(50, 0, 30));
   const auto places = scene::labelPlaces({{&ball, aside}}, fromTheFront());
@@ -183,7 +183,7 @@ TEST(LabelPlaces, AreLeftOutWhereThereIsNoRoom) {
   places = scene::labelPlaces({{&small}, {&large}}, view);
   EXPECT_FALSE(places[0]) << "the label of what shows more stays";
   EXPECT_TRUE(places[1]);
-  // A section takes what is above it.
+  // A section removes the part above it.
   view.apart = 0.0;
   view.shown = [](const Vector3d& p) { return p.z() < 0.0; };
   places = scene::labelPlaces({{&large}}, view);
@@ -191,7 +191,7 @@ TEST(LabelPlaces, AreLeftOutWhereThereIsNoRoom) {
   EXPECT_LT(places[0]->z(), -5.0);
 }
 
-TEST(Framing, KeepsClearOfWhatLiesOverThePicture) {
+TEST(Framing, KeepsClearOfOverlays) {
   scene::Scene scene(scene::lightTheme());
   scene.setPieces(scene::drawPieces(ball(false), {}));
   scene::ViewState view;
@@ -210,11 +210,11 @@ TEST(Framing, KeepsClearOfWhatLiesOverThePicture) {
   EXPECT_EQ(heightMm({{Eigen::Vector2d(0, 120), Eigen::Vector2d(40, 200)}}), free);
   const double beside = heightMm({{Eigen::Vector2d(0, 120), Eigen::Vector2d(80, 200)}});
   EXPECT_GT(beside, 1.1 * free);
-  // Never far off: what covers all is lived with.
+  // Never far off: an overlay over everything is ignored.
   EXPECT_LT(heightMm({{Eigen::Vector2d(0, 0), Eigen::Vector2d(300, 200)}}), 1.5 * free);
 }
 
-TEST(PieceNumbers, AreDrawnWhereTheViewAsksForThem) {
+TEST(PieceNumbers, AreDrawnIfTheViewShowsThem) {
   scene::Scene scene(scene::lightTheme());
   auto pieces = ball(true);
   pieces[1].parent = 0;
@@ -228,7 +228,7 @@ TEST(PieceNumbers, AreDrawnWhereTheViewAsksForThem) {
     return target.imageOf(
         scene, 320, 200, [&] { scene.standardView(scene::StandardView::Front); }, 1);
   };
-  // Dark strokes with the disc's light ground at either side: what rims and edges do not have.
+  // Dark strokes with the disc's light ground at either side, which rims and edges do not have.
   const auto strokes = [](const scene::Image& image) {
     const auto at = [&](int x, int y) {
       const std::size_t p = 3 * (static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x));

@@ -83,7 +83,7 @@ TEST(Render, ARodHasNoGroundAroundItAndIsFramedBesideThePart) {
   for (const int y : {40, 70, 130})
     EXPECT_EQ(differing(y), 0) << y;
 
-  // 20 mm of a rod of 200: what is looked at is on it.
+  // 20 mm of a rod of 200: the shown part is on it.
   scene.setPart(scene::drawPart(test::box({-10, -8, -8}, {10, 8, 8})));
   const scene::Image part = picture(scene, {}, scene::StandardView::Front);
   int covered = 0;
@@ -107,7 +107,7 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
   EXPECT_NE(with.rgb, picture(scene, view).rgb);
 }
 
-TEST(Render, CheckedSolidsLieOverTheArmWhereAskedFor) {
+TEST(Render, CheckedSolidsAreDrawnOverTheArmIfEnabled) {
   const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
   const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
   scene::Scene scene(scene::lightTheme());
@@ -184,7 +184,7 @@ TEST(Render, ThePlateOfACellDoesNotFlickerThroughThePart) {
   EXPECT_LT(hidden, 0.02 * seen); // at its edges
 }
 
-TEST(Camera, APrintIsFramedWithWhatStandsAboutIt) {
+TEST(Camera, PrintIsFramedWithItsSurroundings) {
   using Eigen::Vector3d;
   const auto sizes = [](const Eigen::AlignedBox3d& box) { return box.sizes().transpose().eval(); };
   const Eigen::AlignedBox3d machine(Vector3d(-800, -100, -200), Vector3d(200, 100, 800));
@@ -220,8 +220,8 @@ TEST(Render, ARodIsSeenToTurnInItsCell) {
   EXPECT_EQ(without.rgb, picture(scene, view).rgb);
 }
 
-// What a finding is about stands in the middle of its mark.
-TEST(Render, AMarkGoesAroundItsPlaceAndHidesNothingThere) {
+// The place of a finding is in the middle of its mark.
+TEST(Render, MarkSurroundsItsPlaceAndHidesNothingThere) {
   scene::Scene scene(scene::lightTheme());
   scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
   const scene::Image without = picture(scene, {});
@@ -296,7 +296,7 @@ TEST(Render, MissedVoxelsShineThroughAndNothingElseIsRed) {
   EXPECT_GT(redPixels(picture(scene, view, scene::StandardView::Back)), 100u);
 }
 
-TEST(Render, GrowthShowsItsStepsTheFrontAndWhatIsToCome) {
+TEST(Render, GrowthShowsItsStepsTheFrontAndTheGhosts) {
   curved::Decomposition d;
   d.grid.size = {9, 9, 9};
   for (std::size_t c = 0; c < d.grid.cellCount(); ++c)
@@ -383,7 +383,7 @@ project::Job ballJob() {
 
 // A thread that has drawn frees OpenGL's data when it ends, which a thread of a pool does while the
 // process ends.
-TEST(JobPicture, LeavesNoOpenGlInTheThreadThatAsksForIt) {
+TEST(JobPicture, LeavesNoOpenGlInTheCallingThread) {
   EGLenum left = EGL_NONE;
   std::thread asking([&] {
     pictures::PictureOptions options;
@@ -435,7 +435,7 @@ TEST_F(RenderCommand, SamePictureWithAndWithoutADisplay) {
   EXPECT_EQ(bytes, base::readFile(picturePath("b.png")));
 }
 
-TEST_F(RenderCommand, SaysInOneLineWhatTheJobLacks) {
+TEST_F(RenderCommand, NamesMissingResultsOfTheJobInOneLine) {
   for (const char* what : {"voxels", "layers", "paths", "robot"}) {
     EXPECT_EQ(run("", std::string("--show ") + what + " -o " + picturePath("none.png")), 3);
     const std::string line = complaint();
@@ -446,7 +446,7 @@ TEST_F(RenderCommand, SaysInOneLineWhatTheJobLacks) {
   }
 }
 
-TEST_F(RenderCommand, RefusesWhatIsNotThereBeforeItDraws) {
+TEST_F(RenderCommand, RefusesUnknownChoicesBeforeItDraws) {
   const std::string to = " -o " + picturePath("none.png");
   EXPECT_EQ(run("", "--show prat" + to), 2);
   EXPECT_NE(complaint().find("part"), std::string::npos);
@@ -457,7 +457,7 @@ TEST_F(RenderCommand, RefusesWhatIsNotThereBeforeItDraws) {
   EXPECT_FALSE(fs::exists(picturePath("none.png")));
 }
 
-TEST_F(RenderCommand, UnwritablePlaceIsToldAndLeavesNothing) {
+TEST_F(RenderCommand, UnwritablePlaceIsAnErrorAndLeavesNothing) {
   EXPECT_EQ(run("", "--show part -o " + (folder_ / "missing" / "a.png").string()), 2);
   EXPECT_FALSE(fs::exists(folder_ / "missing"));
 }

@@ -1,4 +1,5 @@
-// What a firmware would extrude: modes of positions and amounts, units, arcs, retraction.
+// The amounts that a firmware would extrude: modes of positions and amounts, units, arcs,
+// retraction.
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"

@@ -138,7 +138,7 @@ TEST(SlicedReader, AStepOfTheSectionStaysLocal) {
   }
 }
 
-TEST(SlicedReader, TheSolidIsTheBlockAndItsOpenVolumeWhatInfillLeaves) {
+TEST(SlicedReader, SolidIsTheBlockAndItsOpenVolumeTheRestOfTheInfill) {
   for (const Manner manner : test::kManners)
     for (const double spacing : {1.0, 4.0}) {
       const plan::ToolPlan plan = block(14.0, 5, 0.6, 0.3, spacing);

@@ -157,7 +157,7 @@ TEST(PathShape, AmountsAndFramesAreTaken) {
   EXPECT_TRUE(sliced::PathShape().changesNothing());
 }
 
-TEST(PathShape, WhatDoesNotFitIsRefusedWithHelp) {
+TEST(PathShape, UnsuitableGroundIsRefusedWithARemedy) {
   const sliced::ReadSliced read = rows();
   sliced::PathShape shape;
   shape.ground = {GroundShape::Cylinder, 3.0, false};

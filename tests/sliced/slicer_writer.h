@@ -18,7 +18,7 @@ std::string_view nameOf(Manner manner);
 
 struct Written {
   std::string text;
-  double lengthMm = 0.0, volumeMm3 = 0.0; // Of what the text extrudes, without start code
+  double lengthMm = 0.0, volumeMm3 = 0.0; // extruded by the text, without start code
 };
 
 // Writes the paths of a plan with upright nozzles; coordinates with three decimals, amounts with

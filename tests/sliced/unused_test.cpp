@@ -1,5 +1,5 @@
-// Words of a file that mean more than its motions: tools, volumes, stops, purge lines. What is not
-// acted on is named.
+// Words of a file that mean more than its motions: tools, volumes, stops, purge lines. Ignored
+// words are named.
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
@@ -96,7 +96,7 @@ TEST(SlicedWords, ASettingMakesAmountsVolumes) {
   EXPECT_NEAR(read.volumeMm3, 96.0, 0.01);
   EXPECT_THAT(base::english(read.notes), Contains(HasSubstr("use_volumetric_e")));
   EXPECT_NEAR(readIn(body + "; use_volumetric_e = 0\n").volumeMm3, 96.0 * kFilamentMm2, 0.1);
-  // What the firmware is told has the last word.
+  // The firmware's own setting has priority.
   EXPECT_NEAR(readIn("M200 D0\n" + body + "; use_volumetric_e = 1\n").volumeMm3,
               96.0 * kFilamentMm2, 0.1);
 }
@@ -153,7 +153,7 @@ std::string refusalOf(const std::string& text) {
   return "";
 }
 
-// What follows would not be printed by the machine of the file.
+// Beads after the end would not be printed by the machine of the file.
 TEST(SlicedWords, BeadsBehindTheEndOfTheProgramAreRefused) {
   const std::string first = kHead + layer(0) + square(0, 0, 0.8);
   const std::string second = layer(1) + square(0, 0, 1.6);
@@ -304,9 +304,9 @@ TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
   }
 }
 
-// ---- what a file says and is not acted on is named, each once
+// ---- statements of a file that are ignored are named, each once
 
-TEST(SlicedWords, WhatIsNotActedOnIsNamedOnce) {
+TEST(SlicedWords, IgnoredStatementsAreNamedOnce) {
   ASSERT_THAT(notesOf(kHead + layer(0) + square(0, 0, 0.8) + layer(1) + square(0, 0, 1.6)),
               ElementsAre());
   for (unsigned seed = 0; seed < 60; ++seed) {

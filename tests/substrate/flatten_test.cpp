@@ -29,7 +29,7 @@ double measured(const FlatteningCircle& from, const FlatteningCircle& to, double
   return low;
 }
 
-TEST(Flatten, NextCircleHasTheThicknessesAskedFor) {
+TEST(Flatten, NextCircleHasTheGivenThicknesses) {
   const auto c = substrate::flatteningCircles({20.0, 20.0}, 0.15, 0.3, angle(41.4), 1);
   ASSERT_EQ(c.size(), 2u);
   EXPECT_NEAR(c[1].radiusMm, 20.601090481, 1e-8);
@@ -76,7 +76,7 @@ TEST(Flatten, EndsInAPlane) {
   }
 }
 
-TEST(Flatten, ImpossibleOnesAreTold) {
+TEST(Flatten, ImpossibleOnesAreRefused) {
   EXPECT_THROW(substrate::flatteningToPlane({20.0, 20.0}, 20.5, 0.2, 10), base::Error);
   // Twice as thick at 88 degrees as at the top: no circle has that.
   try {

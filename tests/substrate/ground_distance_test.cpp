@@ -55,7 +55,7 @@ TEST(GroundDistance, Prisms) {
 TEST(GroundDistance, SteppedPrism) {
   expectLikeItsMesh({{{-30, 2}, {0, 2}, {0, 4}, {30, 4}}, 6}, 1e-9);
 }
-TEST(GroundDistance, TaperedPrismAsksItsMesh) {
+TEST(GroundDistance, TaperedPrismEqualsItsMesh) {
   expectLikeItsMesh({{{-30, 2}, {30, 4}}, 5}, 1e-9);
 }
 

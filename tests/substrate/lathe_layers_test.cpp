@@ -1,4 +1,4 @@
-// Layers around rods against the volumes and areas of the solids that parts stand for.
+// Layers around rods against the volumes and areas of the solids that parts approximate.
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/measures.h"
@@ -84,11 +84,11 @@ TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
   EXPECT_NEAR(made.outerMm[1], 3.0, 1e-6);
 }
 
-TEST(LatheLayers, ShouldersAreLaidFromTheRodOutwards) {
+TEST(LatheLayers, ShouldersAreLayeredFromTheRodOutwards) {
   const auto section = shortened(test::shoulderSection());
   const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 10);
-  // 1.5 mm at the seats are six layers of the whole length, the others lie between them.
+  // 1.5 mm at the seats are six layers of the whole length, the others are between them.
   for (const layers::Patch& p : made.stack.patches)
     EXPECT_NEAR(geometry::bounds(p.surface).sizes().x(), p.layer < 6 ? 20.0 : 12.0, 1e-3);
 }
@@ -135,7 +135,7 @@ TEST(LatheLayers, SteppedRod) {
   laid(shortTube(), rod, base::kPi * 10 * (2 * 25 - 6.25 - 12.25));
 }
 
-TEST(LatheLayers, OverhangIsToldWithItsPlace) {
+TEST(LatheLayers, OverhangGivesAFindingWithItsPlace) {
   // A rim that reaches out 3 mm on both sides of a stem, its undersides at radius 4.
   const std::vector<Eigen::Vector2d> section = {{-3, 2.4}, {-3, 4}, {-6, 4}, {-6, 5},
                                                 {6, 5},    {6, 4},  {3, 4},  {3, 2.4}};
@@ -174,7 +174,7 @@ void expectRefusal(const TriangleMesh& part, const RodShape& rod, const std::str
   }
 }
 
-TEST(LatheLayers, BadInputIsToldInOneLine) {
+TEST(LatheLayers, BadInputGivesAnErrorOfOneLine) {
   const TriangleMesh tube = test::revolved(test::tubeSection(), 128);
   expectRefusal(tube, platform::straightRod(12, 200), "the rod is thicker than the part");
   expectRefusal(tube, platform::straightRod(10, 200), "the rod is thicker than the part");

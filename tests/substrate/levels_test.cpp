@@ -1,4 +1,4 @@
-// Level surfaces stand where they should, closed and facing outwards.
+// Level surfaces are at their distances, closed and facing outwards.
 #include "base/units.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"

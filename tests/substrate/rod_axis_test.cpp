@@ -39,7 +39,7 @@ double mostOff(const geometry::TriangleMesh& placed, const geometry::TriangleMes
   return most;
 }
 
-TEST(RodAxis, FoundHoweverThePartLies) {
+TEST(RodAxis, IsFoundInAnyPoseOfThePart) {
   const geometry::TriangleMesh parts[] = {
       test::revolved(test::tubeSection(), 128),
       test::revolved(test::shoulderSection(), 100),
@@ -66,7 +66,7 @@ TEST(RodAxis, FoundHoweverThePartLies) {
   }
 }
 
-TEST(RodAxis, APartWithoutOneIsTold) {
+TEST(RodAxis, PartWithoutAnAxisIsRefused) {
   for (const auto& part : {test::box({0, 0, 0}, {10, 10, 10}), test::sphere({1, 2, 3}, 10)})
     try {
       substrate::fitAxis(part);

@@ -260,7 +260,7 @@ void expectRefusal(const TriangleMesh& part, const TriangleMesh& body, const Sub
   }
 }
 
-TEST(SubstrateLayers, BadInputIsToldInOneLine) {
+TEST(SubstrateLayers, BadInputGivesAnErrorOfOneLine) {
   const TriangleMesh plate = test::box({-30, -30, 0}, {30, 30, 10});
   const TriangleMesh inside = test::box({-5, -5, 2}, {5, 5, 8});
   expectRefusal(inside, plate, {}, "contains the whole part");
@@ -283,7 +283,7 @@ TEST(SubstrateLayers, BadInputIsToldInOneLine) {
                 "no number of layers");
 }
 
-TEST(SubstrateLayers, RaysThatCrossInAHollowAreTold) {
+TEST(SubstrateLayers, RaysThatCrossInAHollowAreRefused) {
   // A trough of radius 5 in a block; layers of rays up to 8 mm over its bottom would fold.
   std::vector<Vector3d> section{{-20, 12, 0}, {-20, 12, 10}};
   for (const Vector2d& p : test::arc(5, 0, base::kPi, 91))

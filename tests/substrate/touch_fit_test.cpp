@@ -46,7 +46,7 @@ TEST(TouchFit, ManyTouchesAverageTheirNoise) {
   EXPECT_NEAR(fit.rmsMm, 0.02, 0.005);
 }
 
-TEST(TouchFit, PointsOnALineAreTold) {
+TEST(TouchFit, PointsOnALineAreRefused) {
   for (const auto& points : {std::vector<Eigen::Vector2d>{{0, 0}, {1, 2}, {3, 6}},
                              {{500, 1}, {501, 1}, {502, 1}, {507, 1}},
                              {{1, 1}, {1, 1}, {1, 1}}})

@@ -1,4 +1,4 @@
-// What is laid of columns: measured against their cells and the part's surface.
+// The layers of columns: measured against their cells and the part's surface.
 #include "support/column_layers.h"
 
 #include "curved/decompose.h"
@@ -21,8 +21,8 @@ struct Grown {
   curved::Decomposition d;
 };
 
-// The part as a mesh with its underside lifted by `gap` where nothing stands on the plate, grown
-// with its supports.
+// The part as a mesh with its underside lifted by `gap` except on the plate, grown with its
+// supports.
 Grown grownWithSupports(const voxel::SolidVoxels& part, double gap) {
   Grown g;
   voxel::VoxelObject object;
@@ -41,7 +41,7 @@ Grown grownWithSupports(const voxel::SolidVoxels& part, double gap) {
   return g;
 }
 
-// A beam on two posts with a tooth that hangs down to z = 8 between them.
+// A beam on two posts with a tooth down to z = 8 between them.
 voxel::SolidVoxels toothPart() {
   return test::voxelPart(
       24, 6, 19,
@@ -91,7 +91,7 @@ TEST(ColumnLayers, AreAsWideAsTheVoxelWhereThatIsWider) {
   EXPECT_NEAR(volumeOf(slices), 8.0 * kPitch * kPitch, 1e-6);
 }
 
-TEST(ColumnLayers, SlicesOfASlantedColumnLieOnEachOther) {
+TEST(ColumnLayers, SlicesOfASlantedColumnOverlap) {
   const voxel::SolidVoxels part = test::voxelPart(
       18, 5, 20, [](int i, int, int k) { return (i < 8 && k < 2) || (i >= 13 && k >= 12); });
   const Grown g = grownWithSupports(part, 0.0);
@@ -105,7 +105,7 @@ TEST(ColumnLayers, SlicesOfASlantedColumnLieOnEachOther) {
   }
 }
 
-TEST(ColumnLayers, AreLaidBeforeWhatTheyCarryAndAreNotThePart) {
+TEST(ColumnLayers, ArePrintedBeforeTheTeethTheyCarryAndAreNotThePart) {
   const Grown g = grownWithSupports(toothPart(), 0.0);
   const auto slices = columnLayers(g.d, g.mesh, {}, kQuiet);
   const curved::LayersResult with = curved::curvedLayers(g.d, g.mesh, {}, kQuiet, slices);

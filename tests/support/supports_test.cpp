@@ -1,4 +1,5 @@
-// Supports for what growth misses, judged by the checker of ranks that shares nothing with growth.
+// Supports for voxels that growth misses, judged by the checker of ranks, which is independent of
+// growth.
 #include "plan/finding_kinds.h"
 #include "support/supports.h"
 
@@ -23,8 +24,8 @@ Supports supported(const voxel::SolidVoxels& part, const base::RunContext& ctx =
   return supportsFor(part, curved::platformFit(part, 0.0), {}, ctx);
 }
 
-// Two posts, a beam, and a tooth that hangs from the beam far down between the posts: inside the
-// front of whatever path leads to it.
+// Two posts, a beam, and a tooth from the beam far down between the posts: inside the front of
+// every path that leads to it.
 voxel::SolidVoxels toothPart() {
   return test::voxelPart(24, 6, 19, [](int i, int j, int k) {
     const bool post = i < 4 || i >= 20, beam = k >= 16;
@@ -96,7 +97,7 @@ TEST(Supports, AShadowedToothGetsOneStraightColumn) {
   EXPECT_FALSE(s.findings[0].blocking);
 }
 
-TEST(Supports, AFloatingPieceStandsOnAColumn) {
+TEST(Supports, ColumnCarriesAFloatingPiece) {
   const voxel::SolidVoxels part = test::voxelPart(16, 16, 14, [](int i, int j, int k) {
     const bool rim = i < 3 || i >= 13 || j < 3 || j >= 13;
     const bool piece = i >= 6 && i < 10 && j >= 6 && j < 10 && k >= 9;
@@ -111,7 +112,7 @@ TEST(Supports, AFloatingPieceStandsOnAColumn) {
   expectWhole(s, curved::platformFit(part, 0.0));
 }
 
-TEST(Supports, AColumnGoesAslantToReachThePlatform) {
+TEST(Supports, ColumnSlantsToReachThePlatform) {
   // The piece floats beside the only foot there is.
   const voxel::SolidVoxels part = test::voxelPart(
       18, 5, 20, [](int i, int, int k) { return (i < 8 && k < 2) || (i >= 13 && k >= 12); });
@@ -123,7 +124,7 @@ TEST(Supports, AColumnGoesAslantToReachThePlatform) {
   expectWhole(s, curved::platformFit(part, 0.0));
 }
 
-// Steps aside without one down: no more than asked for where there is room, any number where not.
+// Steps aside without one down: no more than the limit where there is room, any number where not.
 TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
   const auto longestArm = [](int height, int away, int mostAside) {
     voxel::VoxelGrid grid;
@@ -154,7 +155,7 @@ TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
   EXPECT_EQ(longestArm(2, 9, 2), 9);
 }
 
-TEST(Supports, WhatNoColumnReachesIsTold) {
+TEST(Supports, VoxelsThatNoColumnReachesGiveAFinding) {
   const voxel::SolidVoxels part =
       test::voxelPart(20, 6, 8, [](int i, int, int k) { return (i < 8 && k < 6) || i >= 14; });
   const std::vector<Eigen::Vector2d> platform{{0, 0}, {8, 0}, {8, 6}, {0, 6}};

@@ -48,7 +48,7 @@ TEST(Clock, JointsAreLinearBetweenPoints) {
   EXPECT_EQ(clock.jointsAt(50.0), clock.jointsAt(14.0));
 }
 
-TEST(Clock, CountsWhatIsPrinted) {
+TEST(Clock, CountsPrintedWaypoints) {
   const Clock clock = smallClock();
   EXPECT_EQ(clock.printedWaypoints(0.5), 0u);
   EXPECT_EQ(clock.printedWaypoints(1.0), 1u);
@@ -58,7 +58,7 @@ TEST(Clock, CountsWhatIsPrinted) {
   EXPECT_EQ(clock.printedWaypoints(14.0), 12u);
 }
 
-TEST(Clock, WaypointsAndTheirTimesGoBothWays) {
+TEST(Clock, TimesOfWaypointsMapBackToTheWaypoints) {
   const Clock clock = smallClock();
   for (std::size_t w = 0; w < 12; ++w) {
     const std::optional<double> t = clock.timeOfWaypoint(w);
@@ -110,7 +110,7 @@ TEST(Clock, TheArmRestsWhileItWaits) {
   EXPECT_TRUE(clock.jointsAt(19.0).isApprox(without.jointsAt(14.0), 1e-12));
 }
 
-TEST(Clock, KnowsTheLayer) {
+TEST(Clock, ReturnsTheLayerAtATime) {
   const Clock clock = smallClock();
   EXPECT_EQ(clock.layerAt(0.0), 0);
   EXPECT_EQ(clock.layerAt(5.5), 0); // on its way to the next

@@ -71,7 +71,7 @@ TEST(JointCurves, SpeedIsThatOfTheMoveAndDrawnAsSteps) {
   EXPECT_NE(speed[2].y(), speed[1].y());
 }
 
-TEST(JointCurves, WhatSlidesIsDrawnInMillimetres) {
+TEST(JointCurves, SlidingJointIsDrawnInMillimetres) {
   const test::SampleProgram p = test::sampleProgram(1, 4, 0.5, 4);
   using enum robot::JointKind;
   const JointCurves curves(p.trajectory, {Turning, Turning, Sliding, Turning}, {});
@@ -82,7 +82,7 @@ TEST(JointCurves, WhatSlidesIsDrawnInMillimetres) {
               1e-4);
 }
 
-// What is drawn of a million points has every extreme in the column it belongs to.
+// Curves of a million points have every extreme in the column it belongs to.
 TEST(JointCurves, ReducedCurvesKeepEveryExtreme) {
   const test::SampleProgram p = test::sampleProgram(100, 3450, 0.01);
   plan::Trajectory& t = *p.trajectory;

@@ -34,7 +34,7 @@ protected:
   JointPlots plots_;
 };
 
-TEST_F(JointPlotsTest, AClickTellsTheTimeThere) {
+TEST_F(JointPlotsTest, ClickSignalsTheTimeThere) {
   load(3, 50, 0.1);
   QSignalSpy clicked(&plots_, &JointPlots::timeClicked);
   ChartCanvas* canvas = canvases().front();

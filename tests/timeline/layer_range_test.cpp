@@ -97,7 +97,7 @@ TEST_F(LayerRangeTest, AClickBringsTheNearerHandle) {
   EXPECT_EQ(drag.size(), 4);
 }
 
-TEST_F(LayerRangeTest, ADragTellsEveryChangeOnce) {
+TEST_F(LayerRangeTest, DragSignalsEveryChangeOnce) {
   QSignalSpy range(&slider_, &LayerRangeSlider::rangeChanged);
   QTest::mousePress(&slider_, Qt::LeftButton, {}, at(0.7));
   const int before = slider_.last();

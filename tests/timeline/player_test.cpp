@@ -40,7 +40,7 @@ TEST(Player, StopsAtTheEndAndStartsOverFromThere) {
   EXPECT_FALSE(playing[1][0].toBool());
 }
 
-TEST(Player, DoesNotPlayNothing) {
+TEST(Player, EmptyPlayerDoesNotPlay) {
   Player player;
   player.play();
   EXPECT_FALSE(player.playing());
@@ -54,7 +54,7 @@ TEST(Player, AShorterEndTakesThePositionWithIt) {
   EXPECT_EQ(player.position(), 5.0);
 }
 
-// However long the window is busy between two steps, the position is where the wall clock is.
+// The position follows the wall clock even if the window is busy between two steps.
 TEST(Player, StepsAtMostThirtyTimesASecondAndFollowsTheClock) {
   Player player;
   player.setEnd(1e9);

@@ -43,7 +43,7 @@ TEST_F(TimelineBarTest, LongProgramsShowHours) {
   EXPECT_EQ(label(), "1:02:05 / 2 h 13 min");
 }
 
-TEST_F(TimelineBarTest, TellsOnlyChanges) {
+TEST_F(TimelineBarTest, SignalsOnlyChanges) {
   QSignalSpy time(&bar_, &TimelineBar::timeChanged);
   bar_.setTimeS(3.0);
   bar_.setTimeS(3.0);
@@ -122,7 +122,7 @@ TEST_F(TimelineBarTest, AStretchOfTimeIsSetOffInModeTimeOnly) {
   EXPECT_FALSE(setOff(3.0));
 }
 
-TEST_F(TimelineBarTest, StepsOfGrowthHaveTheirOwnPositionAndGoByTen) {
+TEST_F(TimelineBarTest, StepsOfGrowthHaveTheirOwnPositionAndJumpByTen) {
   bar_.setMoveCount(40);
   bar_.setStepCount(25);
   bar_.setMode(BarMode::Steps);

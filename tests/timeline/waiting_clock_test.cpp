@@ -6,7 +6,7 @@
 namespace voluta::timeline {
 namespace {
 
-TEST(WaitingClocks, StandStillDuringAWait) {
+TEST(WaitingClocks, StopDuringAWait) {
   // Runs 10 s, waits 5 s, runs its further 20 s in 40 s: the controller is slower than planned.
   const WaitingClock clock({{10.0, 10.0, 15.0}}, 30.0, 55.0);
   EXPECT_DOUBLE_EQ(clock.ownTimeS(-1.0), 0.0);

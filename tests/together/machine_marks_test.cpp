@@ -115,7 +115,7 @@ struct State {
   std::array<unsigned, 2> set{}, seen{};
   std::array<int, 2> may{-1, -1}; // last mark that the other allows to pass
   bool isJoined = false;          // one passed the start mark, and the other one may
-  // The other one was stopped when it had passed the start mark that this one is still amid.
+  // The other one was stopped when it had passed the start mark that this one has not passed yet.
   std::array<bool, 2> isLeft{};
   friend auto operator<=>(const State&, const State&) = default;
 };
@@ -163,15 +163,15 @@ private:
     ended += bothEnded ? 1 : 0;
     if (goesOn || bothEnded || state.at[0] < 0 || state.at[1] < 0)
       return;
-    // A machine amid its old program waits until it is stopped.
+    // A machine within its old program waits until it is stopped.
     bool isOld = state.isLeft[0] || state.isLeft[1];
     for (std::size_t k = 0; k < 2; ++k)
       isOld = isOld || (!state.isJoined && state.at[k] > ends_[k].started);
     stuck += isOld ? 0 : 1;
   }
 
-  // Starts a machine, or stops and restarts it, at any moment but amid both start marks. Returns
-  // whether it was not started before.
+  // Starts a machine, or stops and restarts it, at any moment except during both start marks.
+  // Returns whether it was not started before.
   bool restart(const State& state, std::size_t k) {
     const std::size_t other = 1 - k;
     if (state.at[k] == 0 || (isAtStart(state, k) && isAtStart(state, other)) ||
@@ -231,8 +231,8 @@ private:
   std::vector<State> todo_;
 };
 
-// Whatever the signals are at first, however long each of them takes to arrive, and whichever
-// machine is stopped and restarted when.
+// For any initial signals, any delay of each of them, and any time at which either machine is
+// stopped and restarted.
 TEST(Marks, AreNeverPassedEarlyAndNeverWaitForEver) {
   const Explorer all;
   EXPECT_EQ(all.early, 0u);

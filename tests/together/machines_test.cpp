@@ -110,7 +110,7 @@ Isometry3d opposite(double apartMm) {
   return place;
 }
 
-TEST(Machines, SegmentsConflictWhereTheyComeClose) {
+TEST(Machines, CloseSegmentsConflict) {
   // Beyond the clearance: two cells, the steps of both, steps of the samples, the eroded head.
   const double slackMm = std::sqrt(3.0) * kSweptCellMm + 4.0 + 20.0 + 1.0;
   std::size_t near = 0, far = 0;

@@ -150,7 +150,7 @@ TEST(Schedule, ASharedPlaceCostsAtMostItsTime) {
   EXPECT_LE(schedule->marks(), 2u);
 }
 
-TEST(Schedule, FindsHowFarBothGet) {
+TEST(Schedule, FindsTheFurthestSegmentsOfBoth) {
   Conflicts c{3, 3, Flags(3, 3), Flags(4, 3), Flags(3, 4)};
   c.moving.set(0, 2);
   c.moving.set(1, 2);

@@ -153,7 +153,7 @@ TEST_F(Starts, KeepTogetherAgainAfterRunsThatWereStopped) {
   });
 }
 
-// The others go on with their old programs, as far as it had come, and then stand.
+// The others continue with their old programs up to their last waypoint, and then stop.
 TEST_F(Starts, AMachineThatIsRestartedAloneWaitsAtItsFirstPoint) {
   std::size_t restarts = 0;
   forEachCase(12, [&](const std::vector<Statements>& programs, std::mt19937& random) {

@@ -156,7 +156,7 @@ TEST(AddedTapes, AreOnTheChosenLayersOnly) {
     EXPECT_NEAR(angles[i], 20.0 * static_cast<double>(i), 0.1);
 }
 
-TEST(AddedTapes, ThatPlasticDoesNotCoverAreReported) {
+TEST(AddedTapes, TapesNotCoveredByPlasticGiveAFinding) {
   Plate plate(3, 16.0); // the last layer is narrower: it covers two of six tapes
   plan::ToolpathStatistics s;
   const plan::Findings findings =
@@ -165,7 +165,7 @@ TEST(AddedTapes, ThatPlasticDoesNotCoverAreReported) {
   EXPECT_NEAR(s.tapeBareMm, 4 * 115.0, 0.5);
 }
 
-TEST(AddedTapes, ThatDoNotFitAreReported) {
+TEST(AddedTapes, TapesThatDoNotFitGiveAFinding) {
   Plate plate(3);
   plan::ToolpathStatistics s;
   const plan::Findings none = addTapes(plate.plan, plate.stack, tooling(),

@@ -199,7 +199,7 @@ TEST(IslandRuns, AreOfOneFlatLayer) {
   EXPECT_TRUE(islandRuns({}).empty());
 }
 
-// Whatever the order of the islands in the stack, each layer has that of the first one.
+// Each layer has the order of the first one, for any order of the islands in the stack.
 TEST(OrderAsBelow, IsThatOfTheFirstLayer) {
   std::mt19937 random(3);
   const layers::LayerStack sorted = islands(5, {{0, 0}, {20, 0}, {40, 0}, {0, 20}}, 9.0);

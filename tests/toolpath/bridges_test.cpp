@@ -1,4 +1,4 @@
-// Beads that hang, and how fast they are laid.
+// Unsupported beads, and their speeds.
 #include "collision/growing_part.h"
 #include "toolpath/unsupported/bridges.h"
 
@@ -30,7 +30,7 @@ plan::ToolPlan slowed(const plan::ToolPlan& plan, const std::vector<char>& unsup
 
 } // namespace
 
-TEST(Bridges, SpanWhatLiesBetweenTwoWalls) {
+TEST(Bridges, SpanTheGapBetweenTwoWalls) {
   plan::ToolPlan plan;
   addPath(plan, -15, -5, 0, 0.8, 0);
   addPath(plan, 5, 15, 0, 0.8, 0);
@@ -48,13 +48,13 @@ TEST(Bridges, ABeadHalfBesideTheOneBelowIsCarried) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0.6, 1.6, 1);
-  addPath(plan, 15, -15, 3.0, 1.6, 1); // nothing beneath
+  addPath(plan, 15, -15, 3.0, 1.6, 1); // nothing below
   const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
     EXPECT_EQ(unsupported[i] != 0, plan.position[i].y() > 2.0) << plan.position[i].transpose();
 }
 
-TEST(Bridges, WhatIsLaidLaterCarriesNothing) {
+TEST(Bridges, LaterBeadsCarryNothing) {
   plan::ToolPlan plan;
   addPath(plan, -10, 10, 0, 1.6, 1);
   addPath(plan, -10, 10, 0, 0.8, 0);
@@ -80,7 +80,7 @@ TEST(Bridges, HolesOfLessThanAWidthAreNone) {
   EXPECT_EQ(std::count(unsupported.begin(), unsupported.end(), 1), 0);
 }
 
-TEST(Bridges, AreLaidSlowly) {
+TEST(Bridges, ArePrintedSlowly) {
   plan::ToolPlan plan;
   addPath(plan, 0, 10, 0, 0.8, 0);
   plan.speedMmPerS[6] = 3.0f; // for its own reason

@@ -41,8 +41,7 @@ struct Laid {
   double halfCarried = 0.0, volumeShare = 0.0;
 };
 
-// The stack's beads, walls as wide as asked for or the usual ones, on a plate that is as large as
-// it takes.
+// The stack's beads, with carried walls or the usual ones, on a plate that is large enough.
 Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
   const process::Process process;
   const base::RunContext ctx;
@@ -205,7 +204,7 @@ TEST(CarriedWalls, NarrowPlacesAreFilledAsWell) {
 }
 
 // A cone whose wall leans by 60 degrees: every ring but the first reaches out by 1.39 mm, more than
-// a usual bead is wide, and hangs in the air all round.
+// a usual bead is wide, and is unsupported all round.
 TEST(CarriedWalls, RingsOfAConeThatLeansBy60DegreesAreCarried) {
   std::vector<std::vector<Loop>> sections;
   for (int k = 0; k < 5; ++k)
@@ -218,7 +217,7 @@ TEST(CarriedWalls, RingsOfAConeThatLeansBy60DegreesAreCarried) {
   EXPECT_NEAR(after.volumeShare, 1.0, 0.01);
 }
 
-// An upside-down stair with steps of 0.75 mm, which usual walls lie on by less than half.
+// An upside-down stair with steps of 0.75 mm, which carry less than half of usual walls.
 TEST(CarriedWalls, StepsOfAStairAreCarriedOnHalf) {
   std::vector<std::vector<Loop>> sections;
   for (int k = 0; k < 6; ++k) {

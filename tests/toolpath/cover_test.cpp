@@ -68,7 +68,7 @@ TEST(CoverPatch, BeadsTileShapes) {
   }
 }
 
-// What was found by trial on beads of 1.2 mm holds for finer and for wider ones.
+// The rule found by trial on beads of 1.2 mm holds for finer and for wider ones.
 TEST(CoverPatch, BeadsOfOtherWidthsTileToo) {
   struct Row {
     double width, widthMin, widthMax, height;
@@ -174,7 +174,7 @@ TEST(CoverPatch, ThinWallsArePrintedTooWideOrLeftOut) {
       continue;
     }
     if (w > 0.93 * narrowest)
-      continue; // Too wide by less than its measure tells
+      continue; // Too wide by less than the resolution of its measure
     ASSERT_EQ(usual.thinWalls.size(), 1u);
     EXPECT_NEAR(usual.thinWalls.front().widthMm, w, 0.1 * w);
     EXPECT_NEAR(usual.thinWalls.front().lengthMm, 30.0, 1.5);
@@ -304,7 +304,7 @@ TEST(CoverPatch, EveryRowOfTheTableFills) {
     toolpath::ToolpathOptions o;
     o.infill = kind.id;
     if (kind.needsChart) {
-      // A disc has no axis: one line says what would do.
+      // A disc has no axis: one line names a remedy.
       try {
         cover(patch, o);
         ADD_FAILURE();

@@ -36,7 +36,7 @@ robot::Cell testCell(double radiusMm = 30.0) {
 }
 
 // A dome of `count` caps over a plate; directions lean up to 40 degrees more than the dome's, so
-// that the head of a tilted nozzle would cut into the plate or into what stands around.
+// that the head of a tilted nozzle would cut into the plate or into printed beads around.
 layers::LayerStack dome(int count, double extraTilt) {
   layers::LayerStack stack;
   for (int k = 0; k < count; ++k) {
@@ -106,7 +106,7 @@ TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
   EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
 }
 
-// What is handed on for the motion is the part as that would lay it.
+// The part passed on to the motion equals the part that the motion would grow.
 TEST(PlanToolpaths, TheGrowingPartIsThePlans) {
   for (const double tilt : {0.0, 0.6}) {
     const auto r = toolpath::planToolpaths(dome(3, tilt), testCell(60),
@@ -123,7 +123,7 @@ TEST(PlanToolpaths, TheGrowingPartIsThePlans) {
   }
 }
 
-TEST(PlanToolpaths, NeverAskForMoreThanTheExtruderGives) {
+TEST(PlanToolpaths, StayWithinTheFlowOfTheExtruder) {
   layers::LayerStack stack;
   layers::Patch p = test::patchOver({test::circle(12)}, 0.8);
   for (std::size_t v = 0; v < p.thicknessMm.size(); ++v)
@@ -207,7 +207,7 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
 }
 
 // A bead at the bottom of a well that leans by 30 degrees: within 4.5 degrees of its axis, between
-// the rings that are tried first, the head goes in.
+// the rings that are tried first, the head fits.
 TEST(Directions, FindTheWayIntoAWellThatLeans) {
   const process::Process process = testProcess();
   const double radius = 9.6 + 1.0 + 45.0 * std::tan(base::degreesToRadians(4.5));

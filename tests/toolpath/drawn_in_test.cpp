@@ -1,4 +1,4 @@
-// Walls that would hang and are laid a little aside.
+// Unsupported walls that are moved a little aside.
 #include "collision/growing_part.h"
 #include "toolpath/unsupported/inset_walls.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 struct Drawn {
   std::vector<Vector3d> moves;
-  std::size_t before = 0, after = 0; // waypoints that hang
+  std::size_t before = 0, after = 0; // unsupported waypoints
 };
 
 Drawn drawn(plan::ToolPlan plan) {
@@ -41,7 +41,7 @@ Drawn drawn(plan::ToolPlan plan) {
 } // namespace
 
 // A bead so far beside the one below that they just miss each other, on either side, near and far.
-TEST(DrawnIn, AWallComesOverWhatIsBesideIt) {
+TEST(DrawnIn, UnsupportedWallMovesOverTheBeadBelow) {
   std::mt19937 engine(3);
   for (int n = 0; n < 60; ++n) {
     const double off = std::uniform_real_distribution<>(1.3, 1.5)(engine) * (n % 2 ? 1 : -1);
@@ -55,14 +55,14 @@ TEST(DrawnIn, AWallComesOverWhatIsBesideIt) {
       const bool above = i >= plan.paths[1].first;
       EXPECT_LE(result.moves[i].norm(), 0.5 * kProcess.beadWidthMm + 1e-9);
       EXPECT_EQ(result.moves[i].norm() > 0.0, above);
-      EXPECT_LE(result.moves[i].y() * off, 0.0); // towards what is below
+      EXPECT_LE(result.moves[i].y() * off, 0.0); // towards the bead below
       EXPECT_NEAR(result.moves[i].x(), 0.0, 1e-9);
       EXPECT_NEAR(result.moves[i].z(), 0.0, 1e-9);
     }
   }
 }
 
-TEST(DrawnIn, WhatIsTooFarShortOrNoWallStays) {
+TEST(DrawnIn, FarShortAndCarriedBeadsAndOtherKindsStay) {
   for (const char* which : {"far", "short", "infill", "support", "carried"}) {
     const std::string name = which;
     plan::ToolPlan plan;

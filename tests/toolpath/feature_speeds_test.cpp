@@ -132,7 +132,7 @@ TEST(FeatureSpeeds, bridgesHaveTheirFlowAndClosedBeadsCloseEvenly) {
 }
 
 // Property test: the extruder's limit is kept by speed, the section by the flow and the limits of
-// the bead, whatever is set.
+// the bead, for all settings.
 TEST(FeatureSpeeds, theFlowLimitSlowsDown) {
   std::mt19937 random(3);
   const auto between = [&](double a, double b) {
@@ -195,7 +195,7 @@ TEST(FeatureSpeeds, firstLayersAndSupportsHaveTheirWidth) {
   EXPECT_EQ(std::ranges::count(widths[1], 1.5), static_cast<long>(widths[1].size()) - 1);
 }
 
-TEST(FirstLayer, isLevelZeroAndWhatLiesOnThePlate) {
+TEST(FirstLayer, isLevelZeroAndPatchesOnThePlate) {
   layers::LayerStack stack;
   const auto at = [](double z) {
     return [z](const Eigen::Vector2d& p) { return Eigen::Vector3d(p.x(), p.y(), z); };

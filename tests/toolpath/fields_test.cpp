@@ -125,8 +125,8 @@ TEST(CurveTools, ALoopShorterThanAStepStaysALoop) {
   EXPECT_EQ(r.corner.size(), r.curve.points.size());
 }
 
-// Looking at the triangles that a level may cross finds what looking at all of them does, to the
-// bit; levels beyond the values are empty.
+// A search of the triangles that a level may cross gives the same as a search of all of them, to
+// the bit; levels beyond the values are empty.
 TEST(SurfaceFields, EvenIsolinesAreThoseOfEachLevel) {
   const auto s = toolpath::PatchSurface::refine(
       test::patchOver({test::star(5, 18, 9)}, 0.8, test::onSaddle(30)), 0.7);
@@ -153,8 +153,8 @@ TEST(SurfaceFields, EvenIsolinesAreThoseOfEachLevel) {
   EXPECT_GT(found, 15u);
 }
 
-// Walking downhill and stopping early where the foot lies well inside a triangle finds the point
-// that a search through all triangles finds.
+// Walking downhill and stopping early where the foot is well inside a triangle finds the point that
+// a search through all triangles finds.
 TEST(PatchSurface, ProjectsToTheNearestPointAround) {
   const auto s = toolpath::PatchSurface::refine(
       test::patchOver({test::circle(7)}, 0.8, test::onSphere(25)), 0.6);

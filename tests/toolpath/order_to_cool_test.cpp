@@ -48,7 +48,7 @@ double angleOf(const Assembled& made, std::size_t path) {
   return std::atan2(p.y(), p.x());
 }
 
-// Whatever order and seams they come in, every layer has those of the first.
+// For any initial order and seams, every layer has those of the first.
 TEST(OrderToCool, RingsKeepTheirOrderAndSeams) {
   std::mt19937 random(11);
   for (int seed = 0; seed < 100; ++seed) {
@@ -72,7 +72,7 @@ TEST(OrderToCool, RingsKeepTheirOrderAndSeams) {
   }
 }
 
-TEST(OrderToCool, SeamsStayWhereTheyWereAsked) {
+TEST(OrderToCool, SeamsStayAtTheirPlaces) {
   Assembled made;
   for (int layer = 0; layer < 4; ++layer)
     add(made, ring(12.0, layer, 0.7 * layer), layer, true);
@@ -81,7 +81,7 @@ TEST(OrderToCool, SeamsStayWhereTheyWereAsked) {
   EXPECT_EQ(made.plan.position, before);
 }
 
-TEST(OrderToCool, WallsGoOneWay) {
+TEST(OrderToCool, WallsRunInOneDirection) {
   Assembled made;
   for (int layer = 0; layer < 4; ++layer) {
     std::vector<Eigen::Vector3d> wall;
@@ -136,7 +136,7 @@ double timeWithWaits(const Assembled& made, double leastS) {
 }
 
 // Cones of an outer wall, an infill and an inner wall, which each cover their neighbour below: a
-// layer needs hardly more than the least time, in whichever direction the walls lean.
+// layer needs hardly more than the least time, for either direction in which the walls lean.
 TEST(OrderToCool, ConesNeedOneLeastTimeALayer) {
   constexpr int kLayers = 20;
   constexpr double kLeastS = 60.0;

@@ -1,4 +1,4 @@
-// A second opinion on coverage that shares no code with the planner: volume is laid sample by
+// A second opinion on coverage that shares no code with the planner: volume is deposited sample by
 // sample under each bead and, where a sample is full, moved to the nearest one with room.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace voluta::test {
 
 struct Painted {
   double areaMm2 = 0, coveredMm2 = 0; // of the patch; of it, filled (partly filled counts partly)
-  double excessMm2 = 0;               // laid, but no room within a quarter width of the bead
+  double excessMm2 = 0;               // deposited, but no room within a quarter width of the bead
 };
 
 // Beads are painted as rectangles: length x width across, in the tangent plane; their material is

@@ -251,7 +251,7 @@ TEST(UnsupportedPasses, AreNamedAndInTheOrderOfTheirPhases) {
   }
 }
 
-TEST(UnsupportedPasses, LeaveWhatIsSupported) {
+TEST(UnsupportedPasses, LeaveSupportedBeadsUnchanged) {
   plan::ToolPlan plan;
   for (int layer = 0; layer < 3; ++layer)
     addPath(plan, -15, 15, 0, 0.8 * (layer + 1), layer);

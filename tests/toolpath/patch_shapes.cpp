@@ -87,7 +87,7 @@ layers::Patch patchOver(const std::vector<Loop>& loops, double edgeMm, const Lif
       const Vector2d p = low + Vector2d(i * edgeMm + (j % 2) * edgeMm / 2, j * rise);
       lattice.push_back(p + Vector2d(jitter(random), jitter(random)));
       value.push_back(signedDistance(loops, lattice.back()));
-      // Slivers at the boundary are no part of what is tested.
+      // Slivers at the boundary are not tested.
       if (std::abs(value.back()) < 0.02)
         value.back() = value.back() < 0 ? -0.02 : 0.02;
     }

@@ -21,7 +21,7 @@ using toolpath::PatchSurface;
 using toolpath::PlaneSamples;
 using toolpath::SurfaceCurve;
 
-// A plane that leans, so that nothing hangs on z.
+// An inclined plane, so that nothing depends on z.
 const Eigen::Isometry3d kLeaning =
     Eigen::Translation3d(3, -7, 11) * Eigen::AngleAxisd(0.7, Vector3d(2, 1, -3).normalized());
 Vector3d leaning(const Vector2d& p) {
@@ -56,7 +56,7 @@ std::vector<SurfaceCurve> lines(unsigned seed) {
   return curves;
 }
 
-TEST(PlaneSamples, StandForASquareWithAHole) {
+TEST(PlaneSamples, RepresentASquareWithAHole) {
   const std::vector<test::Loop> loops{test::rectangle(30, 30), test::circle(8, true)};
   const PatchSurface s = surfaceOver(loops);
   ASSERT_TRUE(s.planeNormal);
@@ -82,8 +82,8 @@ TEST(PlaneSamples, StandForASquareWithAHole) {
   EXPECT_NEAR(left, 90.0, 1.0);
 }
 
-// Whichever triangles a point lies in or between, it is inside: as many points of a raster are over
-// many small triangles as over few large ones.
+// Points in triangles and between them are inside: a raster has as many points over many small
+// triangles as over few large ones.
 TEST(PlaneSamples, LoseNoneBetweenTriangles) {
   const auto thickness = [](const Vector3d&) { return 0.8; };
   const std::vector<std::vector<test::Loop>> outlines{
@@ -104,8 +104,8 @@ TEST(PlaneSamples, LoseNoneBetweenTriangles) {
   }
 }
 
-// Beads beside each other get the same, whichever way they run, along the raster too: points in
-// rows would give one of them a row more than the next.
+// Beads beside each other get the same, in every direction, along the raster too: points in rows
+// would give one of them a row more than the next.
 TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
   const auto samples = PlaneSamples::of(surfaceOver({test::rectangle(40, 40)}), 0.02);
   ASSERT_TRUE(samples);
@@ -132,7 +132,7 @@ TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
   }
 }
 
-TEST(PlaneSamples, FindWhatIsNearAsBruteForceDoes) {
+TEST(PlaneSamples, FindNearSamplesAsBruteForceDoes) {
   const auto samples = PlaneSamples::of(surfaceOver({test::star(5, 9, 4)}), 0.09);
   ASSERT_TRUE(samples);
   std::mt19937 random(5);
@@ -163,14 +163,14 @@ TEST(PlaneSamples, FindWhatIsNearAsBruteForceDoes) {
   }
 }
 
-TEST(PlaneSamples, NotOfWhatIsBent) {
+TEST(PlaneSamples, AreNotMadeForABentSurface) {
   const auto cap =
       PatchSurface::refine(test::patchOver({test::circle(8)}, 0.8, test::onSphere(200)), 0.6);
   EXPECT_FALSE(cap.planeNormal);
   EXPECT_FALSE(PlaneSamples::of(cap, 0.04));
 }
 
-// What every segment gets, against the nearest of all for each sample alone.
+// The samples of every segment, against the nearest of all for each sample alone.
 TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
   const PatchSurface s = surfaceOver({test::circle(9), test::circle(2, true, {3, 2})});
   const auto samples = PlaneSamples::of(s, 0.04);
@@ -223,7 +223,7 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
   }
 }
 
-// Where wide beads narrow along their way, what lies beside it goes to the nearest rim too.
+// Where wide beads narrow along their way, samples beside them are given to the nearest rim too.
 TEST(PlaneSamples, AreSharedOutBetweenBeadsThatNarrow) {
   const PatchSurface s = surfaceOver({test::circle(9)});
   const auto samples = PlaneSamples::of(s, 0.04);
@@ -322,7 +322,7 @@ TEST(PlaneSamples, ShowTheCoverOfACross) {
   EXPECT_NEAR(c.overlapMm2, hatch * hatch, 0.08);
 }
 
-// On a plane distances go straight, round nothing but what is no part of it.
+// On a plane distances are straight, except round areas that are not part of it.
 TEST(SurfaceFields, DistanceToTheRimOfAPlaneIsThatOfItsEdges) {
   for (const auto& loops : {std::vector<test::Loop>{test::star(5, 12, 5)},
                             std::vector<test::Loop>{test::rectangle(20, 14), test::circle(4, true)},
@@ -369,7 +369,7 @@ TEST(PatchSurface, ProjectsOntoAPlanesTriangles) {
     if (!over)
       continue;
     ++inside;
-    // From nearby, as curves ask: from further a bay may lie between.
+    // From nearby, as curves do: from further a bay may be in between.
     int from = 0;
     for (int k = 0; k < static_cast<int>(s.triangles.size()); ++k)
       if (const auto& t = s.triangles[static_cast<std::size_t>(k)];

@@ -32,8 +32,8 @@ double asideOf(double sideMm, const Vector2d& p) {
   return out.norm();
 }
 
-TEST(PrimePath, aLineLiesBesideThePart) {
-  // The first path begins at (-20, -20): the line lies below or to the left, 30 mm from the middle.
+TEST(PrimePath, aLineIsBesideThePart) {
+  // The first path begins at (-20, -20): the line is below or to the left, 30 mm from the middle.
   const PrimePlace place = primePlace(square(200), corners(40), {0, 0}, false, 30.0, 1.2);
   EXPECT_TRUE(place.onPlate);
   ASSERT_EQ(place.corners.size(), 2u);
@@ -47,7 +47,7 @@ TEST(PrimePath, aLineLiesBesideThePart) {
             (place.corners[0] - Vector2d(-20, -20)).norm());
 }
 
-TEST(PrimePath, aRingLiesRoundThePart) {
+TEST(PrimePath, aRingIsRoundThePart) {
   const PrimePlace place = primePlace(square(100), corners(40), {0, 0}, true, 30.0, 1.2);
   EXPECT_TRUE(place.onPlate);
   EXPECT_LT((place.corners.front() - place.corners.back()).norm(), 1e-9);
@@ -127,8 +127,8 @@ TEST(PrimePath, isPrintedByTheToolThatPrintsFirst) {
   EXPECT_FLOAT_EQ(plan.widthMm[0], 0.9f);
 }
 
-// What falls is told, where it falls; what lies on the plate is no news.
-TEST(PrimePath, tellsWhereItFalls) {
+// A path that falls gives a finding with its place; a path on the plate gives none.
+TEST(PrimePath, findingNamesThePlaceWhereItFalls) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   const process::Process process = process::loadProcess("fdm-1.0");
   const plan::ToolPlan plan = onePath();

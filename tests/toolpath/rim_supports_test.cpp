@@ -1,4 +1,4 @@
-// Beads of support under rims that would hang just over the plate.
+// Beads of support under rims that would be unsupported just over the plate.
 #include "toolpath/unsupported/rim_supports.h"
 
 #include "collision/growing_part.h"
@@ -22,12 +22,12 @@ namespace {
 struct Underlaid {
   plan::ToolPlan plan;
   std::vector<Vector3d> clearDirection;
-  std::size_t underlaid = 0; // paths, as reported
+  std::size_t underlaid = 0; // paths, as returned
   double volumeMm3 = 0.0;
   std::shared_ptr<const collision::GrowingPart> grown;
 };
 
-// What passes before directions make of it.
+// The result of the passes before directions.
 Underlaid underlaid(const plan::ToolPlan& plan, const platform::PlatformSolid& platform = kPlate) {
   toolpath::PassedPlan passed = afterPhase(toolpath::PassPhase::BeforeDirections, plan, platform);
   std::size_t paths = 0;
@@ -43,7 +43,7 @@ std::vector<char> unsupportedOf(const plan::ToolPlan& plan) {
   return toolpath::unsupportedWaypoints(plan, part, kPlate, {});
 }
 
-// A foot of one bead, and over it a layer that goes 3 beads beyond it on one side.
+// A foot of one bead, and over it a layer that exceeds it by 3 beads on one side.
 plan::ToolPlan roundFoot() {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
@@ -54,7 +54,7 @@ plan::ToolPlan roundFoot() {
 
 } // namespace
 
-TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
+TEST(Underlay, IsOnThePlateUnderALowRimAndBeforeItsPatch) {
   const plan::ToolPlan plan = roundFoot();
   const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 4u);
@@ -75,7 +75,7 @@ TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
   }
   EXPECT_NEAR(out.volumeMm3, volume, 1e-3);
   EXPECT_EQ(out.clearDirection.size(), out.plan.waypointCount());
-  // What was there is there, in its order.
+  // Former paths are unchanged, in their order.
   std::vector<Vector3d> part;
   for (const plan::ToolPath& path : out.plan.paths)
     if (path.kind != plan::PathKind::Support)
@@ -86,8 +86,8 @@ TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
   EXPECT_EQ(std::ranges::count(unsupportedOf(out.plan), 1), 0);
 }
 
-// The prime begins everything, though it is told to be of the first patch.
-TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
+// The prime comes first, though it belongs to the first patch.
+TEST(Underlay, FollowsThePrimeAndTheGrownPartIsThePlans) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, -12, 0.8, 0);
   plan.paths.front().kind = plan::PathKind::Skirt;
@@ -115,7 +115,7 @@ TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
 
 TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   plan::ToolPlan shortRim;
-  addPath(shortRim, -1.2, 1.2, 0, 1.6, 0); // less than half of what it bridges
+  addPath(shortRim, -1.2, 1.2, 0, 1.6, 0); // less than half of the bridging length
   EXPECT_EQ(underlaid(shortRim).underlaid, 0u);
 
   plan::ToolPlan high;
@@ -132,8 +132,8 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   EXPECT_EQ(underlaid(roundFoot(), rod).underlaid, 0u);
 }
 
-// Between walls that stand already the head would cut in: there a rim hangs rather.
-TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
+// Between existing walls the head would cut in: there a rim stays unsupported.
+TEST(Underlay, NoSupportWhereTheHeadDoesNotFit) {
   plan::ToolPlan plan;
   for (int layer = 0; layer < 3; ++layer)
     for (const double y : {1.5, 3.5})
@@ -165,8 +165,8 @@ TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
   EXPECT_NEAR(top, 2.0 - 0.8 / 14.0, 1e-6);
 }
 
-// A roof two layers over a slab, on posts' height: beads stand on the slab.
-TEST(Underlay, StandsOnWhatIsPrinted) {
+// A roof two layers over a slab, on posts' height: beads are stacked on the slab.
+TEST(Underlay, IsStackedOnPrintedBeads) {
   plan::ToolPlan plan;
   for (int layer = 0; layer < 8; ++layer)
     addPath(plan, -15, 15, 0, 0.8 * (layer + 1), layer);
@@ -179,7 +179,7 @@ TEST(Underlay, StandsOnWhatIsPrinted) {
     const plan::ToolPath& under = out.plan.paths[p];
     EXPECT_EQ(under.kind, plan::PathKind::Support);
     const auto height = static_cast<double>(out.plan.heightMm[under.first]);
-    // What is printed is told by its cells.
+    // Printed beads are known by their cells.
     EXPECT_NEAR(out.plan.position[under.first].z() - height, top, 0.2);
     top = out.plan.position[under.first].z();
   }
@@ -197,8 +197,8 @@ TEST(Underlay, HighOnesAreWider) {
     EXPECT_NEAR(out.plan.widthMm[out.plan.paths[p].first], (9.0 - 0.8 / 14.0) / 6.0, 1e-6);
 }
 
-// Seen from the side: where the nozzle comes aslant beside a wall, beads beneath are laid so too.
-TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
+// Seen from the side: where the nozzle is inclined beside a wall, beads below are inclined too.
+TEST(Underlay, LeansWhereTheHeadFitsOnlyInclined) {
   const Vector3d aslant = Vector3d(0.0, -1.0, 1.0).normalized();
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
@@ -219,8 +219,7 @@ TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
   EXPECT_GT(laid, 30u);
 }
 
-// Where the head cuts into what stands there, upright and as the roof is laid: leaning away from
-// it.
+// Where the head cuts into a wall, upright and in the direction of the roof: leaning away from it.
 TEST(Underlay, LeansAwayFromAWall) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
@@ -260,7 +259,7 @@ TEST(Underlay, RimSupportsOfOneHeightAreInTheOrderOfLeastTravel) {
   }
 }
 
-// By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
+// By the hundred: no bead is in one deposited before it, and none is unsupported.
 TEST(Underlay, RandomFeet) {
   std::size_t laid = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
@@ -280,7 +279,7 @@ TEST(Underlay, RandomFeet) {
     const Underlaid out = underlaid(plan);
     const double pitch = collision::growingPitch(out.plan, process::Tooling(kProcess));
     const collision::GrowingPart part(out.plan, pitch, {});
-    plan::ToolPlan deeper = out.plan; // cells are told by their centres
+    plan::ToolPlan deeper = out.plan; // cells are known by their centres
     for (float& height : deeper.heightMm)
       height += static_cast<float>(0.5 * pitch);
     const std::vector<char> unsupported = unsupportedOf(deeper);
@@ -293,7 +292,7 @@ TEST(Underlay, RandomFeet) {
           << seed << ": " << out.plan.position[path.first].transpose();
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
         EXPECT_GE(out.plan.position[i].z() - static_cast<double>(out.plan.heightMm[i]), -1e-5);
-        // VoronoiShares are told by their centres: half of one nearer to what it lies on.
+        // Cells are known by their centres: half of one nearer to the bead below.
         const Vector3d middle =
             out.plan.position[i] +
             0.5 * (pitch - static_cast<double>(out.plan.heightMm[i])) * out.plan.direction[i];

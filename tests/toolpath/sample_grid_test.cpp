@@ -1,4 +1,4 @@
-// Samples of a bent surface: what is found near a segment, and what is given to curves.
+// Samples of a bent surface: the ones near a segment, and the ones given to curves.
 #include "toolpath/coverage/sample_grid.h"
 
 #include "toolpath/coverage/voronoi_shares.h"
@@ -49,7 +49,7 @@ TEST(SampleGrid, HoldsTheSamplesOfTheSurface) {
   EXPECT_NEAR(area, s.areaMm2, 1e-9 * s.areaMm2);
 }
 
-TEST(SampleGrid, FindsWhatIsNearAsBruteForceDoes) {
+TEST(SampleGrid, FindsNearSamplesAsBruteForceDoes) {
   const PatchSurface s = cap();
   const SampleGrid grid(s, 0.1);
   std::mt19937 random(7);

@@ -125,7 +125,7 @@ TEST(Seams, EveryRowOfTheTableBeginsOnTheBeadAndChangesNothingElse) {
   EXPECT_THROW(seamKind("alligned"), base::Error);
 }
 
-// Wherever the points of the bead begin.
+// For any first point of the bead.
 TEST(Seams, AlignedAndCornerDependOnTheShapeOnly) {
   for (const std::string_view id : {"aligned", "corner"})
     for (const Bead& bead : {polygonBead(kEll), polygonBead(circle(7)), lathedBead(12, 3)}) {
@@ -204,7 +204,7 @@ TEST(Seams, AlignedFollowsOnlySeamsWithinReach) {
   EXPECT_LT((tipFor({15 + 4.0, 0, -kHeight}) - Vector3d(0, 15, 0)).norm(), 0.01);
 }
 
-TEST(Seams, SpreadSeamsAreEverywhereAlike) {
+TEST(Seams, SpreadSeamsAreUniform) {
   const Bead ring = polygonBead(circle(15));
   std::vector<int> count(8, 0);
   for (int layer = 0; layer < 800; ++layer) {

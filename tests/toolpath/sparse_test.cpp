@@ -102,7 +102,7 @@ TEST_P(Patterns, HaveTheDensityOfTheirPeriod) {
 }
 
 // A completed branching gives the pattern of half the period's lines, twice as many.
-TEST_P(Patterns, BranchesMoveAsFarAsTheyAreAskedTo) {
+TEST_P(Patterns, BranchesMoveByTheGivenDistance) {
   constexpr double kPeriod = 14.0;
   const toolpath::PatternValue value = pattern().value(kPeriod, 1.2);
   const double quarter = 0.25 * pattern().spacing * kPeriod;
@@ -110,7 +110,7 @@ TEST_P(Patterns, BranchesMoveAsFarAsTheyAreAskedTo) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3d p(0.37 * i, 0.11 * i, 0.05 * i);
     const auto line = [&](const toolpath::Branching& b) { return std::floor(value(p, b) + 0.5); };
-    // Between its two ends a branching is only another way to say the same.
+    // At its two ends a branching gives the same lines.
     const double end = line({0, quarter}), next = line({1, 0.0});
     const Vector3d q = p + Vector3d(0.37, 0.11, 0.05);
     const double end2 = std::floor(value(q, {0, quarter}) + 0.5),

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// A bar along x in flat layers, whose width goes from one value to another.
+// A bar along x in flat layers, whose width varies from one value to another.
 layers::LayerStack barStack(double lengthMm, double fromMm, double toMm, double heightMm,
                             int layers, int pieces = 50) {
   layers::LayerStack stack;

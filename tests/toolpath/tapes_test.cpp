@@ -1,4 +1,4 @@
-// Paths of tapes: closed forms on rectangles, rings and cylinders; what holds on any outline.
+// Paths of tapes: closed forms on rectangles, rings and cylinders; invariants on any outline.
 #include "toolpath/fibre/tape_paths.h"
 
 #include "base/error.h"
@@ -105,7 +105,7 @@ TEST(Tapes, ALimitedNumberIsInTheMiddleAndEndsBeforeTheOutline) {
   EXPECT_GE(tapes.coveredMm2, 0.99 * tapes.regionMm2);
 }
 
-TEST(Tapes, OnesBeyondTheNumberAreNotReported) {
+TEST(Tapes, TapesBeyondTheNumberDoNotCountAsShort) {
   // A triangle: all but the lines in the middle are too short.
   const layers::Patch patch = test::patchOver({Loop{{-40, -12}, {40, -12}, {0, 12}}}, 1.0);
   EXPECT_GT(tapesOn(patch, {}).shortMm, 0.0);
@@ -114,7 +114,7 @@ TEST(Tapes, OnesBeyondTheNumberAreNotReported) {
   EXPECT_EQ(one.shortMm, 0.0);
 }
 
-TEST(Tapes, ShortOnesAreLeftOutAndReported) {
+TEST(Tapes, ShortOnesAreLeftOutAndTheirLengthIsReturned) {
   const layers::Patch patch = evenPatch(24, 30);
   const TapePaths tapes = tapesOn(patch, {}); // 19 long at most
   EXPECT_TRUE(tapes.paths.empty());

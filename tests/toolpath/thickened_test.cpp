@@ -1,4 +1,4 @@
-// Beads that would hang a little over what is printed, laid thicker.
+// Beads with a small gap to printed beads below, made thicker.
 #include "collision/growing_part.h"
 #include "toolpath/unsupported/thicken_unsupported.h"
 
@@ -20,7 +20,7 @@ toolpath::UnsupportedBeads thickened(const plan::ToolPlan& plan) {
 
 } // namespace
 
-TEST(Thickened, ReachesDownToWhatIsPrinted) {
+TEST(Thickened, ReachesDownToThePrintedBead) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0, 0.8 + 0.5 + 0.4, 1, 0.4f);
@@ -50,7 +50,8 @@ TEST(Thickened, NotWhereItIsFarOrShortAndNeverThickerThanLayersMayBe) {
   EXPECT_EQ(thickened(shortGap).plan.heightMm, shortGap.heightMm);
 }
 
-// By the hundred: nothing is laid in what was laid before, nor faster than the extruder gives it.
+// By the hundred: no bead is deposited into an earlier one, nor faster than the extruder's flow
+// allows.
 TEST(Thickened, RandomHeights) {
   std::size_t changed = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {

@@ -1,4 +1,4 @@
-// Beads that hang, pressed against those beside them.
+// Unsupported beads, pressed against those beside them.
 #include "collision/growing_part.h"
 #include "toolpath/options.h"
 #include "toolpath/unsupported/tilt_unsupported.h"
@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Ends under the ledges of these tests, so that nothing can be laid beneath them.
+// Ends under the ledges of these tests, so that nothing can be deposited below them.
 const platform::PlatformSolid kNarrowPlate{
     Eigen::Vector2d(-20, -20), {20, -20}, {20, 0.5}, {-20, 0.5}};
 
@@ -48,7 +48,7 @@ plan::ToolPlan leaning(plan::ToolPlan plan) {
   return plan;
 }
 
-// Layer 1 lies on a bead of layer 0 and reaches out over it; its beads at these places aside.
+// Layer 1 is on a bead of layer 0 and reaches out over it; its beads at these places aside.
 plan::ToolPlan ledge(const std::vector<double>& asides, float height = 0.8f) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
@@ -68,13 +68,13 @@ double leanDeg(const plan::ToolPlan& before, const plan::ToolPlan& after, std::s
 
 } // namespace
 
-TEST(InwardsFirst, FromWhatIsCarriedToTheRim) {
+TEST(InwardsFirst, PathsRunFromTheCarriedOneToTheRim) {
   EXPECT_EQ(orderOf(ledge({3.6, 2.4, 0.0, 1.2})), (std::vector<std::size_t>{0, 3, 4, 2, 1}));
   EXPECT_EQ(orderOf(ledge({0.0, 1.2, 2.4})), (std::vector<std::size_t>{0, 1, 2, 3}));
 }
 
-TEST(InwardsFirst, OnlyWhatHangsAndCanLeanOnSomething) {
-  // Nothing of the layer is carried; supports; what is shorter than half of what is bridged.
+TEST(InwardsFirst, SupportsShortAndUncarriedPathsKeepTheirOrder) {
+  // No bead of the layer is carried; supports; beads shorter than half of the bridging length.
   EXPECT_EQ(orderOf(ledge({4.8, 3.6, 2.4})), (std::vector<std::size_t>{0, 1, 2, 3}));
   plan::ToolPlan support = ledge({2.4, 0.0});
   support.paths[1].kind = plan::PathKind::Support;
@@ -90,8 +90,8 @@ TEST(InwardsFirst, OnlyWhatHangsAndCanLeanOnSomething) {
   EXPECT_EQ(orderOf(patches), (std::vector<std::size_t>{0, 1, 2}));
 }
 
-// One path there and back: the line that hangs is laid after the one it may lean on.
-TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
+// One path there and back: the unsupported line is printed after the one it may lean on.
+TEST(InwardsFirst, PathThatBeginsUnsupportedIsReversed) {
   const auto thereAndBack = [](double there, double back) {
     plan::ToolPlan plan = ledge({there, back});
     plan::ToolPath &first = plan.paths[1], &second = plan.paths[2];
@@ -127,9 +127,9 @@ TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
 }
 
 // Ledges of two to four beads, of any height of layers, tilted: each bead is pressed against the
-// one inwards of it, none leans further than it may, middles stay, and it goes gently.
-// Where beads are twice as wide as high, what they lie on turns away from some as it leans.
-TEST(Braced, RandomLedgesHangNoLonger) {
+// one inwards of it, none leans further than it may, middles stay, and directions change gently.
+// Where beads are twice as wide as high, some lose contact as the bead below leans.
+TEST(Braced, RandomLedgesBecomeSupported) {
   std::size_t before = 0, left = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
@@ -176,8 +176,8 @@ TEST(Braced, RandomLedgesHangNoLonger) {
   EXPECT_LT(left, before / 15);
 }
 
-// Of a bead that is carried up to x = 0, what hangs leans, and what leads there leans less and
-// less.
+// Of a bead that is carried up to x = 0, the unsupported part leans, and the part before it leans
+// less and less.
 TEST(Braced, TheWayThereIsGentle) {
   plan::ToolPlan plan;
   addPath(plan, -20, 20, 0, 0.8, 0);
@@ -201,14 +201,14 @@ TEST(Braced, UprightBeadsStayUpright) {
   EXPECT_EQ(bracedPlan(plan).direction, plan.direction);
 }
 
-TEST(Braced, WhatHasNothingBesideItStays) {
+TEST(Braced, BeadWithoutANeighbourStays) {
   for (const double aside : {2.6, 4.0}) {
     const plan::ToolPlan plan = ledge({0.0, aside});
     EXPECT_EQ(bracedPlan(plan).direction, plan.direction);
   }
 }
 
-// The road up to directions: what comes out hangs nowhere, in an order in which that can be.
+// All passes up to directions: the result is supported everywhere, in an order that allows it.
 TEST(Braced, ALedgeOnItsWayToDirections) {
   plan::ToolPlan plan = ledge({3.5, 2.35, 1.2, 0.0});
   for (plan::ToolPath& path : plan.paths)

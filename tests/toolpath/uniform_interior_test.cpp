@@ -68,8 +68,9 @@ double sumOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// What no samples are asked for is what samples tell of it, and takes nothing from the others.
-TEST(UniformStretches, AreWhatSamplesTell) {
+// Stretches that need no samples have the widths that samples give, and take nothing from the
+// others.
+TEST(UniformStretches, AgreeWithSamples) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> angle(0.0, base::kPi);
   std::size_t withEven = 0;
@@ -137,7 +138,7 @@ TEST(UniformStretches, AreNoneOfABar) {
   EXPECT_TRUE(std::ranges::none_of(even.triangles, [](char t) { return t; }));
 }
 
-TEST(UniformStretches, AreNotOfWhatIsBent) {
+TEST(UniformStretches, AreNotMadeForABentSurface) {
   const toolpath::PatchSurface s = toolpath::PatchSurface::refine(
       test::patchOver({test::circle(20)}, 0.8, test::onSphere(60)), 0.6);
   std::vector<double> depth = toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);

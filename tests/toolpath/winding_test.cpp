@@ -310,7 +310,7 @@ TEST(WoundInfill, AlongIsEvenAndWovenTakesTurns) {
   const auto along = cover(patch, "along");
   spacingsAt(infillOf(along));
   EXPECT_EQ(infillOf(along).size(), 1u); // lines are joined at their ends, all around
-  // Away from the ends, beads are as wide as their spacing asks for.
+  // Away from the ends, beads are as wide as their spacing.
   double narrowest = 1.0, widest = 0.0;
   for (const toolpath::Bead& b : along.beads)
     for (const toolpath::BeadPoint& p : b.points)

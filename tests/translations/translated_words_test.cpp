@@ -1,4 +1,4 @@
-// What core says, as the window shows it.
+// Texts of core, as the window shows them.
 #include "language/words.h"
 
 #include <QCoreApplication>

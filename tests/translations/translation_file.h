@@ -10,7 +10,7 @@ namespace voluta::translations {
 struct Message {
   QString context;
   QString source;
-  QString comment;   // tells equal sources of a context apart; mostly empty
+  QString comment;   // distinguishes equal sources of a context; mostly empty
   QStringList forms; // one, or one per plural form
   bool plural = false;
   bool finished = true;

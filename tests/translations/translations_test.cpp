@@ -17,7 +17,7 @@ QDir root() {
   return QDir(QStringLiteral(VOLUTA_ROOT));
 }
 
-// What `pattern` finds in `text`, in sorted order: a translation may place it elsewhere.
+// The matches of `pattern` in `text`, in sorted order: a translation may place them elsewhere.
 QStringList found(const QString& text, const QString& pattern) {
   QStringList all;
   auto matches = QRegularExpression(pattern).globalMatch(text);
@@ -132,7 +132,7 @@ TEST_P(Translations, HasEveryTextOfTheWindow) {
         << "no longer in the window: " << message.key().toStdString();
 }
 
-// Core says what it says as data: the list for translators is made from its sources.
+// Core's texts are data: the list for translators is made from its sources.
 TEST_P(Translations, HasEveryTextOfCore) {
   const QSet<QString> known = sourcesOf(QStringLiteral("Core"));
   static const QRegularExpression kPlace(QLatin1String{kPlacePattern}), kLetter("[A-Za-z]");
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Translations, testing::ValuesIn(translationFiles
                            return file.param.substr(0, file.param.find('.'));
                          });
 
-TEST(TranslationFile, NamesLineOfWhatIsNotWellFormed) {
+TEST(TranslationFile, NamesTheLineThatIsNotWellFormed) {
   const QTemporaryDir folder;
   QFile broken(folder.filePath(QStringLiteral("broken.ts")));
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));

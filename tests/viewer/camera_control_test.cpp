@@ -29,7 +29,7 @@ TEST_F(CameraControlTest, EverySideIsSeenUpright) {
   }
 }
 
-TEST_F(CameraControlTest, LeavingThePoleKeepsWhatIsRight) {
+TEST_F(CameraControlTest, LeavingThePoleKeepsTheRightDirection) {
   camera_.viewFrom({0, 0, 1});
   camera_.orbit(0.0, 20.0);
   EXPECT_GT(camera_.axes().col(0).x(), 0.99);
@@ -38,7 +38,7 @@ TEST_F(CameraControlTest, LeavingThePoleKeepsWhatIsRight) {
   EXPECT_GT(camera_.axes().col(0).x(), 0.99);
 }
 
-TEST_F(CameraControlTest, NeverComesTooNearThePoleByTurning) {
+TEST_F(CameraControlTest, OrbitKeepsClearOfThePole) {
   camera_.viewFrom({0.5, -0.7, 0.4});
   for (int i = 0; i < 100; ++i) {
     camera_.orbit(3.0, -7.0);

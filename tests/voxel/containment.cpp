@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-// Whether p, or any point within `reach` of it along the axes, lies in a solid cell.
+// Whether p, or any point within `reach` of it along the axes, is in a solid cell.
 bool solidNear(const voxel::SolidVoxels& v, const Vector& p, double reach) {
   const Vector low = (p - v.grid.origin).array() - reach,
                high = (p - v.grid.origin).array() + reach;
@@ -114,7 +114,7 @@ public:
             blocks_[{i, j, k}].push_back(t);
     }
   }
-  // May say true for a surface that is a little further; never false for one within reach.
+  // May return true for a surface that is a little further; never false for one within reach.
   bool near(const Vector& p) const {
     const auto found = blocks_.find(block(p));
     return found != blocks_.end() &&

@@ -1,5 +1,5 @@
 // Whether cells contain a part, found without the voxeliser's code: points on its facets, and
-// points whose side is told by the parity of rays in odd directions.
+// points whose side follows from the parity of rays in odd directions.
 #pragma once
 
 #include "geometry/triangle_mesh.h"

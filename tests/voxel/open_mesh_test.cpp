@@ -32,7 +32,7 @@ TEST(OpenMesh, CapsCloseIt) {
 }
 
 // The two ways to the same number: caps taken off a whole one, and the mesh itself.
-TEST(OpenMesh, FillsWhereTheMeshsOwnWindingNumberSaysSo) {
+TEST(OpenMesh, FillsByTheMeshsOwnWindingNumber) {
   const geometry::TriangleMesh mesh = holed();
   const SolidVoxels grid = solidVoxels(mesh, 0.5, kQuiet);
   std::vector<std::uint8_t> filled(grid.grid.cellCount(), 0);

@@ -64,7 +64,7 @@ TEST(SolidVoxels, OutermostCellsAreEmpty) {
   }
 }
 
-TEST(SolidVoxels, PlateIsABoundaryOfCellsWhereverThePartIs) {
+TEST(SolidVoxels, PlateIsABoundaryOfCellsForAnyHeightOfThePart) {
   for (const double z : {-3.3, 0.0, 2.15, 9.99}) {
     const SolidVoxels v = solidVoxels(test::sphere({0, 0, z}, 3.0), 0.4, kQuiet);
     const double cells = -v.grid.origin.z() / v.grid.pitch;
@@ -72,7 +72,7 @@ TEST(SolidVoxels, PlateIsABoundaryOfCellsWhereverThePartIs) {
   }
 }
 
-// Random points in a sphere lie in solid cells, points more than a cell's diagonal off do not.
+// Random points in a sphere are in solid cells, points more than a cell's diagonal off are not.
 TEST(SolidVoxels, ContainsTheSphereAndNoMoreThanItsCells) {
   const double r = 7.0, pitch = 0.6;
   const Eigen::Vector3d centre(1, 2, 7);
@@ -112,8 +112,8 @@ TEST(SolidVoxels, OpenMeshIsFilledByWinding) {
 }
 
 TEST(SolidVoxels, ColumnsThroughEdgesAndVerticesKeepTheirParity) {
-  // Cell centres at whole multiples of the pitch: the diagonals of the box's faces and the poles
-  // of the sphere lie exactly on columns.
+  // Cell centres at whole multiples of the pitch: the diagonals of the box's faces and the poles of
+  // the sphere are exactly on columns.
   const SolidVoxels v = solidVoxels(test::box({0, 0, 0}, {5, 5, 3}), 1.0, kQuiet);
   EXPECT_EQ(v.count, 75u);
   const SolidVoxels s = solidVoxels(test::sphere({0, 0, 4.5}, 4.5, 8), 1.0, kQuiet);
@@ -137,7 +137,7 @@ TEST(SolidVoxels, SameForAnyNumberOfThreads) {
   EXPECT_EQ(one.solid, two.solid);
 }
 
-TEST(SolidVoxels, RefusesWhatCannotBe) {
+TEST(SolidVoxels, RefusesEmptyMeshesAndBadPitches) {
   EXPECT_THROW(solidVoxels({}, 0.5, kQuiet), base::Error);
   const TriangleMesh mesh = test::sphere({0, 0, 6}, 6.0);
   EXPECT_THROW(solidVoxels(mesh, 0.0, kQuiet), base::Error);

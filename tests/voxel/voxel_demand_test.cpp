@@ -14,7 +14,7 @@
 namespace voluta::voxel {
 namespace {
 
-TEST(VoxelDemand, IsAboutWhatVoxelisingMakes) {
+TEST(VoxelDemand, EstimateIsNearTheVoxelsMade) {
   geometry::TriangleMesh shell = test::sphere({0, 0, 20}, 20.0, 40);
   test::append(shell, test::sphere({0, 0, 20}, 18.0, 40), true);
   for (const auto& mesh :
@@ -27,7 +27,7 @@ TEST(VoxelDemand, IsAboutWhatVoxelisingMakes) {
     }
 }
 
-TEST(VoxelDemand, TooSmallAWidthIsToldWithOneThatFits) {
+TEST(VoxelDemand, TooSmallAWidthIsRefusedWithOneThatFits) {
   const geometry::TriangleMesh mesh = test::sphere({0, 0, 40}, 40.0);
   const std::uint64_t free = 500'000'000;
   EXPECT_NO_THROW(checkVoxelDemand(mesh, 0.8, free));

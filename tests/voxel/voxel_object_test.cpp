@@ -159,7 +159,7 @@ TEST(VoxelObject, QuarterTurnsMoveCellsAsTheyMoveTheSurface) {
   EXPECT_EQ(turns, 24);
 }
 
-TEST(VoxelObject, RefusesWhatIsNoTurn) {
+TEST(VoxelObject, RefusesMatricesThatAreNotRotations) {
   const VoxelObject o = readVoxelText("1\n-\n", "c.txt");
   EXPECT_THROW(solidVoxels(o, 2 * Eigen::Matrix3i::Identity(), 1.0, {0, 0}, 0), base::Error);
   EXPECT_THROW(solidVoxels(o, -Eigen::Matrix3i::Identity(), 1.0, {0, 0}, 0), base::Error);

@@ -1,5 +1,5 @@
-// voxel_report [--voxels N | --pitch MM] [--threads N] STL... Prints what voxelising real parts
-// costs, and whether the cells contain them by the tests' own check.
+// voxel_report [--voxels N | --pitch MM] [--threads N] STL... Prints the cost of voxelising real
+// parts, and whether the cells contain them by the tests' own check.
 #include "base/memory.h"
 #include "base/stopwatch.h"
 #include "geometry/formats/mesh_reader.h"

@@ -21,7 +21,7 @@ std::size_t countOf(const VoxelObject& o) {
   return n;
 }
 
-TEST(VoxelText, FlatObjectStandsOnItsPlatform) {
+TEST(VoxelText, FlatObjectIsOnItsPlatform) {
   const VoxelObject o = readVoxelText("1100\n0100\n----\n", "l.txt");
   EXPECT_EQ(o.size, Eigen::Vector3i(4, 1, 2));
   EXPECT_EQ(countOf(o), 3u);
@@ -49,7 +49,7 @@ TEST(VoxelText, SlicesFollowOneAnotherAlongY) {
 }
 
 // The pyramid of the thesis's fig. 5.2: layers stacked on a platform of their own.
-TEST(VoxelText, LayersStackedOnAPlatformLieFlat) {
+TEST(VoxelText, LayersStackedOnAPlatformAreHorizontal) {
   const std::string up = "---\n---\n---\n\n111\n111\n110\n\n000\n010\n000\n";
   const std::string down = "000\n010\n000\n\n111\n111\n110\n\n---\n---\n---\n";
   for (const std::string& text : {up, down}) {
@@ -75,7 +75,7 @@ struct Bad {
   const char *text, *where, *what;
 };
 
-TEST(VoxelText, BadObjectsAreToldInOneLineWithTheirPlace) {
+TEST(VoxelText, BadObjectsGiveAnErrorOfOneLineWithTheirPlace) {
   const Bad all[] = {
       {"0110\n011\n----\n", "x.txt, line 2, column 4", "3 cells, the first one 4"},
       {"0110\n01100\n----\n", "x.txt, line 2, column 5", "5 cells"},
@@ -108,7 +108,7 @@ TEST(VoxelText, BadObjectsAreToldInOneLineWithTheirPlace) {
     }
 }
 
-TEST(VoxelText, TooLargeAnObjectIsRefusedWhereItGetsTooLarge) {
+TEST(VoxelText, TooLargeAnObjectIsRefusedWithItsLine) {
   const std::string wide(static_cast<std::size_t>(kLargestSide) + 1, '1');
   try {
     readVoxelText(wide + "\n" + std::string(wide.size(), '-'), "wide.txt");
@@ -144,7 +144,7 @@ TEST(VoxelText, WrittenObjectsAreReadBack) {
   }
 }
 
-TEST(VoxelText, IsToldFromMeshesByItsFirstLine) {
+TEST(VoxelText, IsDistinguishedFromMeshesByItsFirstLine) {
   EXPECT_FALSE(looksLikeVoxelText("\n 0\n"));
   EXPECT_TRUE(looksLikeVoxelText("\r\n0011-\r\nx"));
   EXPECT_FALSE(looksLikeVoxelText("solid cube\nfacet"));
@@ -152,7 +152,7 @@ TEST(VoxelText, IsToldFromMeshesByItsFirstLine) {
   EXPECT_FALSE(looksLikeVoxelText(""));
 }
 
-// Whatever bytes change: an object whose parts fit together, or one clear line.
+// For any changed bytes: a consistent object, or one clear line.
 TEST(VoxelText, DamagedTextNeverGivesADamagedObject) {
   const std::string sound = "0110\n1111\n----\n\n0100\n0110\n0--0\n\n0000\n0100\n----\n";
   std::mt19937 random(11);

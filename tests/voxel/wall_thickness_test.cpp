@@ -24,7 +24,7 @@ TEST(ThinPlaces, AWallIsFoundWithItsThicknessAndPlace) {
   EXPECT_GT(found[0].at.x(), 19.9);
 }
 
-TEST(ThinPlaces, WhatIsAsThickAsAVoxelIsNotThin) {
+TEST(ThinPlaces, WallAsThickAsAVoxelIsNotThin) {
   EXPECT_TRUE(thinPlaces(test::box({0, 0, 0}, {0.81, 8, 6}), 0.8, kQuiet).empty());
   EXPECT_TRUE(thinPlaces(test::sphere({0, 0, 5}, 5.0), 0.8, kQuiet).empty());
 }
