@@ -3,7 +3,7 @@
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
 #include "pipeline/own_folder.h"
-#include "pipeline/together_check.h"
+#include "pipeline/station_check.h"
 #include "plan/finding_kinds.h"
 
 #include <fmt/format.h>
@@ -35,24 +35,75 @@ void sayOrder(const together::Plan& work) {
              work.order->seconds);
 }
 
-ExitCode concluded(const std::optional<base::Message>& refusal) {
-  if (refusal)
-    fmt::print(stderr, "{}\n", base::english(*refusal));
-  return refusal ? kNotAll : kDone;
+// Prints notes, and the first blocking finding as the one-line reason.
+ExitCode concluded(const plan::Findings& findings) {
+  for (const plan::Finding& finding : findings)
+    if (!finding.blocking)
+      fmt::print("note: {}\n", plan::englishReason(finding));
+  const plan::Finding* first = pipeline::firstBlocking(findings);
+  if (!first)
+    return kDone;
+  const std::string where = first->where
+                                ? fmt::format(" at ({:.0f}, {:.0f}, {:.0f})", first->where->x(),
+                                              first->where->y(), first->where->z())
+                                : "";
+  fmt::print(stderr, "{}{} ({})\n", plan::englishReason(*first), where,
+             plan::englishRemedy(*first));
+  return kNotAll;
+}
+
+[[noreturn]] void wrongUse(base::Message what, base::Message help) {
+  throw base::Error(base::ErrorCode::Usage, std::move(what), {}, std::move(help));
 }
 
 void requireUsable(const TogetherOptions& options) {
-  const auto usage = [](base::Message what, base::Message help) {
-    throw base::Error(base::ErrorCode::Usage, std::move(what), {}, std::move(help));
-  };
-  if (options.jobs.size() < 2)
-    usage("two jobs or more are needed"_text, "give job.voluta of each machine, or --verify"_text);
-  if (options.places.size() + 1 != options.jobs.size())
-    usage(base::message("{jobs} jobs with {places} places"_text, options.jobs.size(),
-                        options.places.size()),
-          "give --place for each job but the first"_text);
+  if (options.jobs.empty())
+    wrongUse("two jobs or more are needed"_text,
+             "give job.voluta of each machine, station.voluta of all, or --verify"_text);
   if (options.folder.empty())
-    usage("no folder for the results"_text, "give -o DIR"_text);
+    wrongUse("no folder for the results"_text, "give -o DIR"_text);
+}
+
+// Returns the station of the options: read from one file, or made from a job for each machine.
+project::Station stationOf(const TogetherOptions& options) {
+  project::Station station;
+  for (const std::filesystem::path& file : options.jobs) {
+    project::Station read = pipeline::plannedStation(file);
+    if (read.machines.size() > 1 && options.jobs.size() > 1)
+      wrongUse(base::message("{file} is a station of {machines} machines"_text, file.string(),
+                             read.machines.size()),
+               "give it alone, or job.voluta of each machine"_text);
+    if (options.jobs.size() == 1)
+      station.rules = read.rules;
+    for (project::Machine& machine : read.machines)
+      station.machines.push_back(std::move(machine));
+  }
+  const bool isOneFile = options.jobs.size() == 1;
+  if (isOneFile && station.machines.size() < 2)
+    wrongUse("two jobs or more are needed"_text, "give job.voluta of each machine"_text);
+  if (!options.resumed.empty() && !isOneFile)
+    wrongUse("only a station is resumed"_text, "give its station.voluta"_text);
+  if (!isOneFile && options.places.size() + 1 != station.machines.size())
+    wrongUse(base::message("{jobs} jobs with {places} places"_text, options.jobs.size(),
+                           options.places.size()),
+             "give --place for each job but the first"_text);
+  if (isOneFile && !options.places.empty() && options.places.size() + 1 != station.machines.size())
+    wrongUse(
+        base::message("{machines} machines with {places} places"_text, station.machines.size(),
+                      options.places.size()),
+        "give --place for each machine but the first, or none to keep those of the station"_text);
+  for (std::size_t k = 0; k < options.places.size(); ++k)
+    station.machines[k + 1].shared_T_world = options.places[k];
+  station.rules.clearanceMm = options.clearanceMm.value_or(station.rules.clearanceMm);
+  station.rules.pauseInBeadsS = options.pauseInBeadsS.value_or(station.rules.pauseInBeadsS);
+  return station;
+}
+
+pipeline::StationResult planned(const TogetherOptions& options, const base::RunContext& ctx) {
+  project::Station station = stationOf(options);
+  return options.resumed.empty() ? pipeline::planStation(std::move(station), ctx)
+                                 : pipeline::resumeStation(std::move(station), options.resumed,
+                                                           options.jobs.front().parent_path(), ctx);
 }
 } // namespace
 
@@ -63,15 +114,8 @@ ExitCode togetherCommand(const TogetherOptions& options) {
   base::StagedFolder staged(options.folder);
   auto outcome = runInterruptibly(
       [options, inside = staged.path()](const base::RunContext& ctx) {
-        pipeline::TogetherRequest request;
-        request.options = options.limits;
-        for (std::size_t k = 0; k < options.jobs.size(); ++k)
-          request.machines.push_back(
-              {pipeline::jobToJoin(options.jobs[k]),
-               k == 0 ? Eigen::Isometry3d::Identity() : options.places[k - 1]});
-        pipeline::TogetherResult result =
-            pipeline::planTogether(std::move(request), ctx.sub(0.0, 0.97));
-        pipeline::writeTogether(result, inside, ctx.sub(0.97, 1.0));
+        pipeline::StationResult result = planned(options, ctx.sub(0.0, 0.97));
+        pipeline::writeStationOutputs(result, inside, ctx.sub(0.97, 1.0));
         return result;
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
@@ -79,34 +123,33 @@ ExitCode togetherCommand(const TogetherOptions& options) {
   const auto result = settled(std::move(outcome), staged, options.folder);
   if (!result)
     return kCancelled;
-  for (const base::Message& note : result->notes)
-    fmt::print("note: {}\n", base::english(note));
   if (result->work.order)
     sayOrder(result->work);
   if (result->replay)
     sayRun(*result->replay);
-  return concluded(pipeline::refusal(*result));
+  return concluded(result->findings);
 }
 
 ExitCode verifyTogetherCommand(const TogetherOptions& options) {
   auto outcome = runInterruptibly(
       [folder = options.verified](const base::RunContext& ctx) {
-        return pipeline::verifyTogether(folder, ctx);
+        return pipeline::verifyStation(folder, ctx);
       },
       options.threads, progressSink(options.progress), [] {});
   endProgress(options.progress);
   const auto check = endedWith(std::move(outcome));
   if (!check)
     return kCancelled;
-  for (const pipeline::CheckedMachine& machine : check->machines) {
-    fmt::print("{}: {} ({})\n", machine.program.string(),
-               machine.alone.replay.passed ? "passed" : "refused", machine.alone.format);
-    for (const plan::Finding& f : machine.alone.findings)
+  for (std::size_t k = 0; k < check->programs.size(); ++k) {
+    const pipeline::VerifyResult& alone = check->alone[k];
+    fmt::print("{}: {} ({})\n", check->programs[k].string(),
+               alone.replay.passed ? "passed" : "refused", alone.format);
+    for (const plan::Finding& f : alone.findings)
       if (f.blocking)
         fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
   }
   sayRun(check->replay);
-  return concluded(pipeline::refusal(*check));
+  return concluded(check->findings);
 }
 
 } // namespace voluta::cli

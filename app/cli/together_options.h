@@ -3,10 +3,11 @@
 
 #include "cli/exit_code.h"
 #include "cli/progress.h"
-#include "pipeline/joined_jobs.h"
+#include "pipeline/station_resume.h"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CLI {
@@ -16,9 +17,10 @@ class App;
 namespace voluta::cli {
 
 struct TogetherOptions {
-  std::vector<std::filesystem::path> jobs;
-  std::vector<Eigen::Isometry3d> places; // of the second job and the following ones
-  together::Options limits;
+  std::vector<std::filesystem::path> jobs;          // or the project of a station
+  std::vector<Eigen::Isometry3d> places;            // of the second job and the following ones
+  std::optional<double> clearanceMm, pauseInBeadsS; // default: those of the station
+  std::vector<pipeline::ResumePlace> resumed;       // per machine of the station; empty: all of it
   std::filesystem::path folder;
   bool replace = false;           // files of the folder that are not of such a job
   std::filesystem::path verified; // a folder that was written before: verified instead

@@ -27,6 +27,14 @@ std::string systemReason(int code) {
 }
 } // namespace
 
+std::string beginningOf(const fs::path& path, std::size_t count) {
+  std::string bytes(count, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
 std::string readFile(const fs::path& path) {
   std::error_code status;
   if (!fs::exists(path, status))

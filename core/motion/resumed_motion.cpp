@@ -140,6 +140,14 @@ std::optional<std::size_t> resumePointOfBead(const plan::Trajectory& t, std::siz
   return t.waypoint[begin] == plan::kNoWaypoint ? next : std::optional(begin);
 }
 
+std::size_t printedBefore(const plan::Trajectory& trajectory, std::size_t point) {
+  std::size_t printed = 0;
+  for (std::size_t i = 0; i < point; ++i)
+    if (trajectory.move[i] == MoveKind::Print && trajectory.waypoint[i] != plan::kNoWaypoint)
+      printed = std::max(printed, trajectory.waypoint[i] + 1);
+  return printed;
+}
+
 plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_t last) {
   base::require(first < last && last <= t.pointCount(), "points of the trajectory");
   const auto span = [&](const auto& values, std::size_t each = 1) {
@@ -157,7 +165,8 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
   part.extrudedMm3 = span(t.extrudedMm3);
   part.move.front() = MoveKind::Joint;
   for (plan::TrajectoryEvent event : t.events)
-    if (event.point > first && event.point < last) {
+    // A mark may stand behind the last point.
+    if (event.point > first && (event.point < last || event.point == t.pointCount())) {
       event.point -= first;
       part.events.push_back(event);
     }

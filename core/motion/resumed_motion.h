@@ -39,8 +39,12 @@ std::optional<std::size_t> resumePointOfPath(const plan::Trajectory& trajectory,
 // resumePointOfPath. Returns nullopt if nothing is printed from there on.
 std::optional<std::size_t> resumePointOfBead(const plan::Trajectory& trajectory, std::size_t point);
 
+// Returns the first waypoint that is not printed before `point`: those below it are.
+std::size_t printedBefore(const plan::Trajectory& trajectory, std::size_t point);
+
 // Returns points [first, last) as a separate motion: times and material from 0, the first point
-// reached by a Joint move from rest. Precondition (Error{Internal}): first < last <= pointCount.
+// reached by a Joint move from rest, and the events between them and at the motion's end.
+// Precondition (Error{Internal}): first < last <= pointCount.
 plan::Trajectory partOf(const plan::Trajectory& trajectory, std::size_t first, std::size_t last);
 
 struct Resumed {

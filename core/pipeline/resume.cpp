@@ -113,8 +113,10 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
   return point == 0 ? 0 : point - 1;
 }
 
-std::size_t pointOf(const ResumeRequest& request, const project::Job& job,
-                    const base::RunContext& ctx) {
+} // namespace
+
+std::size_t resumePointOf(const ResumeRequest& request, const project::Job& job,
+                          const base::RunContext& ctx) {
   std::optional<std::size_t> point;
   if (request.bead) {
     if (*request.bead < 1 || *request.bead > job.toolPlan->paths.size())
@@ -130,6 +132,8 @@ std::size_t pointOf(const ResumeRequest& request, const project::Job& job,
                 "choose an earlier place"_text);
   return *point;
 }
+
+namespace {
 
 void done(project::Job& job, project::Stage stage, const plan::Findings& findings,
           project::Timings timings) {
@@ -173,6 +177,12 @@ public:
                                                 this->job().toolPlan->paths.data());
     result_.laidMm3 = this->job().trajectory->extrudedMm3[point];
     result_.leftMm3 = this->job().trajectory->extrudedMm3.back() - result_.laidMm3;
+  }
+
+  project::Job motionOnly(const base::RunContext& ctx) {
+    forgetRest();
+    move(ctx);
+    return std::move(job());
   }
 
   ResumeResult run(const base::RunContext& ctx) {
@@ -283,6 +293,10 @@ ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::str
   return Resuming(std::move(job), point, std::move(formats)).run(ctx);
 }
 
+project::Job restMotion(project::Job job, std::size_t point, const base::RunContext& ctx) {
+  return Resuming(std::move(job), point, {}).motionOnly(ctx);
+}
+
 PlanResult written(project::Job job, const base::RunContext& ctx) {
   base::require(job.item().part && job.toolPlan && job.trajectory, "a job with a motion");
   const base::Stopwatch whole;
@@ -304,7 +318,7 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
   if (!job.item().part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job has no motion to resume"_text,
                 request.job.string(), "plan it without --until"_text);
-  const std::size_t point = pointOf(request, job, ctx);
+  const std::size_t point = resumePointOf(request, job, ctx);
   return resumeJob(std::move(job), point, request.formats, ctx);
 }
 

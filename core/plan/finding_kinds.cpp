@@ -516,6 +516,39 @@ constexpr FindingRow kRows[] = {
     {WithoutForce, "withoutForce", "withoutForce", Replay, Info,
      "the {format} program lays beads by position, without the force of process {process}"_text,
      "to press with the force, use {formats}, or add the statements to the process (beadWords)"_text},
+
+    {PlatesOverlap, "platesOverlap", "platesOverlap", Motion, Info,
+     "the plates of machine {one} ({cell}) and machine {two} ({other}) overlap by {depth:.1f} ({area:.0f})"_text,
+     "place the machines further apart if they stand at two plates"_text},
+    {MachinesOverlap, "machinesOverlap", "machines", Motion, Error,
+     "the part of machine {one} or {two} is inside the part, the plate or an obstacle of the other"_text,
+     kFurtherApart, kNoRemedies, kPlaceMachines},
+    {MachinesStartClose, "machinesStartClose", "machines", Motion, Error,
+     "machines {one} and {two} are too close to each other before they move"_text,
+     "place the machines further apart, or give one another home"_text, kNoRemedies, kPlaceMachines},
+    {MachineMeetsBody, "machineMeetsBody", "machines", Motion, Error,
+     "{body} of machine {one} meets {obstacle} of machine {two} ({layer})"_text, kFurtherApart,
+     kNoRemedies, kPlaceMachines},
+    {MachinesHinder, "machinesHinder", "machines", Motion, Error,
+     "no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other"_text,
+     "place the machines further apart, the parts further from the border, or the arms at rest further from it"_text,
+     kNoRemedies, kPlaceMachines},
+    {NoWorkOrder, "noWorkOrder", "machines", Motion, Error,
+     "every two machines can work together, but no order of work was found for all"_text,
+     kFurtherApart, kNoRemedies, kPlaceMachines},
+    {MarkPassedEarly, "markPassedEarly", "marks", Replay, Error,
+     "machine {machine} passes the mark in line {line} before machine {other} has reached it, if signals are still on or the programs are not started at once"_text,
+     kAllAgain, kNoRemedies, kOnlyWriteAgain},
+    {MarkNotReached, "markNotReached", "marks", Replay, Error,
+     "machine {machine} waits in line {line} for a mark that the other does not reach"_text,
+     kAllAgain, kNoRemedies, kOnlyWriteAgain},
+    {MachinesMeet, "machinesMeet", "collision", Replay, Error,
+     "{body} of machine {one} meets {obstacle} of machine {two} after {time}; collisions of the machines: {collisions}"_text,
+     "increase the minimum distance of moving arms, or place the machines further apart"_text,
+     kNoRemedies, kPlaceMachines},
+    {MachineRefused, "machineRefused", "programRefused", Replay, Error,
+     "machine {machine}: {reason}"_text, "see the report of that machine"_text, kNoRemedies,
+     kOthersHelp},
 };
 // clang-format on
 
@@ -523,7 +556,7 @@ constexpr bool inOrder() {
   for (std::size_t i = 0; i < std::size(kRows); ++i)
     if (static_cast<std::size_t>(kRows[i].kind) != i)
       return false;
-  return std::size(kRows) == static_cast<std::size_t>(WithoutForce) + 1;
+  return std::size(kRows) == static_cast<std::size_t>(MachineRefused) + 1;
 }
 static_assert(inOrder(), "a row a kind, in the order of FindingKind");
 } // namespace

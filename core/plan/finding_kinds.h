@@ -182,6 +182,17 @@ enum class FindingKind : std::uint8_t {
   GivenLongBridge,
   FormatRefused,
   WithoutForce,
+  // of a station: order of work, common run
+  PlatesOverlap,
+  MachinesOverlap,
+  MachinesStartClose,
+  MachineMeetsBody,
+  MachinesHinder,
+  NoWorkOrder,
+  MarkPassedEarly,
+  MarkNotReached,
+  MachinesMeet,
+  MachineRefused,
 };
 
 enum class Severity {

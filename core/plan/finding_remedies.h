@@ -70,6 +70,10 @@ inline constexpr base::Text kForCooling =
 inline constexpr base::Text kSaysItself = "the message says how to fix it"_text;
 inline constexpr base::Text kOldProject =
     "stored as text in an older project: plan again to see remedies"_text;
+inline constexpr base::Text kFurtherApart =
+    "place the machines further apart, or the parts further from the border"_text;
+inline constexpr base::Text kPlaceMachines = "change the places of the machines in their table"_text;
+inline constexpr base::Text kAllAgain = "write the programs of all machines again"_text;
 inline constexpr base::Text kOthersHelp = "see the remedies of the findings before this one"_text;
 inline constexpr base::Text kOtherFormat = "choose another program format"_text;
 inline constexpr base::Text kSlicersPaths =

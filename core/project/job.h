@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voluta::base {
@@ -111,5 +112,7 @@ void writeJob(const std::filesystem::path& file, const Job& job);
 // each item. Throws Error{UnreadableFile} with the cause: not a job, another version, truncated, a
 // damaged block.
 Job readJob(const std::filesystem::path& file, const base::ParameterTable& table);
+// Same for the content of a file; `where` names it in errors.
+Job jobOf(std::string_view bytes, const std::string& where, const base::ParameterTable& table);
 
 } // namespace voluta::project

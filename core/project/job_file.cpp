@@ -6,6 +6,7 @@
 #include "geometry/repair/open_surface.h"
 #include "project/block_file.h"
 #include "project/content_hash.h"
+#include "project/file_frame.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
 #include "project/job_magic.h"
@@ -14,7 +15,6 @@
 #include "project/report_fields.h"
 #include "voxel/voxel_text.h"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -25,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 3;
 constexpr int kScopeless = 2; // settings of the job are stored with each item
+constexpr FileNames kNames{kJobMagic, "not a Voluta job"_text, "the job file is truncated"_text,
+                           "the job file's header is damaged"_text};
 
 base::Error unreadable(const base::Message& what, const std::string& where,
                        const base::Message& remedy = {}) {
@@ -361,44 +363,6 @@ std::vector<BlockRow> readTable(const Json& j) {
   return table;
 }
 
-// ---- the file's frame
-
-// Removes a number and the character after it from the front; returns false if there is none.
-bool takeNumber(std::string_view& text, char end, std::size_t& value) {
-  const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const auto used = static_cast<std::size_t>(rest - text.data());
-  if (status != std::errc{} || used >= text.size() || *rest != end)
-    return false;
-  text.remove_prefix(used + 1);
-  return true;
-}
-
-struct Frame {
-  int format = 0;
-  std::string_view header, body;
-};
-
-Frame frameOf(std::string_view bytes, const std::string& where) {
-  if (!bytes.starts_with(kJobMagic))
-    throw unreadable("not a Voluta job"_text, where);
-  std::string_view rest = bytes.substr(kJobMagic.size());
-  std::size_t format = 0, length = 0, crc = 0;
-  if (!takeNumber(rest, '\n', format) || format < kScopeless)
-    throw unreadable("the first line of the job file is damaged or truncated"_text, where);
-  if (format > static_cast<std::size_t>(kFormat))
-    throw unreadable(
-        base::message("saved by a newer version of Voluta (format {format}; this version reads "
-                      "up to {newest})"_text,
-                      format, kFormat),
-        where, "open it with the version that saved it"_text);
-  if (!takeNumber(rest, ' ', length) || !takeNumber(rest, '\n', crc) || length > rest.size())
-    throw unreadable("the job file is truncated"_text, where);
-  Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
-  if (crcOf(frame.header) != crc)
-    throw unreadable("the job file's header is damaged"_text, where);
-  return frame;
-}
-
 // Of the blocks of an item behind the first, whose blocks have none.
 std::string blockPrefix(std::size_t item) {
   return "item" + std::to_string(item) + ".";
@@ -443,7 +407,7 @@ bool hasSoundScales(const Job& job) {
       job.items, [](const JobItem& item) { return std::isfinite(item.scale) && item.scale > 0.0; });
 }
 
-Job readFrame(const Frame& frame, const std::string& where, const base::ParameterTable& table) {
+Job readFrame(const FileFrame& frame, const std::string& where, const base::ParameterTable& table) {
   Job job;
   const Json header = Json::parse(frame.header);
   job.choices = readChoices(header.at("choices"));
@@ -541,8 +505,7 @@ void JobFile::add(const Job& job) {
   if (job.resumedAt > 0)
     header["resumedAt"] = job.resumedAt;
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
-  head_ = std::string(kJobMagic) + std::to_string(kFormat) + "\n" + std::to_string(text.size()) +
-          " " + std::to_string(crcOf(text)) + "\n" + text;
+  head_ = fileHead(kJobMagic, kFormat, text);
 }
 } // namespace
 
@@ -559,10 +522,11 @@ void writeJob(const std::filesystem::path& path, const Job& job) {
   base::writeFile(path, file.parts());
 }
 
-Job readJob(const std::filesystem::path& file, const base::ParameterTable& table) {
-  const std::string where = file.string();
-  const std::string bytes = base::readFile(file);
-  const Frame frame = frameOf(bytes, where);
+Job jobOf(std::string_view bytes, const std::string& where, const base::ParameterTable& table) {
+  if (bytes.starts_with(kStationMagic))
+    throw unreadable("the project of a station of several machines, not of one job"_text, where,
+                     "give it to 'together', or the job.voluta of one machine here"_text);
+  const FileFrame frame = fileFrame(bytes, where, kNames, kScopeless, kFormat);
   try {
     return readFrame(frame, where, table);
   } catch (const nlohmann::json::exception& e) {
@@ -574,6 +538,10 @@ Job readJob(const std::filesystem::path& file, const base::ParameterTable& table
       throw;
     throw unreadable(e.message(), where, e.remedy());
   }
+}
+
+Job readJob(const std::filesystem::path& file, const base::ParameterTable& table) {
+  return jobOf(base::readFile(file), file.string(), table);
 }
 
 } // namespace voluta::project

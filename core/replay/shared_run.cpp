@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -85,7 +86,7 @@ private:
 // A machine along the common clock.
 class Follower {
 public:
-  Follower(const RunningMachine& machine, const ExecutedPath& path, const MachineClock& clock)
+  Follower(const PlacedProgram& machine, const ExecutedPath& path, const MachineClock& clock)
       : machine_(machine), path_(path), clock_(clock) {
     base::require(path.arm, "runTogether: the program states the arm");
     addSolids();
@@ -168,6 +169,8 @@ private:
 
   void layBeads() {
     const double below = 0.5 * machine_.process.layerHeightMm;
+    for (const Vector3d& point : machine_.printedEarlier)
+      laid_.add(point, -std::numeric_limits<double>::infinity());
     for (std::size_t m = 0; m < clock_.beginS.size(); ++m) {
       if (!machine_.program.motions[m].extruding)
         continue;
@@ -202,7 +205,7 @@ private:
     return at(sample_ - 1) + t * (at(sample_) - at(sample_ - 1));
   }
 
-  const RunningMachine& machine_;
+  const PlacedProgram& machine_;
   const ExecutedPath& path_;
   const MachineClock& clock_;
   std::vector<Solid> solids_;
@@ -309,12 +312,12 @@ private:
 
 } // namespace
 
-SharedRun runTogether(std::span<const RunningMachine> machines, const base::RunContext& ctx) {
+SharedRun runTogether(std::span<const PlacedProgram> machines, const base::RunContext& ctx) {
   SharedRun out;
   std::vector<ExecutedPath> paths;
   std::vector<const plan::ReadProgram*> programs;
   std::vector<std::vector<double>> times;
-  for (const RunningMachine& machine : machines) {
+  for (const PlacedProgram& machine : machines) {
     programs.push_back(&machine.program);
     paths.push_back(executeProgram(machine.program, machine.cell, ctx));
     times.push_back(controllerTimes(machine.program, paths.back(), TurnLaw::Text));

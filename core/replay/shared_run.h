@@ -22,11 +22,13 @@ class RunContext;
 namespace voluta::replay {
 
 // A program, as read back, and its cell in the frame that all machines share.
-struct RunningMachine {
+struct PlacedProgram {
   const plan::ReadProgram& program;
   const robot::Cell& cell;
   const process::Process& process; // of the tool that the program begins with
   Eigen::Isometry3d shared_T_world = Eigen::Isometry3d::Identity();
+  // Points on the centrelines of the beads that earlier runs have printed; work frame [mm].
+  std::vector<Eigen::Vector3d> printedEarlier = {};
 };
 
 // A contact of two machines; consecutive samples with the same bodies are one.
@@ -55,6 +57,6 @@ struct SharedRun {
 // their own cell, and heads and arms against the material that the other has laid by then.
 // Preconditions: as for commonClock; all programs state the arm. Throws Cancelled.
 inline constexpr double kTogetherStepS = 0.02;
-SharedRun runTogether(std::span<const RunningMachine> machines, const base::RunContext& ctx);
+SharedRun runTogether(std::span<const PlacedProgram> machines, const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -20,8 +20,9 @@ struct Sweeps {
   std::vector<SweptCells> segment, rest;
 };
 
-Sweeps sweepsOf(const Machine& machine, const std::vector<MovedShape>& shapes, const Rests& rests,
-                const voxel::VoxelGrid& grid, double clearanceMm, const base::RunContext& ctx) {
+Sweeps sweepsOf(const PlacedMotion& machine, const std::vector<MovedShape>& shapes,
+                const Rests& rests, const voxel::VoxelGrid& grid, double clearanceMm,
+                const base::RunContext& ctx) {
   Sweeps sweeps{std::vector<SweptCells>(rests.segments()),
                 std::vector<SweptCells>(rests.point.size())};
   if (grid.cellCount() == 0)
@@ -56,7 +57,7 @@ voxel::VoxelGrid commonGrid(const AlignedBox3d& a, const AlignedBox3d& b, double
 }
 } // namespace
 
-FoundConflicts conflictsOf(const Machine& a, const Rests& aRests, const Machine& b,
+FoundConflicts conflictsOf(const PlacedMotion& a, const Rests& aRests, const PlacedMotion& b,
                            const Rests& bRests, const Distances& distances,
                            const base::RunContext& ctx) {
   const std::vector<MovedShape> aShapes = movedShapes(a), bShapes = movedShapes(b);

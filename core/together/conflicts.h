@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision/margins.h"
-#include "together/machine.h"
+#include "together/placed_motion.h"
 #include "together/schedule.h"
 #include "together/segments.h"
 #include "together/static_conflicts.h"
@@ -37,7 +37,7 @@ struct FoundConflicts {
 // conflict; those further apart than it by two cells and two steps never do. Printed material
 // counts from the waypoint on that the other machine has reached. Throws Cancelled.
 inline constexpr double kSweptCellMm = 6.0;
-FoundConflicts conflictsOf(const Machine& a, const Rests& aRests, const Machine& b,
+FoundConflicts conflictsOf(const PlacedMotion& a, const Rests& aRests, const PlacedMotion& b,
                            const Rests& bRests, const Distances& distances,
                            const base::RunContext& ctx);
 

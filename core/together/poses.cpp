@@ -20,20 +20,20 @@ JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
   return Eigen::Map<const Eigen::VectorXd>(t.at(point), t.dof);
 }
 
-Frames framesOf(const Machine& machine, const JointVector& q) {
+Frames framesOf(const PlacedMotion& machine, const JointVector& q) {
   Frames frames;
-  machine.cell.framePoses(q, frames);
+  machine.cell->framePoses(q, frames);
   const Isometry3d shared_T_base =
-      machine.shared_T_world * machine.cell.base_T_world(q).inverse(Eigen::Isometry);
+      machine.shared_T_world * machine.cell->base_T_world(q).inverse(Eigen::Isometry);
   for (Isometry3d& frame : frames)
     frame = shared_T_base * frame;
   return frames;
 }
 
-double largestWay(const Machine& machine, const std::vector<collision::Ball>& balls,
+double largestWay(const PlacedMotion& machine, const std::vector<collision::Ball>& balls,
                   const Frames& from, const Frames& to) {
   double most = 0.0;
-  const auto& bodies = machine.cell.bodies();
+  const auto& bodies = machine.cell->bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto frame = static_cast<std::size_t>(bodies[b].frame);
     most = std::max(most, wayOf(balls[b], from[frame], to[frame]));
@@ -48,20 +48,20 @@ double wayOf(const collision::Ball& ball, const Isometry3d& from, const Isometry
   return (from * ball.centre - to * ball.centre).norm() + turn * ball.radius;
 }
 
-Frames framesAt(const Machine& machine, std::size_t point) {
-  return framesOf(machine, jointsAt(machine.trajectory, point));
+Frames framesAt(const PlacedMotion& machine, std::size_t point) {
+  return framesOf(machine, jointsAt(*machine.trajectory, point));
 }
 
-void visitPoses(const Machine& machine, std::size_t first, std::size_t last, double stepMm,
+void visitPoses(const PlacedMotion& machine, std::size_t first, std::size_t last, double stepMm,
                 const std::function<void(const Frames&)>& visit) {
   std::vector<collision::Ball> balls;
-  for (std::size_t b = 0; b < machine.cell.bodies().size(); ++b)
-    balls.push_back(machine.collision.ballAbout(static_cast<int>(b)));
-  JointVector q = jointsAt(machine.trajectory, first);
+  for (std::size_t b = 0; b < machine.cell->bodies().size(); ++b)
+    balls.push_back(machine.collision->ballAbout(static_cast<int>(b)));
+  JointVector q = jointsAt(*machine.trajectory, first);
   Frames frames = framesOf(machine, q);
   visit(frames);
   for (std::size_t point = first + 1; point <= last; ++point) {
-    const JointVector to = jointsAt(machine.trajectory, point);
+    const JointVector to = jointsAt(*machine.trajectory, point);
     Frames end = framesOf(machine, to);
     const int pieces =
         std::max(1, static_cast<int>(std::ceil(largestWay(machine, balls, frames, end) / stepMm)));

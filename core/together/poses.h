@@ -1,7 +1,7 @@
 // Poses of a machine along its motion, in the shared frame.
 #pragma once
 
-#include "together/machine.h"
+#include "together/placed_motion.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -20,12 +20,12 @@ namespace voluta::together {
 using Frames = std::vector<Eigen::Isometry3d>;
 
 // Returns the cell's frames (Cell::framePoses) at a point of the trajectory.
-Frames framesAt(const Machine& machine, std::size_t point);
+Frames framesAt(const PlacedMotion& machine, std::size_t point);
 
 // Calls visit(shared_T_frame) at points [first, last] and between them, so that no point of a body
 // moves by more than stepMm from one pose to the next. Between points the joints turn in
 // proportion.
-void visitPoses(const Machine& machine, std::size_t first, std::size_t last, double stepMm,
+void visitPoses(const PlacedMotion& machine, std::size_t first, std::size_t last, double stepMm,
                 const std::function<void(const Frames& shared_T_frame)>& visit);
 
 // Returns an upper bound of the way of the points of a ball between two poses of its frame [mm].

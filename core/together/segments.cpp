@@ -52,14 +52,15 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& rests, const pl
 }
 } // namespace
 
-Rests restsOf(const plan::Trajectory& trajectory, std::size_t most, double amidBeadsS) {
+Rests restsOf(const plan::Trajectory& trajectory, std::size_t most, double amidBeadsS,
+              std::size_t printedBefore) {
   base::require(trajectory.pointCount() > 1, "restsOf: a motion");
   Rests rests;
   rests.point = {0};
   for (const std::size_t i : thinned(candidates(trajectory, amidBeadsS), trajectory, most))
     rests.point.push_back(i);
   rests.point.push_back(trajectory.pointCount() - 1);
-  std::size_t filled = 0, next = 0;
+  std::size_t filled = printedBefore, next = 0;
   for (std::size_t i = 0; i < trajectory.pointCount(); ++i) {
     if (trajectory.move[i] == plan::MoveKind::Print && trajectory.waypoint[i] != plan::kNoWaypoint)
       filled = std::max(filled, trajectory.waypoint[i] + 1);

@@ -24,14 +24,14 @@ constexpr double kStepMm = 2.0;
 
 class Checker {
 public:
-  Checker(const Machine& machine, const Machine& other, const collision::Margins& margins)
+  Checker(const PlacedMotion& machine, const PlacedMotion& other, const collision::Margins& margins)
       : machine_(machine), other_(other), margins_(margins), rest_(framesAt(other, 0)),
-        head_(machine.collision.erodedHead()) {
+        head_(machine.collision->erodedHead()) {
     for (std::size_t b = 0; b < bodies().size(); ++b)
-      if (isMoved(machine.cell, bodies()[b]))
+      if (isMoved(*machine.cell, bodies()[b]))
         moved_.push_back(static_cast<int>(b));
-    for (std::size_t b = 0; b < other.cell.bodies().size(); ++b)
-      if (!isMoved(other.cell, other.cell.bodies()[b]))
+    for (std::size_t b = 0; b < other.cell->bodies().size(); ++b)
+      if (!isMoved(*other.cell, other.cell->bodies()[b]))
         atRest_.push_back(static_cast<int>(b));
   }
 
@@ -46,20 +46,20 @@ public:
   // Returns the least number of printed waypoints with which the pose meets the part, if it is
   // below `least`; else `least`.
   std::size_t meets(const Frames& frames, std::size_t least) const {
-    if (isPartMoved(other_.cell))
+    if (isPartMoved(*other_.cell))
       return least;
     const Isometry3d work_T_shared =
-        rest_[static_cast<std::size_t>(other_.cell.workFrame())].inverse(Eigen::Isometry);
-    const std::size_t all = other_.toolPlan.waypointCount();
+        rest_[static_cast<std::size_t>(other_.cell->workFrame())].inverse(Eigen::Isometry);
+    const std::size_t all = other_.toolPlan->waypointCount();
     for (const int a : moved_) {
       const robot::Body& body = bodies()[static_cast<std::size_t>(a)];
       const Isometry3d pose = work_T_shared * frames[static_cast<std::size_t>(body.frame)];
       const bool isHead = body.role == BodyRole::Head;
       const double margin =
-          isHead ? margins_.headMm - 0.5 * other_.part.grid().pitch : margins_.partMm;
+          isHead ? margins_.headMm - 0.5 * other_.part->grid().pitch : margins_.partMm;
       for (const robot::Shape& shape : isHead ? head_ : body.shapes) {
         const auto touches = [&](std::size_t before) {
-          return other_.part.touches(shape, pose, margin, before);
+          return other_.part->touches(shape, pose, margin, before);
         };
         if (!touches(std::min(all, least == kNever ? all : least - 1)))
           continue;
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  const std::vector<robot::Body>& bodies() const { return machine_.cell.bodies(); }
+  const std::vector<robot::Body>& bodies() const { return machine_.cell->bodies(); }
 
   bool isAgainstObstacles(int a) const {
     const auto isObstacle = [&](int b) {
@@ -85,26 +85,26 @@ private:
     };
     const bool hasObstacles = std::ranges::any_of(
         bodies(), [](const robot::Body& body) { return body.role == BodyRole::Obstacle; });
-    return !hasObstacles || std::ranges::any_of(machine_.cell.checkedPairs(), [&](auto pair) {
+    return !hasObstacles || std::ranges::any_of(machine_.cell->checkedPairs(), [&](auto pair) {
       return (pair.first == a && isObstacle(pair.second)) ||
              (pair.second == a && isObstacle(pair.first));
     });
   }
   bool areChecked(int a, int b) const {
-    return other_.cell.bodies()[static_cast<std::size_t>(b)].role != BodyRole::Obstacle ||
+    return other_.cell->bodies()[static_cast<std::size_t>(b)].role != BodyRole::Obstacle ||
            isAgainstObstacles(a);
   }
   bool isNear(int a, int b, const Frames& frames) const {
     const robot::Body &body = bodies()[static_cast<std::size_t>(a)],
-                      &still = other_.cell.bodies()[static_cast<std::size_t>(b)];
+                      &still = other_.cell->bodies()[static_cast<std::size_t>(b)];
     const bool isAtPlate = body.role == BodyRole::Head && still.role == BodyRole::Platform;
     const double margin = isAtPlate ? margins_.headMm : margins_.bodiesMm;
-    return machine_.collision.distanceToOther(
-               a, frames[static_cast<std::size_t>(body.frame)], other_.collision, b,
+    return machine_.collision->distanceToOther(
+               a, frames[static_cast<std::size_t>(body.frame)], *other_.collision, b,
                rest_[static_cast<std::size_t>(still.frame)], margin) <= margin;
   }
 
-  const Machine &machine_, &other_;
+  const PlacedMotion &machine_, &other_;
   const collision::Margins& margins_;
   const Frames rest_; // of the other machine
   const std::vector<robot::Shape> head_;
@@ -112,36 +112,37 @@ private:
 };
 } // namespace
 
-std::optional<Eigen::Vector3d> partOverlap(const Machine& machine, const Machine& other) {
-  if (isPartMoved(machine.cell) || isPartMoved(other.cell))
+std::optional<Eigen::Vector3d> partOverlap(const PlacedMotion& machine, const PlacedMotion& other) {
+  if (isPartMoved(*machine.cell) || isPartMoved(*other.cell))
     return std::nullopt;
   const Frames own = framesAt(machine, 0), rest = framesAt(other, 0);
-  const Isometry3d& shared_T_own = own[static_cast<std::size_t>(machine.cell.workFrame())];
+  const Isometry3d& shared_T_own = own[static_cast<std::size_t>(machine.cell->workFrame())];
   const Isometry3d work_T_shared =
-      rest[static_cast<std::size_t>(other.cell.workFrame())].inverse(Eigen::Isometry);
+      rest[static_cast<std::size_t>(other.cell->workFrame())].inverse(Eigen::Isometry);
   std::vector<collision::PlacedShape> solids;
-  for (const robot::Body& body : other.cell.bodies())
-    if (!isMoved(other.cell, body))
+  for (const robot::Body& body : other.cell->bodies())
+    if (!isMoved(*other.cell, body))
       for (const robot::Shape& shape : body.shapes)
         solids.push_back(collision::place(shape, rest[static_cast<std::size_t>(body.frame)]));
-  const voxel::VoxelGrid& grid = machine.part.grid();
+  const voxel::VoxelGrid& grid = machine.part->grid();
   for (std::size_t c = 0; c < grid.cellCount(); ++c) {
-    if (machine.part.filledAt(c) == collision::GrowingPart::kNeverFilled)
+    if (machine.part->filledAt(c) == collision::GrowingPart::kNeverFilled)
       continue;
     const Eigen::Vector3i at = grid.cell(c);
     const Eigen::Vector3d point = shared_T_own * grid.centre(at.x(), at.y(), at.z());
     const auto isInside = [&](const collision::PlacedShape& solid) {
       return collision::signedDistance(solid, point) < -0.5 * grid.pitch;
     };
-    if (other.part.holds(work_T_shared * point, other.toolPlan.waypointCount()) ||
+    if (other.part->holds(work_T_shared * point, other.toolPlan->waypointCount()) ||
         std::ranges::any_of(solids, isInside))
       return point;
   }
   return std::nullopt;
 }
 
-StaticConflicts staticConflicts(const Machine& machine, const Rests& rests, const Machine& other,
-                                const collision::Margins& margins, const base::RunContext& ctx) {
+StaticConflicts staticConflicts(const PlacedMotion& machine, const Rests& rests,
+                                const PlacedMotion& other, const collision::Margins& margins,
+                                const base::RunContext& ctx) {
   const Checker checker(machine, other, margins);
   StaticConflicts found;
   found.bodies.resize(rests.segments());
@@ -156,7 +157,7 @@ StaticConflicts staticConflicts(const Machine& machine, const Rests& rests, cons
       if (const auto pair = checker.bodyContact(frames))
         found.bodies[i] = {
             i, pair->first, pair->second,
-            frames[static_cast<std::size_t>(machine.cell.toolFrame())].translation()};
+            frames[static_cast<std::size_t>(machine.cell->toolFrame())].translation()};
     });
   });
   base::parallelChunks(ctx, rests.point.size(), 1, [&](std::size_t i, std::size_t) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision/margins.h"
-#include "together/machine.h"
+#include "together/placed_motion.h"
 #include "together/segments.h"
 
 #include <cstddef>
@@ -36,11 +36,12 @@ struct StaticConflicts {
 
 // Returns a point (shared frame) at which the machine's part is inside the other's part, or inside
 // a body at rest of the other; nullopt if there is none, or if an arm carries one of the parts.
-std::optional<Eigen::Vector3d> partOverlap(const Machine& machine, const Machine& other);
+std::optional<Eigen::Vector3d> partOverlap(const PlacedMotion& machine, const PlacedMotion& other);
 
 // Obstacles of the other machine are checked against the bodies that the machine's own cell checks
 // against its obstacles. Throws Cancelled.
-StaticConflicts staticConflicts(const Machine& machine, const Rests& rests, const Machine& other,
-                                const collision::Margins& margins, const base::RunContext& ctx);
+StaticConflicts staticConflicts(const PlacedMotion& machine, const Rests& rests,
+                                const PlacedMotion& other, const collision::Margins& margins,
+                                const base::RunContext& ctx);
 
 } // namespace voluta::together

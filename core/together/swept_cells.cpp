@@ -49,26 +49,26 @@ std::optional<std::size_t> commonCell(const SweptCells& a, const SweptCells& b) 
   return std::nullopt;
 }
 
-std::vector<MovedShape> movedShapes(const Machine& machine) {
+std::vector<MovedShape> movedShapes(const PlacedMotion& machine) {
   std::vector<MovedShape> moved;
-  for (const robot::Body& body : machine.cell.bodies())
-    if (isMoved(machine.cell, body))
+  for (const robot::Body& body : machine.cell->bodies())
+    if (isMoved(*machine.cell, body))
       for (const robot::Shape& shape : body.shapes)
         moved.push_back(movedShape(body.frame, shape));
-  const AlignedBox3d part = machine.part.bounds();
-  if (isPartMoved(machine.cell) && !part.isEmpty()) {
+  const AlignedBox3d part = machine.part->bounds();
+  if (isPartMoved(*machine.cell) && !part.isEmpty()) {
     Isometry3d work_T_box = Isometry3d::Identity();
     work_T_box.translation() = part.center();
-    moved.push_back(
-        movedShape(machine.cell.workFrame(), robot::Box{work_T_box, Vector3d(0.5 * part.sizes())}));
+    moved.push_back(movedShape(machine.cell->workFrame(),
+                               robot::Box{work_T_box, Vector3d(0.5 * part.sizes())}));
   }
   return moved;
 }
 
-AlignedBox3d boxOf(const Machine& machine, const std::vector<MovedShape>& shapes) {
+AlignedBox3d boxOf(const PlacedMotion& machine, const std::vector<MovedShape>& shapes) {
   constexpr double kStepMm = 10.0;
   AlignedBox3d all;
-  visitPoses(machine, 0, machine.trajectory.pointCount() - 1, kStepMm, [&](const Frames& frames) {
+  visitPoses(machine, 0, machine.trajectory->pointCount() - 1, kStepMm, [&](const Frames& frames) {
     for (const MovedShape& moved : shapes)
       all.extend(boxAround(moved, frames[static_cast<std::size_t>(moved.frame)]));
   });
@@ -76,7 +76,7 @@ AlignedBox3d boxOf(const Machine& machine, const std::vector<MovedShape>& shapes
   return {Vector3d(all.min() - between), Vector3d(all.max() + between)};
 }
 
-Sweeper::Sweeper(const Machine& machine, const std::vector<MovedShape>& shapes,
+Sweeper::Sweeper(const PlacedMotion& machine, const std::vector<MovedShape>& shapes,
                  const voxel::VoxelGrid& grid, double clearanceMm)
     : machine_(machine), shapes_(shapes), grid_(grid),
       reachMm_(0.5 * clearanceMm + kSweepStepMm + 0.5 * std::sqrt(3.0) * grid.pitch),

@@ -4,7 +4,7 @@
 
 #include "collision/shape_distance.h"
 #include "robot/body.h"
-#include "together/machine.h"
+#include "together/placed_motion.h"
 #include "voxel/voxel_grid.h"
 
 #include <Eigen/Geometry>
@@ -28,10 +28,10 @@ struct MovedShape {
   robot::Shape shape;
   collision::Ball ball; // in the frame
 };
-std::vector<MovedShape> movedShapes(const Machine& machine);
+std::vector<MovedShape> movedShapes(const PlacedMotion& machine);
 
 // Returns a box around the shapes in all poses of the motion; shared frame [mm].
-Eigen::AlignedBox3d boxOf(const Machine& machine, const std::vector<MovedShape>& shapes);
+Eigen::AlignedBox3d boxOf(const PlacedMotion& machine, const std::vector<MovedShape>& shapes);
 
 // A pose is kept until a body's points move by this [mm].
 inline constexpr double kSweepStepMm = 2.0;
@@ -41,7 +41,7 @@ inline constexpr double kSweepStepMm = 2.0;
 class Sweeper {
 public:
   // `machine` and `shapes` have to outlive it. Precondition: the grid has cells.
-  Sweeper(const Machine& machine, const std::vector<MovedShape>& shapes,
+  Sweeper(const PlacedMotion& machine, const std::vector<MovedShape>& shapes,
           const voxel::VoxelGrid& grid, double clearanceMm);
 
   // Returns the cells of points [first, last] of the motion.
@@ -50,7 +50,7 @@ public:
 private:
   void mark(const collision::PlacedShape& shape, const Eigen::AlignedBox3d& box);
 
-  const Machine& machine_;
+  const PlacedMotion& machine_;
   const std::vector<MovedShape>& shapes_;
   const voxel::VoxelGrid& grid_;
   double reachMm_;

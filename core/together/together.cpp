@@ -10,8 +10,9 @@
 namespace voluta::together {
 
 namespace {
-Eigen::Vector3d tipAt(const Machine& machine, std::size_t point) {
-  return framesAt(machine, point)[static_cast<std::size_t>(machine.cell.toolFrame())].translation();
+Eigen::Vector3d tipAt(const PlacedMotion& machine, std::size_t point) {
+  return framesAt(machine, point)[static_cast<std::size_t>(machine.cell->toolFrame())]
+      .translation();
 }
 
 std::optional<Obstruction> atRest(std::size_t machine, std::size_t other,
@@ -24,15 +25,15 @@ std::optional<Obstruction> atRest(std::size_t machine, std::size_t other,
 
 class Planner {
 public:
-  Planner(std::span<const Machine> machines, const Options& options)
+  Planner(std::span<const PlacedMotion> machines, const Options& options)
       : machines_(machines), options_(options) {}
 
   Plan run(const base::RunContext& ctx) {
     std::vector<std::size_t> segments;
-    for (const Machine& machine : machines_) {
-      plan_.rests.push_back(
-          restsOf(machine.trajectory, options_.mostSegments, options_.amidBeadsS));
-      plan_.seconds.push_back(secondsOf(machine.trajectory, plan_.rests.back()));
+    for (const PlacedMotion& machine : machines_) {
+      plan_.rests.push_back(restsOf(*machine.trajectory, options_.mostSegments, options_.amidBeadsS,
+                                    machine.printedBefore));
+      plan_.seconds.push_back(secondsOf(*machine.trajectory, plan_.rests.back()));
       segments.push_back(plan_.rests.back().segments());
     }
     plan_.conflicts.emplace(std::move(segments));
@@ -142,14 +143,14 @@ private:
     return none;
   }
 
-  std::span<const Machine> machines_;
+  std::span<const PlacedMotion> machines_;
   const Options& options_;
   Plan plan_;
   std::vector<FoundConflicts> found_; // of the pairs, without their tables
 };
 } // namespace
 
-Plan planTogether(std::span<const Machine> machines, const Options& options,
+Plan planTogether(std::span<const PlacedMotion> machines, const Options& options,
                   const base::RunContext& ctx) {
   return Planner(machines, options).run(ctx);
 }

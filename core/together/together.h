@@ -3,7 +3,7 @@
 #pragma once
 
 #include "together/conflicts.h"
-#include "together/machine.h"
+#include "together/placed_motion.h"
 #include "together/segments.h"
 #include "together/work_order.h"
 
@@ -58,7 +58,7 @@ struct Plan {
 };
 
 // Precondition: at least two machines. Throws Cancelled.
-Plan planTogether(std::span<const Machine> machines, const Options& options,
+Plan planTogether(std::span<const PlacedMotion> machines, const Options& options,
                   const base::RunContext& ctx);
 
 } // namespace voluta::together

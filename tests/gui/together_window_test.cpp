@@ -58,7 +58,7 @@ TEST_F(TogetherTest, TwoArmsAreShownInOneTimeAndSaved) {
   press("togetherAddAgain");
   ASSERT_TRUE(waitFor([&] { return shown() == 2; }));
   // The plates of both meet at their borders.
-  EXPECT_NEAR(dialog.machines().all()[1].drawing.shared_T_world.translation().x(), 1040.0, 1.0);
+  EXPECT_NEAR(dialog.machines().all()[1].shared_T_world.translation().x(), 1040.0, 1.0);
   keepPicture(dialog, "together_placed");
   press("togetherFind");
   ASSERT_TRUE(isFound(dialog));
@@ -84,8 +84,24 @@ TEST_F(TogetherTest, TwoArmsAreShownInOneTimeAndSaved) {
 
   dialog.save(path("both"));
   ASSERT_TRUE(waitFor([&] { return figures().contains(path("both")); }));
-  for (const char* const file : {"together.json", "machine1/job.voluta", "machine2/job.voluta"})
+  for (const char* const file :
+       {"station.voluta", "together.json", "machine1/job.voluta", "machine2/job.voluta"})
     EXPECT_TRUE(QFileInfo::exists(path("both") + "/" + file)) << file;
+
+  // The station opens with its places, and its order of work is found again.
+  const double clearance = find<QDoubleSpinBox>("togetherClearance")->value();
+  dialog.close();
+  ASSERT_TRUE(waitFor([&] { return !window().findChild<QWidget*>("togetherDialog"); }));
+  window().open(path("both/station.voluta"));
+  ASSERT_TRUE(waitFor([&] { return window().findChild<QWidget*>("togetherDialog"); }));
+  auto& again = *find<window::TogetherDialog>("togetherDialog");
+  ASSERT_TRUE(waitFor([&] { return shown() == 2; }));
+  EXPECT_NEAR(again.machines().all()[1].shared_T_world.translation().x(), 1040.0, 1.0);
+  EXPECT_EQ(find<QDoubleSpinBox>("togetherClearance")->value(), clearance);
+  press("togetherFind");
+  ASSERT_TRUE(isFound(again));
+  EXPECT_TRUE(figures().contains("collisions: 0")) << figures().toStdString();
+  keepPicture(again, "together_opened");
 }
 
 TEST_F(TogetherTest, MachinesTooCloseHaveAReasonAndAPlace) {
@@ -102,6 +118,12 @@ TEST_F(TogetherTest, MachinesTooCloseHaveAReasonAndAPlace) {
       << figures().toStdString();
   EXPECT_FALSE(find<QPushButton>("togetherSave")->isEnabled());
   keepPicture(dialog, "together_too_close");
+  ASSERT_TRUE(find<QPushButton>("togetherApart")->isVisible());
+  press("togetherApart");
+  EXPECT_NEAR(dialog.machines().all()[1].shared_T_world.translation().x(), 750.0, 1.0);
+  auto* table = find<window::MachineTable>("machineTable");
+  EXPECT_NEAR(static_cast<QDoubleSpinBox*>(table->cellWidget(1, 2))->value(), 750.0, 1.0);
+  ASSERT_TRUE(isFound(dialog));
   press("togetherRemove");
   EXPECT_EQ(dialog.machines().all().size(), 1u);
 }

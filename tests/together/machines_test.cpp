@@ -41,11 +41,16 @@ plan::ToolPlan oneBead() {
 struct Arm {
   explicit Arm(unsigned seed, const Isometry3d& place)
       : process(process::loadProcess("fdm-1.0")),
-        cell(robot::loadCell("ur5-moving", process,
-                             {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}})),
-        collision(cell, process), plan(oneBead()), part(plan, 0.6, {}),
-        trajectory(randomMotion(seed)), machine{cell, collision, plan, trajectory, part, place} {
-    for (std::size_t i = 0; i < trajectory.pointCount(); ++i)
+        cell(std::make_shared<robot::Cell>(robot::loadCell(
+            "ur5-moving", process, {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}))),
+        plan(std::make_shared<plan::ToolPlan>(oneBead())),
+        machine{cell,
+                std::make_shared<collision::CellCollision>(*cell, process),
+                plan,
+                std::make_shared<plan::Trajectory>(randomMotion(seed)),
+                std::make_shared<collision::GrowingPart>(*plan, 0.6),
+                place} {
+    for (std::size_t i = 0; i < machine.trajectory->pointCount(); ++i)
       rests.point.push_back(i);
     rests.filledFrom.assign(rests.point.size(), 0);
   }
@@ -54,9 +59,9 @@ struct Arm {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> turn(-0.6, 0.6), base(-1.2, 1.2);
     plan::Trajectory t;
-    t.dof = cell.dof();
+    t.dof = cell->dof();
     for (int i = 0; i < 5; ++i) {
-      robot::JointVector q = cell.home();
+      robot::JointVector q = cell->home();
       for (Eigen::Index k = 0; k < q.size(); ++k)
         q[k] += k == 0 ? base(random) : turn(random);
       t.joints.insert(t.joints.end(), q.data(), q.data() + q.size());
@@ -76,28 +81,25 @@ struct Arm {
   }
 
   process::Process process;
-  robot::Cell cell;
-  collision::CellCollision collision;
-  plan::ToolPlan plan;
-  collision::GrowingPart part;
-  plan::Trajectory trajectory;
-  Machine machine;
+  std::shared_ptr<const robot::Cell> cell;
+  std::shared_ptr<const plan::ToolPlan> plan;
+  PlacedMotion machine;
   Rests rests;
 };
 
 double leastDistance(const Arm& a, const std::vector<Frames>& as, const Arm& b,
                      const std::vector<Frames>& bs, double capMm) {
   double least = capMm;
-  for (std::size_t i = 0; i < a.cell.bodies().size(); ++i)
-    for (std::size_t j = 0; j < b.cell.bodies().size(); ++j) {
-      const robot::Body &one = a.cell.bodies()[i], &other = b.cell.bodies()[j];
-      if (!isMoved(a.cell, one) || !isMoved(b.cell, other))
+  for (std::size_t i = 0; i < a.cell->bodies().size(); ++i)
+    for (std::size_t j = 0; j < b.cell->bodies().size(); ++j) {
+      const robot::Body &one = a.cell->bodies()[i], &other = b.cell->bodies()[j];
+      if (!isMoved(*a.cell, one) || !isMoved(*b.cell, other))
         continue;
       for (const Frames& f : as)
         for (const Frames& g : bs)
-          least = std::min(least, a.collision.distanceToOther(
+          least = std::min(least, a.machine.collision->distanceToOther(
                                       static_cast<int>(i), f[static_cast<std::size_t>(one.frame)],
-                                      b.collision, static_cast<int>(j),
+                                      *b.machine.collision, static_cast<int>(j),
                                       g[static_cast<std::size_t>(other.frame)], least));
     }
   return least;
@@ -156,12 +158,13 @@ TEST(Machines, PrintedMaterialCountsFromItsTimeOn) {
   // Puts the second machine so that the tip of the first one's home is below the middle of its
   // bead.
   const Frames frames = framesAt(a.machine, 0);
-  const Vector3d tip = frames[static_cast<std::size_t>(a.cell.toolFrame())].translation();
+  const Vector3d tip = frames[static_cast<std::size_t>(a.cell->toolFrame())].translation();
   const Vector3d bead =
-      framesAt(b.machine, 0)[static_cast<std::size_t>(b.cell.workFrame())] * Vector3d(70, 0, -0.5);
+      framesAt(b.machine, 0)[static_cast<std::size_t>(b.cell->workFrame())] * Vector3d(70, 0, -0.5);
   Isometry3d place = Isometry3d::Identity();
   place.translation() = tip - bead;
-  const Machine moved{b.cell, b.collision, b.plan, b.trajectory, b.part, place};
+  PlacedMotion moved = b.machine;
+  moved.shared_T_world = place;
   const StaticConflicts found = staticConflicts(a.machine, a.rests, moved, {}, {});
   EXPECT_NE(found.restMeets.front(), kNever);
   EXPECT_GT(found.restMeets.front(), 0u);

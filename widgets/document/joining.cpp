@@ -12,25 +12,25 @@ Joining::Joining(QObject* parent) : QObject(parent) {
 }
 
 void Joining::read(const QString& file) {
-  using Read = std::shared_ptr<const project::Job>;
+  using Read = std::shared_ptr<const project::Station>;
   reader_.run(
       [file = file.toStdString()](const base::RunContext&) -> Read {
-        return std::make_shared<const project::Job>(pipeline::jobToJoin(file));
+        return std::make_shared<const project::Station>(pipeline::plannedStation(file));
       },
       [this, file](const base::Outcome<Read>& outcome) {
-        if (const auto* job = std::get_if<Read>(&outcome))
-          emit jobRead(file, *job);
+        if (const auto* station = std::get_if<Read>(&outcome))
+          emit stationRead(file, *station);
         else if (const auto* error = std::get_if<base::Error>(&outcome))
           emit failed(language::words(error->whole()));
       },
       1);
 }
 
-void Joining::plan(pipeline::TogetherRequest request) {
+void Joining::plan(project::Station station) {
   planner_.run(
-      [request = std::move(request)](const base::RunContext& ctx) mutable -> JoinedResult {
-        return std::make_shared<const pipeline::TogetherResult>(
-            pipeline::planTogether(std::move(request), ctx));
+      [this, station = std::move(station)](const base::RunContext& ctx) mutable -> JoinedResult {
+        return std::make_shared<const pipeline::StationResult>(
+            pipeline::planStation(std::move(station), ctx, &cache_));
       },
       [this](const base::Outcome<JoinedResult>& outcome) {
         if (const auto* result = std::get_if<JoinedResult>(&outcome))
@@ -49,9 +49,9 @@ void Joining::cancel() {
 void Joining::write(const QString& folder, JoinedResult result) {
   writer_.run(
       [folder = folder.toStdString(), result = std::move(result)](const base::RunContext& ctx) {
-        pipeline::TogetherResult written = *result; // large data are shared
+        pipeline::StationResult written = *result; // large data are shared
         base::StagedFolder staged(folder);
-        pipeline::writeTogether(written, staged.path(), ctx);
+        pipeline::writeStationOutputs(written, staged.path(), ctx);
         staged.commit();
         return true;
       },

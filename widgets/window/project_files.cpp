@@ -7,7 +7,9 @@
 #include "forms/discard.h"
 #include "forms/file_patterns.h"
 #include "plan/trajectory.h"
+#include "project/station.h"
 #include "window/cell/arm_import_dialog.h"
+#include "window/together/together_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -177,6 +179,10 @@ void ProjectFiles::open(const QString& path, const QStringList& more) {
     importArm(path);
     return;
   }
+  if (project::isStationFile(path.toStdString())) {
+    openStation(path);
+    return;
+  }
   startOpening(path, more, nullptr);
 }
 
@@ -279,6 +285,12 @@ void ProjectFiles::chooseArm() {
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
   importArm(file);
+}
+
+void ProjectFiles::openStation(const QString& file) {
+  auto* dialog = new TogetherDialog({}, &window_);
+  dialog->open();
+  dialog->addFile(file);
 }
 
 void ProjectFiles::importArm(const QString& urdf) {

@@ -51,6 +51,8 @@ public:
   void drop(const QStringList& paths);
   // Imports a robot arm from a URDF: asks for the required data, and selects the new cell.
   void importArm(const QString& urdf);
+  // Shows the machines of a station in a dialog; the project in the window stays.
+  void openStation(const QString& file);
   // Opens the rest of the print from a point of the trajectory on, after confirmation.
   void resume(std::size_t point);
   // Offers unsaved work after a crash, if there is any.

@@ -110,9 +110,9 @@ void SimulatePage::printTogether() {
   const auto plan = comparable();
   if (!plan)
     return;
-  auto* dialog =
-      new TogetherDialog(QString::fromStdString(plan->job.item().partName),
-                         std::make_shared<const project::Job>(plan->job), side_->window());
+  project::Station station;
+  station.machines.push_back({plan->job.item().partName, plan->job});
+  auto* dialog = new TogetherDialog(station, side_->window());
   dialog->open();
 }
 

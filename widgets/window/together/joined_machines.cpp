@@ -13,52 +13,67 @@ namespace voluta::window {
 JoinedMachines::JoinedMachines(QObject* parent) : QObject(parent) {}
 JoinedMachines::~JoinedMachines() = default;
 
-void JoinedMachines::add(const QString& name, std::shared_ptr<const project::Job> job,
-                         const Eigen::Isometry3d& shared_T_world) {
-  machines_.push_back({name, std::move(job), {nullptr, nullptr, shared_T_world}});
+void JoinedMachines::add(project::Machine machine) {
+  drawings_.push_back({nullptr, nullptr, machine.shared_T_world});
+  machines_.push_back(std::move(machine));
   setResult(nullptr);
   drawNext();
 }
 
 void JoinedMachines::remove(std::size_t machine) {
   machines_.erase(machines_.begin() + static_cast<std::ptrdiff_t>(machine));
+  drawings_.erase(drawings_.begin() + static_cast<std::ptrdiff_t>(machine));
   setResult(nullptr);
   emit changed();
 }
 
 void JoinedMachines::place(std::size_t machine, const Eigen::Isometry3d& shared_T_world) {
-  machines_[machine].drawing.shared_T_world = shared_T_world;
+  machines_[machine].shared_T_world = shared_T_world;
+  drawings_[machine].shared_T_world = shared_T_world;
+  setResult(nullptr);
+  emit changed();
+}
+
+void JoinedMachines::moveApart(double mm) {
+  for (std::size_t k = 1; k < machines_.size(); ++k) {
+    Eigen::Isometry3d place = machines_[k].shared_T_world;
+    Eigen::Vector3d away = place.translation() - machines_.front().shared_T_world.translation();
+    away.z() = 0.0;
+    place.translation() += mm * (away.norm() > 1.0 ? away.normalized() : Eigen::Vector3d::UnitX());
+    machines_[k].shared_T_world = drawings_[k].shared_T_world = place;
+  }
   setResult(nullptr);
   emit changed();
 }
 
 // Draws one machine after another; machines with the same job share their drawings.
 void JoinedMachines::drawNext() {
-  const auto next = std::ranges::find_if(
-      machines_, [](const JoinedMachine& machine) { return !machine.drawing.cell; });
-  if (next == machines_.end()) {
+  const auto next =
+      std::ranges::find_if(drawings_, [](const auto& drawing) { return !drawing.cell; });
+  if (next == drawings_.end()) {
     emit drawn();
     return;
   }
+  const project::Job& job = machines_[static_cast<std::size_t>(next - drawings_.begin())].job;
   inBackground(
       drawer_,
-      [job = next->job] {
-        const pipeline::PlanResult plan = pipeline::resultOf(*job);
+      [job] {
+        const pipeline::PlanResult plan = pipeline::resultOf(job);
         return std::pair(scene::drawCell(*plan.cell, robot::lookOf(plan.cell->robot())),
-                         scene::drawPaths(*job->toolPlan, job->trajectory.get()));
+                         scene::drawPaths(*job.toolPlan, job.trajectory.get()));
       },
-      [this, job = next->job](auto&& drawn) {
-        for (JoinedMachine& machine : machines_)
-          if (machine.job == job) {
-            machine.drawing.cell = drawn.first;
-            machine.drawing.paths = drawn.second;
+      [this, motion = job.trajectory](auto&& drawn) {
+        for (std::size_t k = 0; k < machines_.size(); ++k)
+          if (machines_[k].job.trajectory == motion) {
+            drawings_[k].cell = drawn.first;
+            drawings_[k].paths = drawn.second;
           }
         drawNext();
       });
 }
 
 Eigen::Isometry3d JoinedMachines::placeOpposite() const {
-  const pipeline::PlanResult plan = pipeline::resultOf(*machines_.front().job);
+  const pipeline::PlanResult plan = pipeline::resultOf(machines_.front().job);
   std::vector<Eigen::Isometry3d> frames;
   plan.cell->framePoses(plan.cell->home(), frames);
   const Eigen::Isometry3d base_T_world = plan.cell->base_T_world(plan.cell->home());
@@ -69,7 +84,7 @@ Eigen::Isometry3d JoinedMachines::placeOpposite() const {
   const Eigen::Vector2d away =
       length > 1.0 ? Eigen::Vector2d(centre / length) : Eigen::Vector2d::UnitX();
   double border = length; // of the plate, away from the base
-  for (const Eigen::Vector2d& corner : project::platformOf(*machines_.front().job).polygon) {
+  for (const Eigen::Vector2d& corner : project::platformOf(machines_.front().job).polygon) {
     const Eigen::Vector3d inWorld = world_T_work * Eigen::Vector3d(corner.x(), corner.y(), 0.0);
     border = std::max(border, inWorld.head<2>().dot(away));
   }
@@ -80,12 +95,10 @@ Eigen::Isometry3d JoinedMachines::placeOpposite() const {
   return opposite;
 }
 
-pipeline::TogetherRequest JoinedMachines::request(double clearanceMm) const {
-  pipeline::TogetherRequest request;
-  for (const JoinedMachine& machine : machines_)
-    request.machines.push_back({*machine.job, machine.drawing.shared_T_world});
-  request.options.distances.clearanceMm = clearanceMm;
-  return request;
+project::Station JoinedMachines::station(double clearanceMm) const {
+  project::Station station{machines_, {}};
+  station.rules.clearanceMm = clearanceMm;
+  return station;
 }
 
 void JoinedMachines::setResult(document::JoinedResult result) {
@@ -122,7 +135,7 @@ std::vector<scene::MachineMoment> JoinedMachines::momentsAt(double timeS) const 
   std::vector<scene::MachineMoment> moments;
   for (std::size_t k = 0; k < machines_.size(); ++k) {
     if (clocks_.empty()) {
-      moments.push_back({{}, machines_[k].job->toolPlan->waypointCount()});
+      moments.push_back({{}, machines_[k].job.toolPlan->waypointCount()});
       continue;
     }
     const double ownS = waiting_[k].ownTimeS(timeS);

@@ -16,12 +16,6 @@
 
 namespace voluta::window {
 
-struct JoinedMachine {
-  QString name; // of the job
-  std::shared_ptr<const project::Job> job;
-  scene::MachineDrawing drawing; // cell null: not drawn yet
-};
-
 class JoinedMachines : public QObject {
   Q_OBJECT
 
@@ -29,18 +23,20 @@ public:
   explicit JoinedMachines(QObject* parent = nullptr);
   ~JoinedMachines() override;
 
-  const std::vector<JoinedMachine>& all() const { return machines_; }
-  // Adds a machine; drawn() follows once it is drawn. The first stands at the origin; `shared`
-  // places the others.
-  void add(const QString& name, std::shared_ptr<const project::Job> job,
-           const Eigen::Isometry3d& shared_T_world);
+  const std::vector<project::Machine>& all() const { return machines_; }
+  // Per machine; a drawing without a cell is not made yet.
+  const std::vector<scene::MachineDrawing>& drawings() const { return drawings_; }
+  // Adds a machine with a motion; drawn() follows once it is drawn. The first stands at the origin.
+  void add(project::Machine machine);
   void remove(std::size_t machine);
   void place(std::size_t machine, const Eigen::Isometry3d& shared_T_world);
+  // Moves every machine but the first away from it, level, by that distance [mm].
+  void moveApart(double mm);
   // Returns the place at which the plate of another machine with this job lies beside the first
   // one's, turned by 180 degrees. Precondition: there is a machine.
   Eigen::Isometry3d placeOpposite() const;
 
-  pipeline::TogetherRequest request(double clearanceMm) const;
+  project::Station station(double clearanceMm) const;
   // The result of the machines as they are; null: none. Precondition: one plan per machine.
   void setResult(document::JoinedResult result);
   const document::JoinedResult& result() const { return result_; }
@@ -58,7 +54,8 @@ private:
   void drawNext();
   timeline::WaitingClock waitingClockOf(std::size_t machine) const;
 
-  std::vector<JoinedMachine> machines_;
+  std::vector<project::Machine> machines_;
+  std::vector<scene::MachineDrawing> drawings_;
   document::JoinedResult result_;
   std::vector<timeline::Clock> clocks_; // with a replay: per machine
   std::vector<timeline::WaitingClock> waiting_;

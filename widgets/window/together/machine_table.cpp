@@ -2,11 +2,13 @@
 
 #include "base/units.h"
 #include "forms/value_boxes.h"
-#include "pipeline/joined_jobs.h"
+#include "pipeline/station_plan.h"
 #include "scene/machines_scene.h"
 
 #include <QHeaderView>
+#include <QSignalBlocker>
 #include <algorithm>
+#include <array>
 
 namespace voluta::window {
 
@@ -14,6 +16,12 @@ namespace {
 enum Column { Job, Cell, X, Y, Z, Turn, Columns };
 constexpr double kMostMm = 20000.0;
 constexpr int kRows = 4;
+
+// x, y, z [mm] and the rotation [degrees], as the columns.
+std::array<double, 4> valuesOf(const Eigen::Isometry3d& place) {
+  return {place.translation().x(), place.translation().y(), place.translation().z(),
+          pipeline::machineRotationDeg(place)};
+}
 } // namespace
 
 MachineTable::MachineTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
@@ -36,8 +44,7 @@ void MachineTable::addMachine(const QString& job, const QString& cell,
   setItem(row, Job, new QTableWidgetItem(job));
   item(row, Job)->setToolTip(job);
   setItem(row, Cell, new QTableWidgetItem(cell));
-  const double values[] = {place.translation().x(), place.translation().y(),
-                           place.translation().z(), pipeline::machineTurnDeg(place)};
+  const std::array<double, 4> values = valuesOf(place);
   for (int column = X; column < Columns; ++column) {
     auto* box = new forms::NumberBox(this);
     const bool isTurn = column == Turn;
@@ -45,7 +52,7 @@ void MachineTable::addMachine(const QString& job, const QString& cell,
     box->setDecimals(1);
     box->setSingleStep(isTurn ? 15.0 : 10.0);
     box->setUnit(isTurn ? QStringLiteral("deg") : QStringLiteral("mm"));
-    box->setValue(values[column - X]);
+    box->setValue(values[static_cast<std::size_t>(column - X)]);
     box->setFrame(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons); // all columns fit beside the view
     box->setEnabled(row > 0);
@@ -58,6 +65,15 @@ void MachineTable::addMachine(const QString& job, const QString& cell,
   }
   number();
   selectRow(row);
+}
+
+void MachineTable::setPlace(std::size_t machine, const Eigen::Isometry3d& place) {
+  const std::array<double, 4> values = valuesOf(place);
+  for (int column = X; column < Columns; ++column) {
+    auto* box = static_cast<QDoubleSpinBox*>(cellWidget(static_cast<int>(machine), column));
+    const QSignalBlocker quiet(box);
+    box->setValue(values[static_cast<std::size_t>(column - X)]);
+  }
 }
 
 void MachineTable::removeMachine(std::size_t machine) {

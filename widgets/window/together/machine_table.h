@@ -17,6 +17,8 @@ public:
   // The first machine stands at the origin; its numbers cannot be changed.
   void addMachine(const QString& job, const QString& cell, const Eigen::Isometry3d& place);
   void removeMachine(std::size_t machine);
+  // Shows a place; placeChanged() is not emitted.
+  void setPlace(std::size_t machine, const Eigen::Isometry3d& place);
   // The row that is selected, or the last one.
   std::size_t chosen() const;
 

@@ -5,6 +5,7 @@
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
+#include "pipeline/station_findings.h"
 #include "plan/marks.h"
 #include "timeline/machine_lanes.h"
 #include "timeline/player.h"
@@ -32,6 +33,7 @@ namespace voluta::window {
 
 namespace {
 constexpr int kWidth = 1180, kHeight = 720, kSide = 460, kRows = 5;
+constexpr int kApartMm = 50;
 constexpr double kShownWaitS = 1.0; // shorter waits are not listed
 enum Role { TimeRole = Qt::UserRole, PlaceRole };
 
@@ -44,8 +46,7 @@ QString placeText(const Eigen::Vector3d& place) {
 }
 } // namespace
 
-TogetherDialog::TogetherDialog(const QString& name, std::shared_ptr<const project::Job> job,
-                               QWidget* parent)
+TogetherDialog::TogetherDialog(const project::Station& station, QWidget* parent)
     : QDialog(parent), machines_(new JoinedMachines(this)),
       view_(new viewer::MachinesView(
           forms::isDark(palette()) ? scene::darkTheme() : scene::lightTheme(), this)),
@@ -61,7 +62,10 @@ TogetherDialog::TogetherDialog(const QString& name, std::shared_ptr<const projec
   row->addWidget(buildSide());
   row->addLayout(picture, 1);
   listen();
-  add(name, job);
+  clearance_->setValue(station.rules.clearanceMm);
+  for (const project::Machine& machine : station.machines)
+    add(machine);
+  showResult();
 }
 
 TogetherDialog::~TogetherDialog() = default;
@@ -83,12 +87,12 @@ QWidget* TogetherDialog::buildSide() {
   find_->setDefault(true);
   cancel_ = button(tr("Cancel"), "togetherCancel");
   save_ = button(tr("Save programs…"), "togetherSave");
+  apart_ = button(tr("Move %1 mm further apart").arg(kApartMm), "togetherApart");
   clearance_ = new forms::NumberBox(side);
   clearance_->setObjectName("togetherClearance");
   clearance_->setRange(0.0, 500.0);
-  clearance_->setValue(together::Distances{}.clearanceMm);
   static_cast<forms::NumberBox*>(clearance_)->setUnit(QStringLiteral("mm"));
-  auto* clearanceText = new QLabel(tr("Least distance of moving arms"), side);
+  auto* clearanceText = new QLabel(tr("Minimum distance of moving arms"), side);
   clearanceText->setBuddy(clearance_);
   progress_ = new QProgressBar(side);
   progress_->setRange(0, 100);
@@ -132,6 +136,10 @@ QWidget* TogetherDialog::buildSide() {
   column->addLayout(distance);
   column->addLayout(found);
   column->addLayout(verdict);
+  auto* remedy = new QHBoxLayout;
+  remedy->addWidget(apart_);
+  remedy->addStretch();
+  column->addLayout(remedy);
   column->addWidget(placesTitle_);
   column->addWidget(places_, 1);
   column->addWidget(buttons);
@@ -172,6 +180,7 @@ void TogetherDialog::listen() {
   connect(addAgain_, &QPushButton::clicked, this, &TogetherDialog::addAgain);
   connect(remove_, &QPushButton::clicked, this, &TogetherDialog::removeChosen);
   connect(find_, &QPushButton::clicked, this, &TogetherDialog::findOrder);
+  connect(apart_, &QPushButton::clicked, this, &TogetherDialog::moveApart);
   connect(cancel_, &QPushButton::clicked, &joining_, &document::Joining::cancel);
   connect(save_, &QPushButton::clicked, this, &TogetherDialog::askForFolder);
   connect(table_, &MachineTable::placeChanged, machines_, &JoinedMachines::place);
@@ -186,9 +195,9 @@ void TogetherDialog::listen() {
   // Leaves a message about a file as it is.
   connect(machines_, &JoinedMachines::drawn, this, &TogetherDialog::showMachines);
   connect(places_, &QListWidget::currentItemChanged, this, &TogetherDialog::goTo);
-  connect(&joining_, &document::Joining::jobRead, this,
-          [this](const QString& file, const std::shared_ptr<const project::Job>& job) {
-            add(QFileInfo(file).absoluteDir().dirName(), job);
+  connect(&joining_, &document::Joining::stationRead, this,
+          [this](const QString& file, const std::shared_ptr<const project::Station>& station) {
+            takeStation(file, *station);
           });
   connect(&joining_, &document::Joining::progressed, this,
           [this](double fraction, const QString& stage) {
@@ -213,11 +222,33 @@ void TogetherDialog::listen() {
   lanes_->setTextOf([this](double timeS) { return forms::clockText(timeS, machines_->endS()); });
 }
 
-void TogetherDialog::add(const QString& name, const std::shared_ptr<const project::Job>& job) {
-  const Eigen::Isometry3d place =
+void TogetherDialog::add(project::Machine machine) {
+  table_->addMachine(QString::fromStdString(machine.name),
+                     QString::fromStdString(machine.job.choices.cell), machine.shared_T_world);
+  machines_->add(std::move(machine));
+}
+
+void TogetherDialog::addOpposite(project::Machine machine) {
+  machine.shared_T_world =
       machines_->all().empty() ? Eigen::Isometry3d::Identity() : machines_->placeOpposite();
-  table_->addMachine(name, QString::fromStdString(job->choices.cell), place);
-  machines_->add(name, job, place);
+  add(std::move(machine));
+  showResult();
+}
+
+void TogetherDialog::takeStation(const QString& file, const project::Station& station) {
+  if (station.machines.size() == 1) {
+    project::Machine machine = station.machines.front();
+    machine.name = QFileInfo(file).absoluteDir().dirName().toStdString();
+    addOpposite(std::move(machine));
+    return;
+  }
+  while (!machines_->all().empty()) {
+    table_->removeMachine(machines_->all().size() - 1);
+    machines_->remove(machines_->all().size() - 1);
+  }
+  clearance_->setValue(station.rules.clearanceMm);
+  for (const project::Machine& machine : station.machines)
+    add(machine);
   showResult();
 }
 
@@ -226,7 +257,14 @@ void TogetherDialog::addFile(const QString& file) {
 }
 
 void TogetherDialog::addAgain() {
-  add(machines_->all().front().name, machines_->all().front().job);
+  addOpposite(machines_->all().front());
+}
+
+void TogetherDialog::moveApart() {
+  machines_->moveApart(kApartMm);
+  for (std::size_t k = 0; k < machines_->all().size(); ++k)
+    table_->setPlace(k, machines_->all()[k].shared_T_world);
+  findOrder();
 }
 
 void TogetherDialog::askForFile() {
@@ -247,15 +285,15 @@ void TogetherDialog::removeChosen() {
 
 void TogetherDialog::findOrder() {
   machines_->setResult(nullptr);
-  joining_.plan(machines_->request(clearance_->value()));
+  joining_.plan(machines_->station(clearance_->value()));
   showResult();
 }
 
 void TogetherDialog::showMachines() {
   std::vector<scene::MachineDrawing> drawings;
-  for (const JoinedMachine& machine : machines_->all())
-    if (machine.drawing.cell)
-      drawings.push_back(machine.drawing);
+  for (const scene::MachineDrawing& drawing : machines_->drawings())
+    if (drawing.cell)
+      drawings.push_back(drawing);
   const bool isMore = drawings.size() != view_->scene().machineCount();
   view_->scene().setMachines(std::move(drawings));
   if (isMore)
@@ -268,7 +306,7 @@ void TogetherDialog::refresh() {
   const std::size_t count = machines_->all().size();
   const auto& result = machines_->result();
   addFile_->setEnabled(!isBusy && count < plan::kMostMachines);
-  addAgain_->setEnabled(!isBusy && count < plan::kMostMachines);
+  addAgain_->setEnabled(!isBusy && count > 0 && count < plan::kMostMachines);
   remove_->setEnabled(!isBusy && count > 1);
   table_->setEnabled(!isBusy);
   clearance_->setEnabled(!isBusy);
@@ -277,6 +315,8 @@ void TogetherDialog::refresh() {
   progress_->setVisible(isBusy);
   cancel_->setVisible(isBusy);
   save_->setEnabled(!isBusy && result && pipeline::passed(*result));
+  const plan::Finding* blocking = result ? pipeline::firstBlocking(result->findings) : nullptr;
+  apart_->setVisible(!isBusy && blocking && pipeline::isOfPlaces(*blocking));
   timeline_->setVisible(machines_->endS() > 0.0);
   play_->setIcon(
       timeline::icon(player_->playing() ? timeline::BarIcon::Pause : timeline::BarIcon::Play));
@@ -306,12 +346,14 @@ void TogetherDialog::showResult() {
     return;
   }
   listPlaces();
-  const auto refusal = pipeline::refusal(*result);
+  const plan::Finding* refusal = pipeline::firstBlocking(result->findings);
   QStringList lines;
   if (refusal)
-    lines << language::words(*refusal);
-  for (const base::Message& note : result->notes)
-    lines << tr("Note: %1").arg(language::words(note));
+    lines << tr("%1: %2").arg(language::words(plan::reasonOf(*refusal)),
+                              language::words(plan::remedyOf(*refusal)));
+  for (const plan::Finding& finding : result->findings)
+    if (!finding.blocking)
+      lines << tr("Note: %1").arg(language::words(plan::reasonOf(finding)));
   if (result->replay) {
     double aloneS = 0.0, sumS = 0.0;
     for (const std::vector<double>& seconds : result->work.seconds) {
@@ -331,7 +373,7 @@ void TogetherDialog::showResult() {
                    .arg(clocks[k].meetings().size())
                    .arg(forms::durationText(clocks[k].waitS()),
                         forms::durationText(clocks[k].totalS));
-    lines << tr("Least distance %1 mm; collisions: %2")
+    lines << tr("Minimum distance %1 mm; collisions: %2")
                  .arg(number(result->replay->leastDistanceMm, 1))
                  .arg(result->replay->collisions);
     if (!refusal && !result->work.order->meetings.empty())
@@ -343,9 +385,8 @@ void TogetherDialog::showResult() {
       collisions.push_back(meeting.whenS);
     lanes_->setCollisions(std::move(collisions));
   }
-  if (const auto& obstruction = result->work.obstruction;
-      obstruction && obstruction->kind != together::Obstruction::Kind::All)
-    view_->scene().setMarker(obstruction->where);
+  if (refusal)
+    view_->scene().setMarker(refusal->where);
   conclude(lines.join(QLatin1Char('\n')), !refusal);
   setTimeS(0.0);
 }

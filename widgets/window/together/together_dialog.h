@@ -33,20 +33,22 @@ class TogetherDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // The project shown is the first machine. Closing the dialog cancels. Precondition: the job has a
-  // motion.
-  TogetherDialog(const QString& name, std::shared_ptr<const project::Job> job,
-                 QWidget* parent = nullptr);
+  // Closing the dialog cancels. Precondition: the jobs have motions; no machines: addFile()
+  // follows.
+  explicit TogetherDialog(const project::Station& station, QWidget* parent = nullptr);
   ~TogetherDialog() override;
 
   const JoinedMachines& machines() const { return *machines_; }
 
 public slots:
-  // Adds a project from a file, opposite the first machine.
+  // Adds the job of a project, opposite the first machine. The project of a station of several
+  // machines takes the place of all.
   void addFile(const QString& file);
   // Adds the first machine's job once more.
   void addAgain();
   void findOrder();
+  // Places the machines further apart and looks for an order of work again.
+  void moveApart();
   void setTimeS(double timeS);
   // Writes all outputs into the folder; a message appears in the dialog.
   void save(const QString& folder);
@@ -55,7 +57,9 @@ private:
   QWidget* buildSide();
   QWidget* buildTimeline();
   void listen();
-  void add(const QString& name, const std::shared_ptr<const project::Job>& job);
+  void add(project::Machine machine);
+  void addOpposite(project::Machine machine);
+  void takeStation(const QString& file, const project::Station& station);
   void askForFile();
   void askForFolder();
   void removeChosen();
@@ -70,7 +74,7 @@ private:
   document::Joining joining_;
   MachineTable* table_ = nullptr;
   QPushButton *addFile_ = nullptr, *addAgain_ = nullptr, *remove_ = nullptr, *find_ = nullptr,
-              *cancel_ = nullptr, *save_ = nullptr;
+              *cancel_ = nullptr, *save_ = nullptr, *apart_ = nullptr;
   QDoubleSpinBox* clearance_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel *sign_ = nullptr, *figures_ = nullptr, *placesTitle_ = nullptr, *time_ = nullptr;

@@ -1,5 +1,6 @@
 #include "pipeline/checked_program.h"
-#include "pipeline/joined_jobs.h"
+#include "pipeline/station_plan.h"
+#include "plan/finding_kinds.h"
 #include "plan/marks.h"
 
 #include <nlohmann/json.hpp>
@@ -44,12 +45,12 @@ Json runJson(const replay::SharedRun& run) {
           {"leastAtS", run.leastAtS}};
 }
 
-Json machineJson(const TogetherResult& result, std::size_t k) {
+Json machineJson(const StationResult& result, std::size_t k) {
   const PlanResult& plan = result.plans[k];
   const Eigen::Isometry3d& place = result.shared_T_world[k];
-  Json json{{"part", plan.job.item().partName}, {"cell", plan.cell->id()},
-            {"folder", togetherFolder(k)},      {"placeMm", pointJson(place.translation())},
-            {"turnDeg", machineTurnDeg(place)}, {"segments", result.work.rests[k].segments()}};
+  Json json{{"part", plan.job.item().partName},     {"cell", plan.cell->id()},
+            {"folder", machineFolder(k)},           {"placeMm", pointJson(place.translation())},
+            {"turnDeg", machineRotationDeg(place)}, {"segments", result.work.rests[k].segments()}};
   const std::vector<double>& seconds = result.work.seconds[k];
   json["aloneS"] = std::accumulate(seconds.begin(), seconds.end(), 0.0);
   if (const CheckedProgram* replayed = replayedTogether(plan))
@@ -72,6 +73,18 @@ Json orderJson(const together::Order& order) {
   return {{"marks", order.meetings.size()}, {"seconds", order.seconds}, {"meetings", meetings}};
 }
 
+Json findingJson(const plan::Finding& finding) {
+  Json json{{"kind", plan::reportId(finding)},
+            {"blocking", finding.blocking},
+            {"reason", plan::englishReason(finding)},
+            {"remedy", plan::englishRemedy(finding)}};
+  if (finding.where)
+    json["whereMm"] = pointJson(*finding.where);
+  if (finding.whenS)
+    json["atS"] = *finding.whenS;
+  return json;
+}
+
 // What the programs expect of their signals and their operator (plan/marks.h).
 Json startJson(const together::Order& order) {
   if (order.meetings.empty())
@@ -84,15 +97,15 @@ Json startJson(const together::Order& order) {
 }
 } // namespace
 
-std::string togetherJson(const TogetherResult& result) {
-  const auto why = refusal(result);
+std::string stationJson(const StationResult& result) {
+  const plan::Finding* why = firstBlocking(result.findings);
   Json machines = Json::array();
   for (std::size_t k = 0; k < result.plans.size(); ++k)
     machines.push_back(machineJson(result, k));
-  Json json{{"passed", !why}, {"refusal", why ? Json(base::english(*why)) : Json()}};
-  json["notes"] = Json::array();
-  for (const base::Message& note : result.notes)
-    json["notes"].push_back(base::english(note));
+  Json json{{"passed", !why}, {"refusal", why ? Json(plan::englishReason(*why)) : Json()}};
+  json["findings"] = Json::array();
+  for (const plan::Finding& finding : result.findings)
+    json["findings"].push_back(findingJson(finding));
   json["machines"] = machines;
   json["start"] = result.work.order ? startJson(*result.work.order) : Json();
   json["order"] = result.work.order ? orderJson(*result.work.order) : Json();

@@ -1,0 +1,55 @@
+#include "pipeline/station_resume.h"
+
+#include "base/error.h"
+#include "pipeline/station_findings.h"
+
+namespace voluta::pipeline {
+
+namespace {
+ResumeRequest requestOf(const ResumePlace& place, const project::Job& job,
+                        const std::filesystem::path& folder) {
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.bead = place.bead;
+  request.line = place.line;
+  if (place.line && !job.report.programs.empty() && !job.report.programs.front().files.empty())
+    request.program = folder / job.report.programs.front().files.front();
+  return request;
+}
+} // namespace
+
+StationResult resumeStation(project::Station station, const std::vector<ResumePlace>& places,
+                            const std::filesystem::path& folder, const base::RunContext& ctx) {
+  const std::size_t count = station.machines.size();
+  if (places.size() != count)
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("{places} places for {machines} machines"_text, places.size(), count), {},
+        "give a bead or a line for each machine, in their order"_text);
+  plan::Findings refused;
+  const double share = 0.4 / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    project::Job& job = station.machines[k].job;
+    requireMotion(job, machineFolder(k));
+    const base::RunContext own =
+        ctx.sub(share * static_cast<double>(k), share * static_cast<double>(k + 1));
+    const std::size_t point =
+        resumePointOf(requestOf(places[k], job, folder / machineFolder(k)), job, own.sub(0.0, 0.3));
+    job = restMotion(withoutMarks(std::move(job)), point, own.sub(0.3, 1.0));
+    if (const plan::Finding* finding = firstBlocking(job.report.findings))
+      refused.push_back(machineFinding(k, plan::reasonOf(*finding)));
+  }
+  if (refused.empty())
+    return planStation(std::move(station), ctx.sub(0.4, 1.0));
+  StationResult result;
+  result.rules = station.rules;
+  result.findings = std::move(refused);
+  for (project::Machine& machine : station.machines) {
+    result.names.push_back(std::move(machine.name));
+    result.shared_T_world.push_back(machine.shared_T_world);
+    result.plans.push_back(resultOf(std::move(machine.job)));
+  }
+  return result;
+}
+
+} // namespace voluta::pipeline
