@@ -19,47 +19,55 @@ bool namesSlicer(std::string_view comment) {
 }
 } // namespace
 
-bool wordsOf(std::string_view rest, GcodeWords& words) {
-  while (!(rest = trimmed(rest)).empty()) {
-    if (rest.front() == '(') {
-      const std::size_t end = rest.find(')');
-      if (end == std::string_view::npos)
-        return false;
-      rest.remove_prefix(end + 1);
-      continue;
-    }
-    std::optional<double>* slot = nullptr;
-    const std::string_view from = rest;
-    char c = rest.front();
-    if (c == 'n' && rest.size() > 1 && rest[1] >= 'X' && rest[1] <= 'Z') {
-      slot = &words.direction[static_cast<std::size_t>(rest[1] - 'X')];
-      rest.remove_prefix(2);
-    } else {
-      if (c >= 'a' && c <= 'z')
-        c = static_cast<char>(c - 'a' + 'A');
-      if (c < 'A' || c > 'Z')
-        return false;
-      slot = &words[c];
-      rest.remove_prefix(1);
-    }
-    const std::string_view letters = from.substr(0, from.size() - rest.size());
-    double value = 0.0;
-    // Blanks are optional between a letter and its number and between words.
-    if (const std::string_view behind = trimmed(rest);
-        !behind.empty() &&
-        std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos)
-      rest = behind;
-    const bool bare = rest.empty() || rest.front() == ' ' || isCapital(rest.front());
-    if (!bare && !takeDecimal(rest, value))
+bool GcodeScanner::next(GcodeWord& word) {
+  while (!(rest_ = trimmed(rest_)).empty() && rest_.front() == '(') {
+    const std::size_t end = rest_.find(')');
+    if (end == std::string_view::npos)
       return false;
-    if (bare && words.bare.empty())
-      words.bare = letters;
-    // A word given twice is ambiguous.
-    if (slot->has_value() || std::abs(value) > 1e9)
-      return false;
-    *slot = value;
+    rest_.remove_prefix(end + 1);
   }
+  if (rest_.empty())
+    return false;
+  std::string_view rest = rest_;
+  char c = rest.front();
+  word.isDirection = c == 'n' && rest.size() > 1 && rest[1] >= 'X' && rest[1] <= 'Z';
+  if (word.isDirection)
+    c = rest[1];
+  else if (c >= 'a' && c <= 'z')
+    c = static_cast<char>(c - 'a' + 'A');
+  if (!isCapital(c))
+    return false;
+  word.letter = c;
+  word.name = rest.substr(0, word.isDirection ? 2 : 1);
+  rest.remove_prefix(word.name.size());
+  // Blanks are optional between a letter and its number and between words.
+  if (const std::string_view behind = trimmed(rest);
+      !behind.empty() &&
+      std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos)
+    rest = behind;
+  word.isBare = rest.empty() || rest.front() == ' ' || isCapital(rest.front());
+  word.value = 0.0;
+  if ((!word.isBare && !takeDecimal(rest, word.value)) || std::abs(word.value) > 1e9)
+    return false;
+  rest_ = rest;
   return true;
+}
+
+bool wordsOf(std::string_view line, GcodeWords& words) {
+  GcodeScanner scanner(line);
+  GcodeWord word;
+  while (scanner.next(word)) {
+    if (word.isBare && words.bare.empty())
+      words.bare = word.name;
+    std::optional<double>& slot = word.isDirection
+                                      ? words.direction[static_cast<std::size_t>(word.letter - 'X')]
+                                      : words[word.letter];
+    // A word given twice is ambiguous.
+    if (slot.has_value())
+      return false;
+    slot = word.value;
+  }
+  return scanner.ended();
 }
 
 GcodeKind kindOfGcode(std::string_view text) {

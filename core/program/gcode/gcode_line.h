@@ -10,6 +10,30 @@
 
 namespace voluta::program {
 
+// A letter with its number, or nX, nY, nZ with one.
+struct GcodeWord {
+  std::string_view name;    // as written, without the number
+  char letter = 'A';        // capital; the axis of nX, nY, nZ
+  bool isDirection = false; // nX, nY, nZ
+  bool isBare = false;      // without a number, which counts as 0
+  double value = 0.0;       // within 1e9
+};
+
+// Takes the words of a line, without its `;` comment and checksum, from left to right. Accepts
+// lower case and ( ) comments, with or without blanks (G1X10E5 is X10 E5: numbers have no
+// exponent). The line must outlive the scanner.
+class GcodeScanner {
+public:
+  explicit GcodeScanner(std::string_view line) : rest_(line) {}
+  // Returns false at the end of the line, and before text that is no word.
+  bool next(GcodeWord& word);
+  // After next() returned false: whether that was the end of the line.
+  bool ended() const { return rest_.empty(); }
+
+private:
+  std::string_view rest_;
+};
+
 // The value of each letter, and of nX nY nZ.
 struct GcodeWords {
   std::array<std::optional<double>, 26> letter;
@@ -24,9 +48,8 @@ struct GcodeWords {
   bool anyDirection() const { return direction[0] || direction[1] || direction[2]; }
 };
 
-// Parses a line without its `;` comment and checksum. Accepts lower case and ( ) comments, with or
-// without blanks (G1X10E5 is X10 E5: numbers have no exponent). A letter without a number counts as
-// 0 (GcodeWords::bare). Returns false if the line is not understood or has a word twice.
+// Parses a line as GcodeScanner does. A letter without a number counts as 0 (GcodeWords::bare).
+// Returns false if the line is not understood or has a word twice.
 bool wordsOf(std::string_view line, GcodeWords& words);
 
 enum class GcodeKind {
