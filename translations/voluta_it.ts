@@ -9310,16 +9310,20 @@ previsto</translation>
         <translation>aumenta --gap</translation>
     </message>
     <message>
-        <source>not understood</source>
-        <translation>non comprensibile</translation>
-    </message>
-    <message>
-        <source>behind the end of the program</source>
-        <translation>dopo la fine del programma</translation>
-    </message>
-    <message>
         <source>unknown word {word}</source>
         <translation>parola {word} sconosciuta</translation>
+    </message>
+    <message>
+        <source>a motion before {word}</source>
+        <translation>un movimento prima di {word}</translation>
+    </message>
+    <message>
+        <source>a motion before X, Y and Z are all known</source>
+        <translation>un movimento prima che X, Y e Z siano tutti noti</translation>
+    </message>
+    <message>
+        <source>G53 with another position than Z0 is not understood</source>
+        <translation>G53 con una posizione diversa da Z0 non è comprensibile</translation>
     </message>
     <message>
         <source>the block turns while the cutter is not home</source>
@@ -9334,10 +9338,6 @@ previsto</translation>
         <translation>coordinate di un altro lato</translation>
     </message>
     <message>
-        <source>the program does not end</source>
-        <translation>il programma non termina</translation>
-    </message>
-    <message>
         <source>a rapid move through the block</source>
         <translation>un movimento rapido attraverso il blocco</translation>
     </message>
@@ -9350,12 +9350,28 @@ previsto</translation>
         <translation>un avanzamento diverso da quello previsto</translation>
     </message>
     <message>
+        <source>write the program again, or use smaller cells for the part&apos;s map (--pitch)</source>
+        <translation>riscrivi il programma, o usa celle più piccole per la mappa del pezzo (--pitch)</translation>
+    </message>
+    <message>
+        <source>{volume:.0f} of the block stay in slots, undercuts or holes that should be free, up to {height:.1f} high</source>
+        <translation>{volume:.0f} del blocco restano in cave, sottosquadri o fori che dovrebbero essere liberi, alti fino a {height:.1f}</translation>
+    </message>
+    <message>
+        <source>use a smaller cutter or a smaller distance of lines, or turn the part</source>
+        <translation>usa una fresa più piccola o una minore distanza tra le linee, o gira il pezzo</translation>
+    </message>
+    <message>
+        <source>only you know which cutter and block you have: change the values of the passes</source>
+        <translation>solo tu sai quale fresa e quale blocco hai: cambia i valori delle passate</translation>
+    </message>
+    <message>
         <source>the cutter goes through the block into what holds it</source>
         <translation>la fresa attraversa il blocco e ne raggiunge il sostegno</translation>
     </message>
     <message>
-        <source>the cutter takes up to {depth} from the part</source>
-        <translation>la fresa asporta fino a {depth} dal pezzo</translation>
+        <source>the cutter takes up to {depth:.3f} from the part</source>
+        <translation>la fresa asporta fino a {depth:.3f} dal pezzo</translation>
     </message>
     <message>
         <source>the way home</source>
@@ -9738,10 +9754,6 @@ facce %</translation>
     <message>
         <source>another motion than planned</source>
         <translation>un movimento diverso da quello pianificato</translation>
-    </message>
-    <message>
-        <source>motions of the plan are missing</source>
-        <translation>mancano movimenti del piano</translation>
     </message>
     <message>
         <source>laying the part down</source>
@@ -13064,12 +13076,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Superato: il programma è stato riletto ed eseguito sul blocco.</translation>
     </message>
     <message>
-        <source>Refused: %1 (line %2)</source>
-        <translation>Rifiutato: %1 (riga %2)</translation>
-    </message>
-    <message>
-        <source>Refused: %1</source>
-        <translation>Rifiutato: %1</translation>
+        <source>Refused: %1 (%2)</source>
+        <translation>Rifiutato: %1 (%2)</translation>
     </message>
     <message>
         <source>Block %1 × %2 × %3 mm</source>
@@ -13104,8 +13112,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Salvato %1</translation>
     </message>
     <message>
-        <source>Not complete: %1 mm³ stay in slots, undercuts or holes, up to %2 mm high. Use a smaller cutter or a smaller distance of lines, or turn the part.</source>
-        <translation>Non completo: %1 mm³ restano in cave, sottosquadri o fori, alti fino a %2 mm. Usare una fresa più piccola o una minore distanza tra le linee, o girare il pezzo.</translation>
+        <source>Not complete: %1 (%2)</source>
+        <translation>Non completo: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,11 @@ namespace voluta::cli {
 
 // Returns "; 1 more finding", "; 3 more findings" or, for 0, nothing.
 std::string moreFindings(std::size_t more);
+// Prints the first finding that blocks to stderr, as the one-line reason why a result is not
+// complete; nothing if none blocks. `nameOf`: returns "kitten.stl: " for a finding about one of
+// several parts.
+void sayBlocker(const plan::Findings& findings,
+                const std::function<std::string(const plan::Finding&)>& nameOf);
 
 struct PlanOptions {
   pipeline::PlanRequest request; // its item has the choices common to all parts

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/exit_code.h"
-#include "milling/mill_replay.h"
 
 #include <functional>
 
@@ -14,8 +13,5 @@ namespace voluta::cli {
 
 // Adds the command; `run` is set when it is given.
 void addMill(CLI::App& app, std::function<ExitCode()>& run, int threads);
-
-// Prints why a milled part is not done, and returns the code.
-ExitCode millExitCode(const milling::MillVerdict& verdict);
 
 } // namespace voluta::cli

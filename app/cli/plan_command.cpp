@@ -17,6 +17,24 @@ std::string moreFindings(std::size_t more) {
   return more == 0 ? std::string() : fmt::format("; {} more finding{}", more, more == 1 ? "" : "s");
 }
 
+void sayBlocker(const plan::Findings& findings,
+                const std::function<std::string(const plan::Finding&)>& nameOf) {
+  std::size_t blocking = 0;
+  const plan::Finding* first = nullptr;
+  for (const plan::Finding& f : findings)
+    if (f.blocking && blocking++ == 0)
+      first = &f;
+  if (!first)
+    return;
+  const std::string where = first->where
+                                ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
+                                              first->where->y(), first->where->z())
+                                : "";
+  fmt::print(stderr, "{}: {}{}{} ({}){}\n", plan::stageName(plan::stageOf(*first)), nameOf(*first),
+             plan::englishReason(*first), where, plan::englishRemedy(*first),
+             blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
+}
+
 namespace {
 // Returns "kitten.stl: " for a finding about one of several parts.
 std::string partOf(const plan::Finding& finding, const project::Report& report) {
@@ -31,27 +49,6 @@ void sayMissingPrograms(const plan::Findings& findings) {
     if (!f.blocking &&
         (f.kind == ForeignRefused || f.kind == FormatRefused || f.kind == ProgramRefused))
       fmt::print("not written: {} ({})\n", plan::englishReason(f), plan::englishRemedy(f));
-}
-
-// Prints the most severe finding as the one-line reason why the plan is not complete.
-void sayFindings(const project::Report& report) {
-  const plan::Findings& findings = report.findings;
-  std::size_t blocking = 0;
-  const plan::Finding* first = nullptr;
-  for (const plan::Finding& f : findings)
-    if (f.blocking && blocking++ == 0)
-      first = &f;
-  sayMissingPrograms(findings);
-  if (!first)
-    return;
-  const std::string where = first->where
-                                ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
-                                              first->where->y(), first->where->z())
-                                : "";
-  fmt::print(stderr, "{}: {}{}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
-             partOf(*first, report), plan::englishReason(*first), where,
-             plan::englishRemedy(*first),
-             blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
 }
 
 // Prints how one part is built. `name`: empty for the only part.
@@ -113,7 +110,9 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
   if (!report)
     return kCancelled;
   sayResult(*report);
-  sayFindings(*report);
+  sayMissingPrograms(report->findings);
+  sayBlocker(report->findings,
+             [&](const plan::Finding& finding) { return partOf(finding, *report); });
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 

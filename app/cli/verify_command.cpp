@@ -1,6 +1,5 @@
 #include "base/files.h"
 #include "cli/commands.h"
-#include "cli/mill_command.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/mill_job.h"
 #include "pipeline/plan_verdict.h"
@@ -26,6 +25,18 @@ bool isMillJob(const std::filesystem::path& file) {
   return pipeline::isMillJob(begin);
 }
 
+// Prints the findings on a program, and to stderr the first one that blocks.
+void sayFindings(const std::filesystem::path& program, const plan::Findings& findings) {
+  const plan::Finding* first = nullptr;
+  for (const plan::Finding& f : findings) {
+    fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
+    if (f.blocking && !first)
+      first = &f;
+  }
+  if (first)
+    fmt::print(stderr, "{}: {}\n", program.string(), plan::englishReason(*first));
+}
+
 ExitCode verifyMilled(const VerifyOptions& options) {
   auto outcome = runInterruptibly(
       [options](const base::RunContext& ctx) {
@@ -41,7 +52,8 @@ ExitCode verifyMilled(const VerifyOptions& options) {
   fmt::print("{}: {} (milling): {:.0f} mm3 removed, {:.0f} mm3 stay, deepest {:.3f} mm\n",
              options.program.string(), verdict->passed ? "passed" : "refused", verdict->removedMm3,
              verdict->left.volumeMm3, verdict->deepestMm);
-  return millExitCode(*verdict);
+  sayFindings(options.program, verdict->findings);
+  return verdict->isComplete() ? kDone : kNotAll;
 }
 
 } // namespace
@@ -66,14 +78,7 @@ ExitCode verifyCommand(const VerifyOptions& options) {
              result.format, shown.coveredFraction, shown.unsupportedFraction,
              shown.overfillFraction, shown.massRatio, shown.collisions, shown.limitViolations,
              shown.maxDeviationMm);
-  const plan::Finding* first = nullptr;
-  for (const plan::Finding& f : result.findings) {
-    fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
-    if (f.blocking && !first)
-      first = &f;
-  }
-  if (first)
-    fmt::print(stderr, "{}: {}\n", options.program.string(), plan::englishReason(*first));
+  sayFindings(options.program, result.findings);
   return pipeline::isVerified(result) ? kDone : kNotAll;
 }
 

@@ -1,7 +1,7 @@
 #include "pipeline/mill_job.h"
 
 #include "base/json_node.h"
-#include "milling/mill_reader.h"
+#include "program/gcode/gcode_milling.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -96,11 +96,11 @@ MillJob readMillJob(std::string_view text, const std::string& file) {
   return job;
 }
 
-milling::MillVerdict verifyMilling(std::string_view program, const MillJob& job,
-                                   const base::RunContext& ctx) {
+milling::CutVerdict verifyMilling(std::string_view program, const MillJob& job,
+                                  const base::RunContext& ctx) {
   const milling::MillPlan plan = milling::planMilling(job.part, job.order.rule, ctx.sub(0.0, 0.6));
-  return milling::replayMilling(milling::readMilling(program), plan, job.order.rule,
-                                ctx.sub(0.6, 1.0));
+  return milling::judgeCuts(program::readMillingGcode(program), plan, job.order.rule,
+                            ctx.sub(0.6, 1.0));
 }
 
 } // namespace voluta::pipeline

@@ -27,7 +27,7 @@ struct MillJob {
 MillJob readMillJob(std::string_view text, const std::string& file);
 
 // Plans the job again, and runs a program's text on its block. Throws as milling::planMilling().
-milling::MillVerdict verifyMilling(std::string_view program, const MillJob& job,
-                                   const base::RunContext& ctx);
+milling::CutVerdict verifyMilling(std::string_view program, const MillJob& job,
+                                  const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -1,7 +1,8 @@
 #include "pipeline/mill_part.h"
 
+#include "base/stopwatch.h"
 #include "milling/mill_program.h"
-#include "milling/mill_reader.h"
+#include "program/gcode/gcode_milling.h"
 
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace voluta::pipeline {
 MilledPart millPart(geometry::TriangleMesh part, const MillOrder& order,
                     const base::RunContext& ctx) {
   MilledPart out;
+  base::Stopwatch loading;
   if (order.layDown) {
     ctx.report(0.0, "laying the part down"_text);
     out.laid = placement::laidDown(part);
@@ -17,11 +19,16 @@ MilledPart millPart(geometry::TriangleMesh part, const MillOrder& order,
       v = out.laid.turn * v;
   }
   out.part = std::move(part);
+  out.timings.load = loading.seconds();
+  base::Stopwatch planning;
   out.plan = milling::planMilling(out.part, order.rule, ctx.sub(0.1, 0.6));
   out.program = milling::writeMilling(out.plan, order.rule, order.name);
-  const milling::ReadMilling read = milling::readMilling(out.program);
-  out.motions = read.moves.size();
-  out.verdict = milling::replayMilling(read, out.plan, order.rule, ctx.sub(0.6, 1.0));
+  out.timings.toolpath = planning.seconds();
+  base::Stopwatch judging;
+  const plan::ReadProgram read = program::readMillingGcode(out.program);
+  out.motions = read.motions.size();
+  out.verdict = milling::judgeCuts(read, out.plan, order.rule, ctx.sub(0.6, 1.0));
+  out.timings.replay = judging.seconds();
   return out;
 }
 

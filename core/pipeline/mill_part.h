@@ -1,11 +1,12 @@
-// A part milled out of a block: laid down, planned, written as G-code, and replayed on its block.
+// A part milled out of a block: laid down, planned, written as G-code, and judged on its block.
 #pragma once
 
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
+#include "milling/cut_verdict.h"
 #include "milling/mill_passes.h"
-#include "milling/mill_replay.h"
 #include "placement/laying_down.h"
+#include "project/report.h"
 
 #include <cstddef>
 #include <string>
@@ -24,7 +25,8 @@ struct MilledPart {
   milling::MillPlan plan;
   std::string program;
   std::size_t motions = 0; // of the program
-  milling::MillVerdict verdict;
+  milling::CutVerdict verdict;
+  project::Timings timings; // load, toolpath and replay
 };
 
 // Throws as milling::planMilling(). Precondition: the part is closed and faces outward.

@@ -32,7 +32,7 @@ constexpr std::array kFiles{
             [](std::string_view bytes) { return bytes.starts_with(project::kJobMagic); }},
     OwnFile{FolderKind::Plan, "report.json",
             [](std::string_view bytes) {
-              return hasKeys(bytes, {"findings", "replay"});
+              return hasKeys(bytes, {"findings", "toolpath"});
             }},
     OwnFile{FolderKind::Comparison, "compare.json",
             [](std::string_view bytes) {
@@ -44,7 +44,7 @@ constexpr std::array kFiles{
             }},
     OwnFile{FolderKind::Milling, kMillJobFile, isMillJob},
     OwnFile{FolderKind::Milling, "report.json", [](std::string_view bytes) {
-              return hasKeys(bytes, {"blockMm", "refusals"});
+              return hasKeys(bytes, {"findings", "milling"});
             }}};
 
 bool isOwn(const OwnFile& row, const std::filesystem::path& file) {

@@ -182,13 +182,19 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   // Insert them first. They describe the mesh that was placed last.
   const plan::Findings open = shape.findings();
   stage->findings.insert(stage->findings.begin(), open.begin(), open.end());
+  stage->report = modelReport(*stage->part);
   stage->report.repairs = shape.repairs();
   stage->report.scale = stage->scale;
-  stage->report.triangles = stage->part->triangles.size();
-  stage->report.watertight = geometry::isWatertight(*stage->part);
-  stage->report.volumeMm3 = geometry::volume(*stage->part);
-  stage->report.boundsMm = geometry::bounds(*stage->part);
   return stage;
+}
+
+project::ModelReport modelReport(const geometry::TriangleMesh& part) {
+  project::ModelReport report;
+  report.triangles = part.triangles.size();
+  report.watertight = geometry::isWatertight(part);
+  report.volumeMm3 = geometry::volume(part);
+  report.boundsMm = geometry::bounds(part);
+  return report;
 }
 
 bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices) {

@@ -106,6 +106,8 @@ std::string plannedPlatformKey(const project::Choices& choices);
 // Returns the defects that could not be repaired, as findings. Returns none for an open part:
 // loadStage() reports how it is handled.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
+// Returns the figures of a part as placed, without its file's name, notes and scale.
+project::ModelReport modelReport(const geometry::TriangleMesh& part);
 plan::Findings defectFindings(const std::vector<base::Message>& remains);
 
 struct MadeToolpaths {

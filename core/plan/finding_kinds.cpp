@@ -4,6 +4,7 @@
 #include "plan/finding_rows/decompose_rows.h"
 #include "plan/finding_rows/layers_rows.h"
 #include "plan/finding_rows/load_rows.h"
+#include "plan/finding_rows/milling_rows.h"
 #include "plan/finding_rows/motion_rows.h"
 #include "plan/finding_rows/replay_rows.h"
 #include "plan/finding_rows/station_rows.h"
@@ -14,7 +15,7 @@
 namespace voluta::plan {
 
 namespace {
-constexpr std::size_t kKinds = static_cast<std::size_t>(FindingKind::MachineRefused) + 1;
+constexpr std::size_t kKinds = static_cast<std::size_t>(FindingKind::MaterialLeft) + 1;
 
 // Findings that state their own stage.
 constexpr FindingRow kAnyStageRows[] = {
@@ -62,6 +63,7 @@ constexpr JoinedRows joinedRows() {
   joined.add(Stage::Replay, kReplayRows);
   joined.add(Stage::Motion, kWorkOrderRows);
   joined.add(Stage::Replay, kCommonRunRows);
+  joined.add(Stage::Replay, kMillingRows);
   return joined;
 }
 constexpr JoinedRows kRows = joinedRows();

@@ -193,6 +193,17 @@ enum class FindingKind : std::uint8_t {
   MarkNotReached,
   MachinesMeet,
   MachineRefused,
+  // of milled parts
+  OtherMotion,
+  RapidInBlock,
+  SpindleChanged,
+  FeedChanged,
+  CutterBelowBlock,
+  BlockTurnedBelow,
+  BlockTurnedElsewhere,
+  OtherSide,
+  PartCut,
+  MaterialLeft,
 };
 
 enum class Severity {

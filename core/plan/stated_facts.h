@@ -36,7 +36,9 @@ enum class FactKind : std::uint8_t {
   BeadStartWord,   // Word: a statement of the process at the start of a bead
   BeadEndWord,     // Word: a statement of the process at the end of a bead
   MarkSet,         // Number: the code of a mark's output and its value (plan/marks.h)
-  MarkAwaited      // Number: that of an input that is waited for, without time limit
+  MarkAwaited,     // Number: that of an input that is waited for, without time limit
+  Spindle,         // Number: speed of the cutter [1/min], 0: at rest
+  BlockTurned      // Number: angle to which the axis A turns the block [degrees]
 };
 
 struct StatedFact {

@@ -1,10 +1,12 @@
 #include "project/message_json.h"
+#include "project/milled_fields.h"
 #include "project/report.h"
 #include "project/report_fields.h"
 #include "project/version.h"
 
 #include <nlohmann/json.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace voluta::project {
 
@@ -60,6 +62,11 @@ template <typename T> Json json(const T& value) {
     return Json(value);
   }
 }
+
+std::string textOf(Json report) {
+  report["version"] = kVersion;
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 } // namespace
 
 Timings& Timings::operator+=(const Timings& more) {
@@ -71,8 +78,11 @@ std::string reportJson(const Report& report) {
   // The first item's figures are at the top too: reports had one item only.
   Json all = json(report.item());
   all.update(json(report));
-  all["version"] = kVersion;
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOf(std::move(all));
+}
+
+std::string reportJson(const MilledReport& report) {
+  return textOf(json(report));
 }
 
 } // namespace voluta::project

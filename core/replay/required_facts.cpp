@@ -59,6 +59,8 @@ base::Message nameOf(FactKind kind) {
   case FactKind::FanSpeed:
   case FactKind::BeadStartWord: // bead_words.h
   case FactKind::BeadEndWord:
+  case FactKind::Spindle: // milling/cut_verdict.h
+  case FactKind::BlockTurned:
     break;
   }
   return "a trigger for the output"_text;

@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"texts", {}},
     {"page", {}},
     {"geometry", {}},
-    {"milling", {"geometry"}},
+    {"milling", {"geometry", "plan"}},
     {"platform", {"geometry"}},
     {"process", {"geometry", "plan"}},
     {"voxel", {"geometry"}},
@@ -144,6 +144,13 @@ TEST(Architecture, ModulesIncludeOnlyTheirAllowedDependencies) {
       continue;
     EXPECT_TRUE(kMayInclude.at(from).count(to)) << include.file << " includes " << include.target;
   }
+}
+
+// Programs are read by core/program alone: what judges a milled part takes motions and statements.
+TEST(Architecture, MillingParsesNoText) {
+  const std::set<std::string> parsers{"cctype", "charconv", "istream", "regex", "sstream"};
+  for (const Include& include : includesBelow(kCore / "milling"))
+    EXPECT_FALSE(parsers.count(include.target)) << include.file << " includes " << include.target;
 }
 
 // Headers that cost seconds to compile stay in sources, or in headers that only sources of the same

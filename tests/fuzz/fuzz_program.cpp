@@ -3,6 +3,7 @@
 
 #include "program/dialect.h"
 #include "program/extruder.h"
+#include "program/gcode/gcode_milling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,8 @@ std::vector<std::string> fuzz::seeds() {
       }
     }
   }
+  texts.emplace_back("G21 G90 G94\nG53 G0 Z0\nG0 A0\nS8500 M3\nG54 F300\nG0 X1 Y-2.5 Z3\nG1 Z-1\n"
+                     "G53 G0 Z0\nG0 A180\nG55\nG1 X1 Y1 Z1\nM5\nM30\n");
   return texts;
 }
 
@@ -96,6 +99,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                        process::Tooling(process));
   program::readProgram("krl-eki", {{"lines", kEkiLines}, {"beside", text}},
                        process::Tooling(process));
+  for (const plan::ProgramMotion& motion : program::readMillingGcode(text).motions)
+    fuzz::expect(motion.position.allFinite() && motion.speedMmPerS >= 0.0, "the cutter has a tip");
   for (const program::Dialect& dialect : program::dialects()) {
     const plan::ReadProgram read =
         program::readProgram(dialect.id, {{"input", text}}, process::Tooling(process));

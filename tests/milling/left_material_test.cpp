@@ -1,10 +1,11 @@
 // Material that stays where the cutter cannot reach is measured with its place.
+#include "milling/cut_verdict.h"
 #include "milling/left_material.h"
 #include "milling/mill_program.h"
-#include "milling/mill_replay.h"
 
 #include "geometry/subtract.h"
 #include "helpers/shapes.h"
+#include "program/gcode/gcode_milling.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -21,20 +22,20 @@ geometry::TriangleMesh without(const geometry::TriangleMesh& part, const Vector3
 
 const geometry::TriangleMesh kBlock = test::box({-20, -10, 0}, {20, 10, 12});
 
-MillVerdict milled(const geometry::TriangleMesh& part) {
+CutVerdict milled(const geometry::TriangleMesh& part) {
   MillRule rule;
   rule.data = *cuttingDataFor("soft-plastic");
   const MillPlan plan = planMilling(part, rule, {});
-  return replayMilling(readMilling(writeMilling(plan, rule, "part")), plan, rule, {});
+  return judgeCuts(program::readMillingGcode(writeMilling(plan, rule, "part")), plan, rule, {});
 }
 
 TEST(LeftMaterial, APlainBlockIsComplete) {
-  const MillVerdict v = milled(kBlock);
+  const CutVerdict v = milled(kBlock);
   EXPECT_TRUE(v.isComplete()) << v.left.volumeMm3 << " at " << v.left.atMm.transpose();
 }
 
 TEST(LeftMaterial, ASlotNarrowerThanTheCutterStays) {
-  const MillVerdict v = milled(without(kBlock, {-25, -1, 4}, {25, 1, 20}));
+  const CutVerdict v = milled(without(kBlock, {-25, -1, 4}, {25, 1, 20}));
   EXPECT_TRUE(v.passed);
   EXPECT_FALSE(v.isComplete());
   // 40 x 2 x 8 mm, with the ridge in its mouth.
@@ -46,7 +47,7 @@ TEST(LeftMaterial, ASlotNarrowerThanTheCutterStays) {
 }
 
 TEST(LeftMaterial, ASlotOnTheLowerSideStays) {
-  const MillVerdict v = milled(without(kBlock, {-25, -1, -5}, {25, 1, 8}));
+  const CutVerdict v = milled(without(kBlock, {-25, -1, -5}, {25, 1, 8}));
   EXPECT_FALSE(v.isComplete());
   EXPECT_NEAR(v.left.volumeMm3, 650.0, 10.0);
   EXPECT_NEAR(v.left.atMm.z(), 4.0, 0.5);
@@ -55,7 +56,7 @@ TEST(LeftMaterial, ASlotOnTheLowerSideStays) {
 TEST(LeftMaterial, UndercutsOfATSlotStay) {
   // Lines run along both walls of the stem.
   const geometry::TriangleMesh stem = without(kBlock, {-25, -2.56, 4}, {25, 2.62, 20});
-  const MillVerdict v = milled(without(stem, {-30, -6, 4}, {30, 6, 7}));
+  const CutVerdict v = milled(without(stem, {-30, -6, 4}, {30, 6, 7}));
   EXPECT_TRUE(v.passed);
   EXPECT_FALSE(v.isComplete());
   EXPECT_NEAR(v.left.volumeMm3, 40.0 * 3.0 * (12.0 - 5.18), 40.0);
@@ -66,14 +67,14 @@ TEST(LeftMaterial, UndercutsOfATSlotStay) {
 
 // A pocket with lines along its walls: the ball leaves fillets at them and in the four corners.
 TEST(LeftMaterial, CornersAreOnlyNamed) {
-  const MillVerdict v = milled(without(kBlock, {-12, -6.37, 4}, {12, 6.43, 20}));
+  const CutVerdict v = milled(without(kBlock, {-12, -6.37, 4}, {12, 6.43, 20}));
   EXPECT_TRUE(v.isComplete()) << v.left.volumeMm3 << " at " << v.left.atMm.transpose();
   EXPECT_GT(v.left.cornersMm3, 10.0);
 }
 
 // Lines end 1.5 mm before both walls of the pocket, which have 8 mm of material then.
 TEST(LeftMaterial, MaterialMissedByTheLinesAtAWallRemains) {
-  const MillVerdict v = milled(without(kBlock, {-12, -6, 4}, {12, 6, 20}));
+  const CutVerdict v = milled(without(kBlock, {-12, -6, 4}, {12, 6, 20}));
   EXPECT_FALSE(v.isComplete());
   EXPECT_GT(v.left.volumeMm3, 24.0 * 2.0 * 1.0 * 8.0);
   EXPECT_LT(v.left.volumeMm3, 24.0 * 2.0 * 1.6 * 8.0);
@@ -82,14 +83,14 @@ TEST(LeftMaterial, MaterialMissedByTheLinesAtAWallRemains) {
 TEST(LeftMaterial, AHollowStays) {
   geometry::TriangleMesh part = kBlock;
   test::append(part, test::box({-3, -3, 4}, {3, 3, 8}), true);
-  const MillVerdict v = milled(part);
+  const CutVerdict v = milled(part);
   EXPECT_NEAR(v.left.volumeMm3, 6.0 * 6.0 * 4.0, 8.0);
   EXPECT_NEAR(v.left.atMm.z(), 6.0, 0.1);
 }
 
 // No contour removes the web that the sides leave in a hole.
 TEST(LeftMaterial, TheWebInAHoleStays) {
-  const MillVerdict v = milled(without(kBlock, {-8, -6, -5}, {8, 6, 20}));
+  const CutVerdict v = milled(without(kBlock, {-8, -6, -5}, {8, 6, 20}));
   EXPECT_FALSE(v.isComplete());
   EXPECT_GT(v.left.volumeMm3, 16.0 * 12.0 * MillRule{}.webMm);
   EXPECT_LT(std::abs(v.left.atMm.x()), 8.0);
@@ -97,7 +98,7 @@ TEST(LeftMaterial, TheWebInAHoleStays) {
 }
 
 TEST(LeftMaterial, ANotchOfTheOutlineStays) {
-  const MillVerdict v = milled(without(kBlock, {-1, 2, -5}, {1, 15, 20}));
+  const CutVerdict v = milled(without(kBlock, {-1, 2, -5}, {1, 15, 20}));
   EXPECT_FALSE(v.isComplete());
   EXPECT_GT(v.left.volumeMm3, 100.0);
   EXPECT_LT(v.left.volumeMm3, 2.0 * 8.0 * 14.0 + 5.0);

@@ -1,13 +1,15 @@
 // Parts milled out of a block: material left, material missing, and programs with a tool change.
+#include "milling/cut_verdict.h"
 #include "milling/drop_cutter.h"
 #include "milling/mill_passes.h"
 #include "milling/mill_program.h"
-#include "milling/mill_replay.h"
 #include "milling/stock.h"
 
 #include "base/error.h"
 #include "base/units.h"
 #include "helpers/shapes.h"
+#include "plan/finding_kinds.h"
+#include "program/gcode/gcode_milling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,13 +74,17 @@ const Milled& dome() {
   return kMilled;
 }
 
-MillVerdict replayed(const std::string& text) {
-  return replayMilling(readMilling(text), dome().plan, ruleFor("hard-plastic"), kOne);
+CutVerdict judged(const std::string& text) {
+  return judgeCuts(program::readMillingGcode(text), dome().plan, ruleFor("hard-plastic"), kOne);
+}
+
+std::string firstOf(const CutVerdict& verdict) {
+  return verdict.findings.empty() ? "" : plan::englishReason(verdict.findings.front());
 }
 
 TEST(MilledPart, AHemispherePasses) {
-  const MillVerdict v = replayed(dome().text);
-  EXPECT_TRUE(v.passed) << (v.refusals.empty() ? "" : base::english(v.refusals[0].reason));
+  const CutVerdict v = judged(dome().text);
+  EXPECT_TRUE(v.passed) << firstOf(v);
   EXPECT_LT(v.deepestMm, kGougeMm);
   EXPECT_GT(v.seconds, 60.0);
 }
@@ -163,12 +169,12 @@ TEST(MilledPart, HarmfulChangesAreRefused) {
         std::ranges::find_if(lines, [&](const std::string& l) { return l.starts_with(start); }) -
         lines.begin());
   };
-  EXPECT_FALSE(replayed(with(lineOf("F"), "F600")).passed) << "another feed";
-  EXPECT_FALSE(replayed(with(lineOf("S8500"), "S8500")).passed) << "the spindle is at rest";
-  EXPECT_FALSE(replayed(with(lineOf("M30"), "")).passed) << "no end";
-  EXPECT_FALSE(replayed(with(lineOf("G0 A180"), "")).passed) << "not turned";
-  EXPECT_FALSE(replayed(with(lineOf("G21"), "G20")).passed) << "inches";
-  EXPECT_FALSE(replayed(with(lineOf("G54"), "hello")).passed);
+  EXPECT_FALSE(judged(with(lineOf("F"), "F600")).passed) << "another feed";
+  EXPECT_FALSE(judged(with(lineOf("S8500"), "S8500")).passed) << "the spindle is at rest";
+  EXPECT_FALSE(judged(with(lineOf("M30"), "")).passed) << "no end";
+  EXPECT_FALSE(judged(with(lineOf("G0 A180"), "")).passed) << "not turned";
+  EXPECT_FALSE(judged(with(lineOf("G21"), "G20")).passed) << "inches";
+  EXPECT_FALSE(judged(with(lineOf("G54"), "hello")).passed);
   std::mt19937 random(2);
   int cuts = 0;
   while (cuts < 12) {
@@ -176,7 +182,7 @@ TEST(MilledPart, HarmfulChangesAreRefused) {
     if (!lines[at].starts_with("G1 ") || lines[at].find("Z") == std::string::npos)
       continue;
     const std::string deeper = lines[at].substr(0, lines[at].find("Z")) + "Z-40.000";
-    EXPECT_FALSE(replayed(with(at, deeper)).passed) << lines[at];
+    EXPECT_FALSE(judged(with(at, deeper)).passed) << lines[at];
     ++cuts;
   }
 }
@@ -192,10 +198,9 @@ TEST(MilledPart, WallsAreNotCut) {
       v = turn * v;
     const MillRule rule = ruleFor("soft-plastic");
     const MillPlan plan = planMilling(part, rule, kOne);
-    const MillVerdict v =
-        replayMilling(readMilling(writeMilling(plan, rule, "posts")), plan, rule, kOne);
-    EXPECT_TRUE(v.passed) << degrees
-                          << (v.refusals.empty() ? "" : base::english(v.refusals[0].reason));
+    const CutVerdict v =
+        judgeCuts(program::readMillingGcode(writeMilling(plan, rule, "posts")), plan, rule, kOne);
+    EXPECT_TRUE(v.passed) << degrees << firstOf(v);
     EXPECT_LT(v.deepestMm, kGougeMm);
   }
 }
@@ -220,14 +225,65 @@ TEST(MilledPart, ChangedMotionsAreRefused) {
         text += lines[i] + "\n";
       else if (changed % 3 > 0)
         text += lines[i].substr(0, height) + " Z" + std::to_string(z + off) + "\n";
-    const MillVerdict v = replayed(text);
+    const CutVerdict v = judged(text);
     EXPECT_FALSE(v.passed) << lines[at] << ", change " << changed % 3;
-    ASSERT_FALSE(v.refusals.empty());
-    if (v.refusals.front().line > 0) {
-      EXPECT_NEAR(static_cast<double>(v.refusals.front().line), static_cast<double>(at + 1), 1.0);
-    }
+    ASSERT_FALSE(v.findings.empty());
+    EXPECT_NEAR(static_cast<double>(v.findings.front().program.line), static_cast<double>(at + 1),
+                1.0);
     ++changed;
   }
+}
+
+// A refused motion names its line, the place on the part, and the motions that follow with the
+// same.
+TEST(MilledPart, RefusalsAreFindingsAtTheirPlaces) {
+  using enum plan::FindingKind;
+  const std::string& text = dome().text;
+  const auto with = [&](const std::string& from, const std::string& to, std::size_t begin = 0) {
+    std::string changed = text;
+    const std::size_t at = changed.find(from, begin);
+    EXPECT_NE(at, std::string::npos) << from;
+    return changed.replace(at, from.size(), to);
+  };
+  const auto lineAt = [&](std::size_t at) {
+    return static_cast<std::size_t>(
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1);
+  };
+  const auto findingIn = [](const CutVerdict& v, plan::FindingKind kind) {
+    const auto found = std::ranges::find(v.findings, kind, &plan::Finding::kind);
+    EXPECT_NE(found, v.findings.end()) << plan::rowOf(kind).id;
+    return found == v.findings.end() ? plan::Finding() : *found;
+  };
+  // All motions of side B are in the coordinates of side A.
+  const std::size_t sideB = text.find("G55");
+  const plan::Finding side = findingIn(judged(with("G55", "G54", sideB)), OtherSide);
+  EXPECT_EQ(side.program.line, lineAt(sideB) + 2);
+  EXPECT_EQ(side.count, dome().plan.sides[1].moves.size());
+  // A cut of side B becomes a rapid move: its place is that of side A's coordinates.
+  const std::size_t cut = text.find("\nG1 ", text.find("\nG1 ", sideB) + 1) + 1;
+  std::string changed = text;
+  changed[cut + 1] = '0';
+  const plan::Finding rapid = findingIn(judged(changed), RapidInBlock);
+  EXPECT_EQ(rapid.program.line, lineAt(cut));
+  ASSERT_TRUE(rapid.where && rapid.whenS);
+  EXPECT_LT(dome().plan.block.exteriorDistance(*rapid.where), 0.01);
+  EXPECT_LT(rapid.where->y(), 0.0) << "side B begins at the end that it sees as the upper";
+  EXPECT_GT(*rapid.whenS, 60.0);
+  EXPECT_TRUE(rapid.blocking);
+  // The block
+  const std::size_t turned = text.find("G0 A180"), home = text.rfind("G53", turned);
+  EXPECT_EQ(findingIn(judged(with("G53 G0 Z0\n", "\n", home)), BlockTurnedBelow).program.line,
+            lineAt(turned));
+  EXPECT_EQ(findingIn(judged(with("A180", "A90")), BlockTurnedElsewhere).program.line,
+            lineAt(turned));
+  EXPECT_GT(findingIn(judged(with("F", "F1")), FeedChanged).count, 10u);
+  EXPECT_GT(findingIn(judged(with("S8500", "S850")), SpindleChanged).count, 10u);
+  const std::size_t last = text.rfind('\n', text.rfind(" X")) + 1;
+  changed = text;
+  changed.erase(last, text.find('\n', last) + 1 - last);
+  const plan::Finding missing = findingIn(judged(changed), ProgramCutShort);
+  EXPECT_EQ(missing.program.line, lineAt(last) - 1) << "the last motion that is left";
+  EXPECT_EQ(plan::englishReason(missing).find("line "), 0u) << plan::englishReason(missing);
 }
 
 TEST(MilledPart, BadValuesAreRefusedInOneLine) {

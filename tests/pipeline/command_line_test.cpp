@@ -157,8 +157,10 @@ TEST_F(CommandLine, AMilledPartHasTheNotesOfItsReader) {
   const fs::path out = folder_ / "out";
   const Ended ended = run({"mill", file, "-o", out.string(), "--pitch", "0.2"});
   EXPECT_NE(ended.out.find("note: not used: 50 bytes behind"), std::string::npos) << ended.out;
-  const auto notes = nlohmann::json::parse(base::readFile(out / "report.json")).at("notes");
-  EXPECT_EQ(notes.size(), 2u) << notes;
+  const auto report = nlohmann::json::parse(base::readFile(out / "report.json"));
+  EXPECT_EQ(report.at("model").at("repairs").size(), 1u) << report.at("model");
+  ASSERT_EQ(report.at("findings").size(), 1u) << report.at("findings");
+  EXPECT_EQ(report.at("findings")[0].at("kind"), "meshDefect");
 }
 
 TEST_F(CommandLine, AMilledPartWithANarrowSlotIsNotComplete) {

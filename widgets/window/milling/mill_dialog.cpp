@@ -7,6 +7,7 @@
 #include "forms/icons.h"
 #include "language/numbers.h"
 #include "language/words.h"
+#include "plan/finding.h"
 #include "viewer/viewport.h"
 #include "window/milling/mill_form.h"
 #include "window/picture_area.h"
@@ -49,19 +50,13 @@ QIcon swatch(const scene::Colour& colour) {
   return pixmap;
 }
 
-QString verdictText(const milling::MillVerdict& verdict) {
+QString verdictText(const milling::CutVerdict& verdict) {
   if (verdict.isComplete())
     return MillDialog::tr("Passed: the program was read back and run on the block.");
-  if (verdict.passed)
-    return MillDialog::tr(
-               "Not complete: %1 mm³ stay in slots, undercuts or holes, up to %2 mm high. Use a "
-               "smaller cutter or a smaller distance of lines, or turn the part.")
-        .arg(QLocale().toString(verdict.left.volumeMm3, 'f', 0),
-             QLocale().toString(verdict.left.thickestMm, 'f', 1));
-  const milling::MillDefect& first = verdict.refusals.front();
-  const QString reason = language::words(first.reason);
-  return first.line > 0 ? MillDialog::tr("Refused: %1 (line %2)").arg(reason).arg(first.line)
-                        : MillDialog::tr("Refused: %1").arg(reason);
+  const plan::Finding& first = verdict.findings.front();
+  return (verdict.passed ? MillDialog::tr("Not complete: %1 (%2)")
+                         : MillDialog::tr("Refused: %1 (%2)"))
+      .arg(language::words(plan::reasonOf(first)), language::words(plan::remedyOf(first)));
 }
 
 } // namespace
@@ -246,7 +241,7 @@ void MillDialog::showPicture() {
 
 void MillDialog::showFigures() {
   const pipeline::MilledPart& milled = made_->milled;
-  const milling::MillVerdict& v = milled.verdict;
+  const milling::CutVerdict& v = milled.verdict;
   const Eigen::Vector3d size = milled.plan.block.sizes();
   const double left = std::max(v.residueMm, v.sideResidueMm);
   const QStringList lines{
