@@ -40,11 +40,11 @@ ExitCode planCommand(const PlanOptions& options);
 // Work that fills a folder and returns a report.
 using ReportingWork =
     std::function<project::Report(const std::filesystem::path& folder, const base::RunContext&)>;
-// Runs the work; the folder appears when the work is done, and is unchanged otherwise. Prints a
-// summary of the plan to stdout, and to stderr one line that says why it is not complete. `title`:
-// as for progressSink().
+// Runs the work; `folder`: of a plan; it appears when the work is done, and is unchanged otherwise.
+// Prints a summary of the plan to stdout, and to stderr one line that says why it is not complete.
+// `title`: as for progressSink().
 ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
-                          int threads, ProgressStyle progress,
+                          bool replace, int threads, ProgressStyle progress,
                           const std::shared_ptr<const base::Message>& title = {});
 
 struct CompareCommandOptions {

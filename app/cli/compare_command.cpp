@@ -1,13 +1,11 @@
 #include "base/data_files.h"
 #include "base/files.h"
-#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "curved/decomposition.h"
 #include "pictures/job_picture.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"
-#include "pipeline/own_folder.h"
 #include "planar/planar_decomposition.h"
 
 #include <algorithm>
@@ -198,9 +196,7 @@ ExitCode exitCodeOf(const std::vector<CompareRow>& rows) {
 } // namespace
 
 ExitCode compareCommand(const CompareCommandOptions& options) {
-  if (!options.replace)
-    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Comparison);
-  base::StagedFolder staged(options.folder);
+  ResultFolder staged(options.folder, pipeline::FolderKind::Comparison, options.replace);
   const std::filesystem::path folder = staged.path();
   struct Done {
     pipeline::Comparison comparison;
@@ -228,7 +224,7 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
   endProgress(options.progress);
-  const auto done = settled(std::move(outcome), staged, options.folder);
+  const auto done = settled(std::move(outcome), staged);
   if (!done)
     return kCancelled;
   const pipeline::Ranking ranking = pipeline::rank(done->comparison.rows, options.weights);

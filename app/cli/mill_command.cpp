@@ -1,11 +1,9 @@
 #include "cli/mill_command.h"
 
-#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/option_texts.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/mill_report.h"
-#include "pipeline/own_folder.h"
 #include "project/loaded_part.h"
 
 #include <CLI/CLI.hpp>
@@ -63,14 +61,12 @@ ExitCode millCommand(MillOptions options) {
                       base::message("unknown material '{id}'"_text, options.material), {},
                       base::message("give one of {ids}"_text, materialIds()));
   options.order.rule.data = *data;
-  if (!options.replace)
-    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Milling);
-  base::StagedFolder staged(options.folder);
+  ResultFolder staged(options.folder, pipeline::FolderKind::Milling, options.replace);
   const auto report =
       settled(runInterruptibly(
                   [&](const base::RunContext& ctx) { return mill(options, staged.path(), ctx); },
                   options.threads, {}, [&] { staged.discard(); }),
-              staged, options.folder);
+              staged);
   if (!report)
     return kCancelled;
   sayResult(*report);

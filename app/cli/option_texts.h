@@ -3,8 +3,9 @@
 
 namespace voluta::cli {
 
-inline constexpr const char* kReplaceHelp =
-    "also replace files of the same names in the folder that are of another job or program";
+inline constexpr const char* kReplaceHelp = "also replace files of the same names in the folder "
+                                            "that are of another program or another kind "
+                                            "of job";
 inline constexpr const char* kCellHelp = "robot cell (see: list cells), or FILE.json";
 inline constexpr const char* kProcessHelp =
     "nozzle, material, speeds (see: list processes), or FILE.json";

@@ -1,9 +1,7 @@
-#include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
-#include "pipeline/own_folder.h"
 #include "pipeline/plan_verdict.h"
 #include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
@@ -99,14 +97,14 @@ void sayResult(const project::Report& r) {
 } // namespace
 
 ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
-                          int threads, ProgressStyle progress,
+                          bool replace, int threads, ProgressStyle progress,
                           const std::shared_ptr<const base::Message>& title) {
-  base::StagedFolder staged(folder);
+  ResultFolder staged(folder, pipeline::FolderKind::Plan, replace);
   auto outcome = runInterruptibly(
       [work, inside = staged.path()](const base::RunContext& ctx) { return work(inside, ctx); },
       threads, progressSink(progress, title), [&] { staged.discard(); });
   endProgress(progress);
-  const auto report = settled(std::move(outcome), staged, folder);
+  const auto report = settled(std::move(outcome), staged);
   if (!report)
     return kCancelled;
   sayResult(*report);
@@ -117,8 +115,6 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
 }
 
 ExitCode planCommand(const PlanOptions& options) {
-  if (!options.replace)
-    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Plan);
   const auto trying = std::make_shared<base::Message>();
   return reportingCommand(
       [options, trying](const std::filesystem::path& folder, const base::RunContext& ctx) {
@@ -134,7 +130,7 @@ ExitCode planCommand(const PlanOptions& options) {
                                {.pictures = pictures::proofPictures});
         return result.job.report;
       },
-      options.folder, options.threads, options.progress, trying);
+      options.folder, options.replace, options.threads, options.progress, trying);
 }
 
 } // namespace voluta::cli

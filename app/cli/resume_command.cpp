@@ -1,7 +1,6 @@
 #include "cli/commands.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
-#include "pipeline/own_folder.h"
 #include "plan/tool_plan.h"
 
 #include <fmt/format.h>
@@ -9,8 +8,6 @@
 namespace voluta::cli {
 
 ExitCode resumeCommand(const ResumeOptions& options) {
-  if (!options.replace)
-    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Plan);
   return reportingCommand(
       [request = options.request](const std::filesystem::path& folder,
                                   const base::RunContext& ctx) {
@@ -22,7 +19,7 @@ ExitCode resumeCommand(const ResumeOptions& options) {
                    resumed.laidMm3, resumed.leftMm3);
         return resumed.plan.job.report;
       },
-      options.folder, options.threads, options.progress);
+      options.folder, options.replace, options.threads, options.progress);
 }
 
 } // namespace voluta::cli

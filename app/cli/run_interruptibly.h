@@ -3,10 +3,9 @@
 
 #include "base/outcome.h"
 #include "base/run_context.h"
-#include "base/staged_folder.h"
 #include "cli/exit_code.h"
+#include "cli/result_folder.h"
 
-#include <filesystem>
 #include <fmt/format.h>
 #include <functional>
 #include <future>
@@ -66,15 +65,14 @@ template <typename T> std::optional<T> endedWith(base::Outcome<T> outcome) {
 }
 
 // Returns the result of a run that fills a folder, and moves the folder into place. Returns nullopt
-// and prints a line if the run was cancelled. Throws the Error with which it ended.
-template <typename T>
-std::optional<T> settled(base::Outcome<T> outcome, base::StagedFolder& staged,
-                         const std::filesystem::path& folder) {
+// and prints a line if the run was cancelled. Throws the Error with which it ended, or with which
+// the folder refuses the files.
+template <typename T> std::optional<T> settled(base::Outcome<T> outcome, ResultFolder& folder) {
   std::optional<T> ended = endedWith(std::move(outcome));
   if (ended)
-    staged.commit();
+    folder.commit();
   else
-    fmt::print(stderr, "cancelled; {} is as it was\n", folder.string());
+    fmt::print(stderr, "cancelled; {} is as it was\n", folder.target().string());
   return ended;
 }
 

@@ -1,8 +1,6 @@
 #include "base/error.h"
-#include "base/staged_folder.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
-#include "pipeline/own_folder.h"
 #include "pipeline/station_check.h"
 #include "plan/finding_kinds.h"
 
@@ -109,9 +107,7 @@ pipeline::StationResult planned(const TogetherOptions& options, const base::RunC
 
 ExitCode togetherCommand(const TogetherOptions& options) {
   requireUsable(options);
-  if (!options.replace)
-    pipeline::requireOwnFiles(options.folder, pipeline::FolderKind::Together);
-  base::StagedFolder staged(options.folder);
+  ResultFolder staged(options.folder, pipeline::FolderKind::Together, options.replace);
   auto outcome = runInterruptibly(
       [options, inside = staged.path()](const base::RunContext& ctx) {
         pipeline::StationResult result = planned(options, ctx.sub(0.0, 0.97));
@@ -120,7 +116,7 @@ ExitCode togetherCommand(const TogetherOptions& options) {
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
   endProgress(options.progress);
-  const auto result = settled(std::move(outcome), staged, options.folder);
+  const auto result = settled(std::move(outcome), staged);
   if (!result)
     return kCancelled;
   if (result->work.order)

@@ -98,8 +98,6 @@ public:
   // Throws Error{CannotWrite} if a file cannot be moved; the files moved before it are then moved
   // back.
   void moveIn(const std::vector<std::string>& names) const {
-    std::error_code ignored;
-    fs::create_directory(staging_ / kReplaced, ignored);
     for (const std::string& name : names)
       if (const std::error_code failed = put(name)) {
         for (auto back = names.rbegin(); back != names.rend(); ++back)
@@ -116,12 +114,17 @@ private:
     std::error_code status;
     if (!isThere(staged))
       return status; // It is in its place already
+    fs::create_directories(place.parent_path(), status);
+    if (status)
+      return status;
+    if (isFolder(place))
+      return std::make_error_code(std::errc::is_a_directory);
     if (isThere(place) && !isThere(old)) {
-      // A file keeps its name until the new one has it; folders and some file systems do not
-      // support this.
-      const bool linked =
-          !isFolder(place) && !isFolder(staged) && ::link(place.c_str(), old.c_str()) == 0;
-      if (!linked)
+      fs::create_directories(old.parent_path(), status);
+      if (status)
+        return status;
+      // A file keeps its name until the new one has it; some file systems do not support this.
+      if (::link(place.c_str(), old.c_str()) != 0)
         fs::rename(place, old, status);
       if (status)
         return status;
@@ -133,7 +136,9 @@ private:
     const fs::path staged = staging_ / name, place = target_ / name,
                    old = staging_ / kReplaced / name;
     std::error_code ignored;
-    if (!isThere(staged) && (isFolder(place) || !isThere(old)))
+    if (isFolder(place))
+      return; // It was there before
+    if (!isThere(staged) && !isThere(old))
       fs::rename(place, staged, ignored);
     if (isThere(old))
       fs::rename(old, place, ignored);
@@ -142,7 +147,17 @@ private:
   fs::path staging_, target_;
 };
 
-// Returns the target, then the names of the files and folders to move into it.
+// Returns the files in a folder and the folders in it, relative to it, sorted.
+std::vector<std::string> filesIn(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (!isFolder(entry.path()))
+      files.push_back(entry.path().lexically_relative(folder).string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Returns the target, then the files to move into it, relative to it.
 std::string journalText(const fs::path& target, const std::vector<std::string>& names) {
   std::string text = target.string() + '\n';
   for (const std::string& name : names)
@@ -215,12 +230,20 @@ void StagedFolder::discard() noexcept {
   fs::remove_all(moved ? staging_ : gone, ignored);
 }
 
+std::vector<fs::path> StagedFolder::replaced() const {
+  std::vector<fs::path> files;
+  for (const std::string& name : filesIn(staging_))
+    if (isThere(target_ / name))
+      files.push_back(target_ / name);
+  return files;
+}
+
 void StagedFolder::commit() {
   std::error_code status;
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
+  const std::vector<std::string> names = filesIn(staging_);
+  for (const std::string& name : names)
+    if (isFolder(target_ / name))
+      throw cannotWrite(target_ / name, "it is a folder"_text);
   if (!isThere(target_)) {
     fs::create_directories(target_.parent_path(), status);
     if (status)

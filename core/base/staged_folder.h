@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace voluta::base {
 
-// A hidden folder that is filled first. Files are written into path(); commit() moves each of them
-// into `target` by rename (creating it and its parents if missing; other files in it are kept).
+// A hidden folder that is filled first. Files are written into path() and folders in it; commit()
+// moves each of them into `target` by rename (creating folders that are missing; other files and
+// folders are kept).
 // Without commit() the destructor removes them and `target` is unchanged.
 //
 // The staging folder is beside the first folder above target that exists, so that renames stay on
@@ -29,7 +31,10 @@ public:
   StagedFolder& operator=(const StagedFolder&) = delete;
 
   const std::filesystem::path& path() const { return staging_; }
-  // Throws Error{CannotWrite}; `target` is then unchanged.
+  // Returns the files in `target` that commit() would replace.
+  std::vector<std::filesystem::path> replaced() const;
+  // Throws Error{CannotWrite}, also for a folder that has the name of a file; `target` is then
+  // unchanged.
   void commit();
   // Does the destructor's work, for a process that must end at once. Does not throw.
   void discard() noexcept;

@@ -55,6 +55,12 @@ bool isOwn(const OwnFile& row, const std::filesystem::path& file) {
   }
 }
 
+base::Error wouldReplace(const std::filesystem::path& file) {
+  return base::Error(base::ErrorCode::CannotWrite,
+                     "is no result of this kind of job, and would be replaced"_text, file.string(),
+                     "choose another folder, or give --replace"_text);
+}
+
 } // namespace
 
 void requireOwnFiles(const std::filesystem::path& folder, FolderKind kind) {
@@ -62,10 +68,17 @@ void requireOwnFiles(const std::filesystem::path& folder, FolderKind kind) {
     const std::filesystem::path file = folder / row.name;
     std::error_code none;
     if (row.kind == kind && std::filesystem::exists(file, none) && !isOwn(row, file))
-      throw base::Error(base::ErrorCode::CannotWrite,
-                        "is no result of this kind of job, and would be replaced"_text,
-                        file.string(), "choose another folder, or give --replace"_text);
+      throw wouldReplace(file);
   }
+}
+
+void requireOwnResults(const std::vector<std::filesystem::path>& replaced,
+                       const std::filesystem::path& folder, FolderKind kind) {
+  const bool holdsResults = std::ranges::any_of(kFiles, [&](const OwnFile& row) {
+    return row.kind == kind && isOwn(row, folder / row.name);
+  });
+  if (!replaced.empty() && !holdsResults)
+    throw wouldReplace(replaced.front());
 }
 
 } // namespace voluta::pipeline

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace voluta::pipeline {
 
@@ -13,5 +14,10 @@ enum class FolderKind : std::uint8_t { Plan, Comparison, Together, Milling };
 // job.voluta and report.json. Throws Error{CannotWrite} for the first that is no result of such a
 // job: of another program, or of another kind of job. A folder that does not exist holds nothing.
 void requireOwnFiles(const std::filesystem::path& folder, FolderKind kind);
+
+// Checks the files that results are about to replace. Throws Error{CannotWrite} for the first of
+// them unless the folder holds results of a job of that kind: then they are an earlier result's.
+void requireOwnResults(const std::vector<std::filesystem::path>& replaced,
+                       const std::filesystem::path& folder, FolderKind kind);
 
 } // namespace voluta::pipeline

@@ -74,6 +74,35 @@ TEST_F(StagedFolders, KeepStrangersAndReplaceTheirOwn) {
   EXPECT_EQ(readFile(target / "notes"), "mine");
 }
 
+TEST_F(StagedFolders, ReplaceNoFolder) {
+  const fs::path target = folder_ / "out";
+  fs::create_directories(target / "part.script" / "photos");
+  writeFile(target / "part.script" / "photos" / "a.jpg", "mine");
+  writeFile(target / "a", "old");
+  StagedFolder staged(target);
+  writeFile(staged.path() / "a", "new");
+  writeFile(staged.path() / "part.script", "new");
+  EXPECT_EQ(codeOf([&] { staged.commit(); }), ErrorCode::CannotWrite);
+  EXPECT_EQ(readFile(target / "a"), "old");
+  EXPECT_EQ(readFile(target / "part.script" / "photos" / "a.jpg"), "mine");
+}
+
+TEST_F(StagedFolders, KeepFilesInTheirFolders) {
+  const fs::path target = folder_ / "out";
+  fs::create_directories(target / "machine1");
+  writeFile(target / "machine1" / "notes", "mine");
+  writeFile(target / "machine1" / "a", "old");
+  StagedFolder staged(target);
+  fs::create_directories(staged.path() / "machine1");
+  writeFile(staged.path() / "machine1" / "a", "new");
+  writeFile(staged.path() / "machine1" / "b", "new");
+  EXPECT_EQ(staged.replaced(), std::vector{target / "machine1" / "a"});
+  staged.commit();
+  EXPECT_EQ(readFile(target / "machine1" / "notes"), "mine");
+  EXPECT_EQ(readFile(target / "machine1" / "a"), "new");
+  EXPECT_EQ(readFile(target / "machine1" / "b"), "new");
+}
+
 // In a folder with the sticky bit a file of another user cannot be replaced: "m" is such a one, and
 // its turn comes between the others.
 TEST_F(StagedFolders, ACommitThatFailsLeavesTheTargetAsItWas) {

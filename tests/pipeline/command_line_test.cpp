@@ -307,6 +307,15 @@ TEST_F(CommandLine, FilesOfOthersAreReplacedOnRequestOnly) {
     EXPECT_EQ(run(replacing(plan)).code, 0);
     EXPECT_EQ(run(plan).code, 0) << "the second run";
   }
+  const std::vector<std::string> whole{"plan", part, "-o", out, "--mode", "flat"};
+  const fs::path program = fs::path(out) / "box.script";
+  fs::remove_all(out);
+  fs::create_directories(program);
+  expectOneLine(run(replacing(whole)), 2, {"box.script", "it is a folder"});
+  fs::remove(program);
+  base::writeFile(program, "mine");
+  expectOneLine(run(whole), 2, {"box.script", "would be replaced", "--replace"});
+  EXPECT_EQ(run(replacing(whole)).code, 0);
   base::writeFile(fs::path(out) / "notes.txt", "mine");
   EXPECT_EQ(run(plan).code, 0);
   EXPECT_EQ(base::readFile(fs::path(out) / "notes.txt"), "mine");

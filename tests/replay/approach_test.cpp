@@ -68,6 +68,14 @@ protected:
       }
     ADD_FAILURE() << pattern << " is in no line";
   }
+  // A run that was stopped leaves G93: the first lines would be read as times.
+  void withoutUnitOfSpeed() const {
+    test::ProgramText text = whole_;
+    text.lines.erase(std::ranges::find(text.lines, "G94"));
+    const Verification v = verify(text);
+    EXPECT_FALSE(v.passed);
+    EXPECT_NE(told(v).find("G94 is missing"), std::string::npos) << told(v);
+  }
   void inserted(const std::string& line, std::size_t before) const {
     SCOPED_TRACE(GetParam() + " with " + line + " before line " + std::to_string(before));
     test::ProgramText text = whole_;
@@ -81,7 +89,7 @@ protected:
 
 TEST_P(Approach, AndEveryOtherUnplannedMotionIsRefused) {
   changed("^G28$", "G28 X Y");
-  changed("^G28$", "G28 X0 Y0 Z0", false);
+  changed("^G28$", "G28 X100 Y100 Z0.2");
   changed(" F[0-9.]+$", " F900000"); // of the first line with a speed, the prime excepted
   for (const char* low : {"G1 Z-5 F600", "G0 X10 Y10 Z-5 F600", "G0 Z-0.5 F600"})
     inserted(low, first_);
@@ -90,6 +98,9 @@ TEST_P(Approach, AndEveryOtherUnplannedMotionIsRefused) {
   for (const char* more : {"G0 Z-5 F600", "G0 X0 Y0 F600", "G28"})
     inserted(more, end);
   const bool isTable = GetParam() == "gcode-bc";
+  changed("^G28$", "G28 X0 Y0 Z0", isTable); // LinuxCNC would go to that place
+  if (isTable)
+    withoutUnitOfSpeed();
   if (!isTable) {
     inserted("G0 X40 Y40 F600", first_);
     changed("^G0 X(.*) F[0-9.]+$", "G0 X$1 F60000");

@@ -43,6 +43,7 @@ private:
     if (inverseTime_ != (g == 93.0))
       perS_ = 0.0; // the unit of F changes here
     inverseTime_ = g == 93.0;
+    statesUnit_ = true;
     return true;
   }
 
@@ -65,13 +66,25 @@ private:
     return takeNumber(text, value);
   }
 
+  // Words of G28 are a point to which LinuxCNC goes first, zero too.
+  bool isHomeNumber(double) const override { return false; }
+
+  void requireUnitOfSpeed() {
+    if (ours_ && !statesUnit_)
+      defect("G94 is missing before this motion: after a run that was stopped its F would be read "
+             "as a time"_text);
+    statesUnit_ = true; // said once
+  }
+
   double secondsOf(GcodeWords& w, double filamentMm) override {
+    requireUnitOfSpeed();
     if (!inverseTime_)
       return GcodeReader::secondsOf(w, filamentMm);
     return w['F'] ? 1.0 / perS_ : 0.0;
   }
 
   bool target(GcodeWords& w, double g, bool extruding, plan::ProgramMotion& m) override {
+    requireUnitOfSpeed();
     if (w.any("BC") && !knows('Z')) {
       defect("table motion before Z is known: the nozzle may be down"_text);
       return false;
@@ -185,7 +198,8 @@ private:
   double countedDeg_ = 0.0; // whole turns removed from C's count
   std::optional<double> tilt_, turn_;
   bool inverseTime_ = false, placed_ = false;
-  bool ours_ = false; // Voluta's head was read: every motion states its time
+  bool statesUnit_ = false; // has G93 or G94 been stated
+  bool ours_ = false;       // Voluta's head was read: every motion states its time
 };
 
 } // namespace

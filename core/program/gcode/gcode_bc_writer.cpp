@@ -142,7 +142,7 @@ private:
     text_.head(in_,
                "Program for printing, G-code with B and C: X Y Z of the machine, zero at the "
                "plate's centre with the table at 0 0; B tilts it about y, C turns it",
-               kGcodeQuestion, notes());
+               kGcodeQuestion, notes(), "G21\nG90\nG94\nM82");
     start();
   }
 

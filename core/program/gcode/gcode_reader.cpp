@@ -285,6 +285,9 @@ void GcodeReader::setPosition(GcodeWords& w) {
 // Without letters all axes go home. Where that is, a program does not state.
 void GcodeReader::home(GcodeWords& w) {
   const bool isAll = !w.any("XYZ");
+  for (const char axis : {'X', 'Y', 'Z', 'A', 'B', 'C'})
+    if (w[axis] && w.bare.empty() && !isHomeNumber(*w[axis]))
+      defect("G28 with a number goes to a place first: give letters alone, or none"_text);
   for (std::size_t k = 0; k < homed_.size(); ++k)
     if (isAll || w[static_cast<char>('X' + k)]) {
       homed_[k] = true;

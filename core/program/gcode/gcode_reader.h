@@ -34,6 +34,8 @@ public:
 protected:
   // Returns whether the letter is a word of this kind's targets, beside X Y Z.
   virtual bool isTargetWord(char /*letter*/) const { return false; }
+  // Returns whether G28 may give an axis that number; others are a place to go to.
+  virtual bool isHomeNumber(double number) const { return number == 0.0; }
   // Returns whether the line moves although it has no X Y Z.
   virtual bool movesBeside(GcodeWords&) const { return false; }
   // Takes the words of a motion's target and its speed. Returns false if there is no motion or a

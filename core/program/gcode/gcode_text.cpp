@@ -201,7 +201,7 @@ void GcodeText::stop(std::string_view message) {
 }
 
 void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
-                     const std::vector<std::string>& notes) {
+                     const std::vector<std::string>& notes, std::string_view modes) {
   const process::Process& p = input.process();
   remark(title);
   for (const std::string& head : headLines(input))
@@ -213,7 +213,8 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   out += "; ";
   out += kDiameterNote;
   word("", kFilamentDiameterMm, 3, true);
-  out += " mm\nG21\nG90\nM82\n";
+  out += " mm\n";
+  line(modes);
   const std::string asked = input.selectsTool() ? startQuestion(input) : std::string(question);
   line("M117 " + asked);
   if (input.selectsTool()) {

@@ -48,9 +48,10 @@ public:
 
   // Writes remarks, units, the question, the tool that the program begins with (if the job has
   // several), home, heat of the bed and of each tool that prints and that the operator does not fit
-  // later, the fan off, and the prime; `notes`: remarks of the dialect.
+  // later, the fan off, and the prime; `notes`: remarks of the dialect; `modes`: lines with its
+  // units.
   void head(const ProgramInput& input, std::string_view title, std::string_view question,
-            const std::vector<std::string>& notes = {});
+            const std::vector<std::string>& notes = {}, std::string_view modes = "G21\nG90\nM82");
   void end();
   // Writes part cooling, 0..1, from here on.
   void fan(double share);
