@@ -1397,8 +1397,8 @@ mm³</translation>
         <translation>aggiungi una riga di - sotto il pezzo, dove deve poggiare</translation>
     </message>
     <message>
-        <source>add supports (supports=auto), cut there, or use curved mode</source>
-        <translation>aggiungi supporti (supports=auto), taglia lì, o usa strati curvi</translation>
+        <source>add supports (`supports=auto`), cut there, or use curved mode</source>
+        <translation>aggiungi supporti (`supports=auto`), taglia lì, o usa strati curvi</translation>
     </message>
     <message>
         <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
@@ -1581,12 +1581,12 @@ mm³</translation>
         <translation>controllo del movimento</translation>
     </message>
     <message>
-        <source>choose a smaller voxelMm or beadWidthMm</source>
-        <translation>scegli un voxelMm o un beadWidthMm più piccolo</translation>
+        <source>choose a smaller `voxelMm` or `beadWidthMm`</source>
+        <translation>scegli un `voxelMm` o un `beadWidthMm` più piccolo</translation>
     </message>
     <message>
-        <source>choose layers that reach all of it (layerShape, layerCentre, endSurface)</source>
-        <translation>scegliere strati che lo raggiungano tutto (layerShape, layerCentre, endSurface)</translation>
+        <source>choose layers that reach all of it (`layerShape`, `layerCentre`, `endSurface`)</source>
+        <translation>scegliere strati che lo raggiungano tutto (`layerShape`, `layerCentre`, `endSurface`)</translation>
     </message>
     <message>
         <source>choose {least} to {most} pixels per side</source>
@@ -1760,12 +1760,12 @@ mm³</translation>
         <translation>superficie finale</translation>
     </message>
     <message>
-        <source>endSurface &apos;{text}&apos; is not an end surface</source>
-        <translation>endSurface &apos;{text}&apos; non è una superficie finale</translation>
+        <source>`endSurface` &apos;{text}&apos; is not an end surface</source>
+        <translation>`endSurface` &apos;{text}&apos; non è una superficie finale</translation>
     </message>
     <message>
-        <source>endSurface mesh:FILE requires a platform that is a body</source>
-        <translation>endSurface mesh:FILE richiede una piattaforma che sia un corpo</translation>
+        <source>`endSurface` mesh:FILE requires a platform that is a body</source>
+        <translation>`endSurface` mesh:FILE richiede una piattaforma che sia un corpo</translation>
     </message>
     <message>
         <source>ending layers on the surface</source>
@@ -1796,8 +1796,8 @@ mm³</translation>
         <translation>file {file}, riga {line}: {what}</translation>
     </message>
     <message>
-        <source>fill the hollow first, or use layerShape=offset</source>
-        <translation>riempi prima la cavità, o usa layerShape=offset</translation>
+        <source>fill the hollow first, or use `layerShape=offset`</source>
+        <translation>riempi prima la cavità, o usa `layerShape=offset`</translation>
     </message>
     <message>
         <source>first layer</source>
@@ -1824,28 +1824,28 @@ mm³</translation>
         <translation>fronte</translation>
     </message>
     <message>
-        <source>give --cell lathe</source>
-        <translation>usa --cell lathe</translation>
+        <source>give `--cell lathe`</source>
+        <translation>usa `--cell lathe`</translation>
     </message>
     <message>
-        <source>give --mode {modes}, or another cell</source>
-        <translation>usa --mode {modes}, o un&apos;altra cella</translation>
+        <source>give `--mode {modes}`, or another cell</source>
+        <translation>usa `--mode {modes}`, o un&apos;altra cella</translation>
     </message>
     <message>
-        <source>give --platform {platforms}</source>
-        <translation>usa --platform {platforms}</translation>
+        <source>give `--platform {platforms}`</source>
+        <translation>usa `--platform {platforms}`</translation>
     </message>
     <message>
-        <source>give --platform {platforms}, or endSurface flat:Z</source>
-        <translation>usa --platform {platforms}, o endSurface flat:Z</translation>
+        <source>give `--platform {platforms}`, or `endSurface` flat:Z</source>
+        <translation>usa `--platform {platforms}`, o `endSurface` flat:Z</translation>
     </message>
     <message>
         <source>give 0, or {least#} to {most}</source>
         <translation>dai 0, o da {least#} a {most}</translation>
     </message>
     <message>
-        <source>choose a higher end surface (endSurface)</source>
-        <translation>scegli una superficie finale più alta (endSurface)</translation>
+        <source>choose a higher end surface (`endSurface`)</source>
+        <translation>scegli una superficie finale più alta (`endSurface`)</translation>
     </message>
     <message>
         <source>give a list of {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]} or {&quot;corners&quot;: [four points]}, in mm</source>
@@ -1880,16 +1880,16 @@ mm³</translation>
         <translation>scegli una superficie finale di forma più simile, o un pezzo più piccolo</translation>
     </message>
     <message>
-        <source>give endSurface=flat:Z or mesh:FILE</source>
-        <translation>usa endSurface=flat:Z o mesh:FILE</translation>
+        <source>give `endSurface=flat:Z` or mesh:FILE</source>
+        <translation>usa `endSurface=flat:Z` o mesh:FILE</translation>
     </message>
     <message>
-        <source>give orient=none</source>
-        <translation>usa orient=none</translation>
+        <source>give `orient=none`</source>
+        <translation>usa `orient=none`</translation>
     </message>
     <message>
-        <source>use other cutting planes (cutPlanes), turn the part, or use curved mode</source>
-        <translation>indica altri tagli (cutPlanes), gira il pezzo, o usa strati curvi</translation>
+        <source>use other cutting planes (`cutPlanes`), turn the part, or use curved mode</source>
+        <translation>indica altri tagli (`cutPlanes`), gira il pezzo, o usa strati curvi</translation>
     </message>
     <message>
         <source>give pairs of x and radius in mm, x ascending</source>
@@ -2048,8 +2048,8 @@ mm³</translation>
         <translation>giunto {number}</translation>
     </message>
     <message>
-        <source>place the part on a larger face, or use other cutting planes (cutPlanes)</source>
-        <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
+        <source>place the part on a larger face, or use other cutting planes (`cutPlanes`)</source>
+        <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (`cutPlanes`)</translation>
     </message>
     <message>
         <source>layer</source>
@@ -2064,8 +2064,8 @@ mm³</translation>
         <translation>strato {layer}, x {x:.1f} y {y:.1f} z {z:.1f}</translation>
     </message>
     <message>
-        <source>layerCentre &apos;{text}&apos; is not a point</source>
-        <translation>layerCentre &apos;{text}&apos; non è un punto</translation>
+        <source>`layerCentre` &apos;{text}&apos; is not a point</source>
+        <translation>`layerCentre` &apos;{text}&apos; non è un punto</translation>
     </message>
     <message>
         <source>layers</source>
@@ -2192,8 +2192,8 @@ mm³</translation>
         <translation>fai l&apos;oggetto di celle meno numerose e più grandi</translation>
     </message>
     <message>
-        <source>make the part narrower, or use layerShape=offset</source>
-        <translation>fai il pezzo più stretto, o usa layerShape=offset</translation>
+        <source>make the part narrower, or use `layerShape=offset`</source>
+        <translation>fai il pezzo più stretto, o usa `layerShape=offset`</translation>
     </message>
     <message>
         <source>make the two thicknesses more similar, or use fewer layers</source>
@@ -2395,8 +2395,8 @@ mm³</translation>
         <translation>deve essere diverso da quello dell&apos;ugello: uno dei due si muove, l&apos;altro è fisso</translation>
     </message>
     <message>
-        <source>set its axis (rodAxis), or rotate the part onto the rod manually</source>
-        <translation>imposta il suo asse (rodAxis), o ruota il pezzo sulla barra a mano</translation>
+        <source>set its axis (`rodAxis`), or rotate the part onto the rod manually</source>
+        <translation>imposta il suo asse (`rodAxis`), o ruota il pezzo sulla barra a mano</translation>
     </message>
     <message>
         <source>names an unknown body: &apos;{name}&apos;; did you mean &apos;{nearest}&apos;?</source>
@@ -2558,12 +2558,12 @@ mm³</translation>
         <translation>ordinamento degli strati</translation>
     </message>
     <message>
-        <source>to keep the orientation as given, use orient=none</source>
-        <translation>per conservare l&apos;orientamento dato, usa orient=none</translation>
+        <source>to keep the orientation as given, use `orient=none`</source>
+        <translation>per conservare l&apos;orientamento dato, usa `orient=none`</translation>
     </message>
     <message>
-        <source>orient={orient} is for parts on a plate; mode {mode} places them itself</source>
-        <translation>orient={orient} vale per pezzi su una piastra; la modalità {mode} li dispone da sé</translation>
+        <source>`orient={orient}` is for parts on a plate; mode {mode} places them itself</source>
+        <translation>`orient={orient}` vale per pezzi su una piastra; la modalità {mode} li dispone da sé</translation>
     </message>
     <message>
         <source>orientation</source>
@@ -2758,8 +2758,8 @@ mm³</translation>
         <translation>barra, {sizes} mm</translation>
     </message>
     <message>
-        <source>rodProfile: &apos;{text}&apos; is neither a pair x,radius nor a file</source>
-        <translation>rodProfile: &apos;{text}&apos; non è né una coppia x,raggio né un file</translation>
+        <source>`rodProfile`: &apos;{text}&apos; is neither a pair x,radius nor a file</source>
+        <translation>`rodProfile`: &apos;{text}&apos; non è né una coppia x,raggio né un file</translation>
     </message>
     <message>
         <source>root</source>
@@ -2790,8 +2790,8 @@ mm³</translation>
         <translation>riduci la scala del pezzo</translation>
     </message>
     <message>
-        <source>scale the part down (--scale fit), turn it, or use a larger robot</source>
-        <translation>riduci la scala del pezzo (--scale fit), giralo, o usa un robot più grande</translation>
+        <source>scale the part down (`--scale fit`), turn it, or use a larger robot</source>
+        <translation>riduci la scala del pezzo (`--scale fit`), giralo, o usa un robot più grande</translation>
     </message>
     <message>
         <source>scale the part down, or move it along the rod</source>
@@ -2888,8 +2888,8 @@ mm³</translation>
         <translation>superficie</translation>
     </message>
     <message>
-        <source>choose a cell with a rod: --cell lathe</source>
-        <translation>usa una cella con una barra: --cell lathe</translation>
+        <source>choose a cell with a rod: `--cell lathe`</source>
+        <translation>usa una cella con una barra: `--cell lathe`</translation>
     </message>
     <message>
         <source>choose a shorter rod</source>
@@ -3413,8 +3413,8 @@ mm³</translation>
         <translation>rifilatura degli strati sul pezzo</translation>
     </message>
     <message>
-        <source>try a larger voxelMm or a smaller part</source>
-        <translation>prova un voxelMm più grande o un pezzo più piccolo</translation>
+        <source>try a larger `voxelMm` or a smaller part</source>
+        <translation>prova un `voxelMm` più grande o un pezzo più piccolo</translation>
     </message>
     <message>
         <source>to keep its voxels, rotate it by multiples of 90° and lift it by whole voxels</source>
@@ -3425,16 +3425,16 @@ mm³</translation>
         <translation>rotazione del riempimento per strato</translation>
     </message>
     <message>
-        <source>turn the part (orient=leastRisky), add supports, or use planar or curved mode</source>
-        <translation>gira il pezzo (orient=leastRisky), aggiungi supporti, o usa pezzi piani o strati curvi</translation>
+        <source>turn the part (`orient=leastRisky`), add supports, or use planar or curved mode</source>
+        <translation>gira il pezzo (`orient=leastRisky`), aggiungi supporti, o usa pezzi piani o strati curvi</translation>
     </message>
     <message>
-        <source>turn the part (orient=leastRisky), or use planar or curved mode</source>
-        <translation>gira il pezzo (orient=leastRisky), o usa pezzi piani o strati curvi</translation>
+        <source>turn the part (`orient=leastRisky`), or use planar or curved mode</source>
+        <translation>gira il pezzo (`orient=leastRisky`), o usa pezzi piani o strati curvi</translation>
     </message>
     <message>
-        <source>turn the part about the vertical, or try more rotations (redundancySamples)</source>
-        <translation>gira il pezzo attorno alla verticale, o prova più rotazioni (redundancySamples)</translation>
+        <source>turn the part about the vertical, or try more rotations (`redundancySamples`)</source>
+        <translation>gira il pezzo attorno alla verticale, o prova più rotazioni (`redundancySamples`)</translation>
     </message>
     <message>
         <source>turn the part, enlarge the platform or add supports</source>
@@ -4265,8 +4265,8 @@ mm³</translation>
         <translation>copiarlo prima in un file</translation>
     </message>
     <message>
-        <source>give --platform disc:DIAMETER, or another platform</source>
-        <translation>indicare --platform disc:DIAMETER, o un&apos;altra piattaforma</translation>
+        <source>give `--platform disc:DIAMETER`, or another platform</source>
+        <translation>indicare `--platform disc:DIAMETER`, o un&apos;altra piattaforma</translation>
     </message>
     <message>
         <source>is not a regular file, but a device or a pipe</source>
@@ -4368,8 +4368,8 @@ mm³</translation>
         <translation>indicare uno di {known}</translation>
     </message>
     <message>
-        <source>give the units it was drawn in (--units)</source>
-        <translation>indicare le unità in cui è stato disegnato (--units)</translation>
+        <source>give the units it was drawn in (`--units`)</source>
+        <translation>indicare le unità in cui è stato disegnato (`--units`)</translation>
     </message>
     <message>
         <source>centre the part, or use a platform that reaches its support</source>
@@ -4380,8 +4380,8 @@ mm³</translation>
         <translation>stampalo in scala {scale}, o usa un processo con cordoni più stretti</translation>
     </message>
     <message>
-        <source>print it smaller (--scale fit), or give the units it was drawn in (--units)</source>
-        <translation>stamparlo più piccolo (--scale fit), o indicare le unità in cui è stato disegnato (--units)</translation>
+        <source>print it smaller (`--scale fit`), or give the units it was drawn in (`--units`)</source>
+        <translation>stamparlo più piccolo (`--scale fit`), o indicare le unità in cui è stato disegnato (`--units`)</translation>
     </message>
     <message>
         <source>the part is very small: {size:.3g} long if its file is in millimetres</source>
@@ -4663,8 +4663,8 @@ mm³</translation>
         <translation>non è uno strato di percorsi</translation>
     </message>
     <message>
-        <source>leave scale and units as they are, or give givenToolPaths=false</source>
-        <translation>lasciare scala e unità come sono, o dare givenToolPaths=false</translation>
+        <source>leave scale and units as they are, or give `givenToolPaths=false`</source>
+        <translation>lasciare scala e unità come sono, o dare `givenToolPaths=false`</translation>
     </message>
     <message>
         <source>line {line} is ambiguous: the program has {count} files</source>
@@ -5689,8 +5689,8 @@ mm³</translation>
         <translation>nessun posto sul piano per l&apos;intera tesa, larga {width}: {share:.0f} della sua lunghezza è omesso</translation>
     </message>
     <message>
-        <source>use a larger plate (--platform), move the part to the middle, or set a smaller brimWidthMm</source>
-        <translation>usare un piano più grande (--platform), spostare il pezzo al centro o ridurre brimWidthMm</translation>
+        <source>use a larger plate (`--platform`), move the part to the middle, or set a smaller `brimWidthMm`</source>
+        <translation>usare un piano più grande (`--platform`), spostare il pezzo al centro o ridurre `brimWidthMm`</translation>
     </message>
     <message>
         <source>must be between {least} and {most}</source>
@@ -5949,8 +5949,8 @@ mm³</translation>
         <translation>qui lo strappo del giunto {joint} è massimo: {jerk:.3g} rad/s³, limite {limit:.3g} rad/s³</translation>
     </message>
     <message>
-        <source>smooth whole paths (rotationSmoothing=wholePath), print slower, or allow more jerk (maxJerk)</source>
-        <translation>rendi regolari i percorsi interi (rotationSmoothing=wholePath), stampa più lentamente o ammetti più strappo (maxJerk)</translation>
+        <source>smooth whole paths (`rotationSmoothing=wholePath`), print slower, or allow more jerk (`maxJerk`)</source>
+        <translation>rendi regolari i percorsi interi (`rotationSmoothing=wholePath`), stampa più lentamente o ammetti più strappo (`maxJerk`)</translation>
     </message>
     <message>
         <source>maximum jerk</source>
@@ -6485,8 +6485,8 @@ mm³</translation>
         <translation>niente</translation>
     </message>
     <message>
-        <source>set tableTurns to {turns} or more</source>
-        <translation>imposta tableTurns a {turns} o più</translation>
+        <source>set `tableTurns` to {turns} or more</source>
+        <translation>imposta `tableTurns` a {turns} o più</translation>
     </message>
     <message>
         <source>choose rapid</source>
@@ -6914,12 +6914,12 @@ mm³</translation>
         <translation>dare F in mm al minuto</translation>
     </message>
     <message>
-        <source>give a larger pathsRadiusMm</source>
-        <translation>dare un pathsRadiusMm maggiore</translation>
+        <source>give a larger `pathsRadiusMm`</source>
+        <translation>dare un `pathsRadiusMm` maggiore</translation>
     </message>
     <message>
-        <source>give a larger pathsRadiusMm, or turn the part by 90 degrees</source>
-        <translation>dare un pathsRadiusMm maggiore, o girare il pezzo di 90 gradi</translation>
+        <source>give a larger `pathsRadiusMm`, or turn the part by 90 degrees</source>
+        <translation>dare un `pathsRadiusMm` maggiore, o girare il pezzo di 90 gradi</translation>
     </message>
     <message>
         <source>give at least 1 mm, or at most -1 mm for the inside</source>
@@ -6954,12 +6954,12 @@ mm³</translation>
         <translation>lunghezze</translation>
     </message>
     <message>
-        <source>pathsFrame &apos;{text}&apos; is not a frame</source>
-        <translation>pathsFrame &apos;{text}&apos; non è un riferimento</translation>
+        <source>`pathsFrame` &apos;{text}&apos; is not a frame</source>
+        <translation>`pathsFrame` &apos;{text}&apos; non è un riferimento</translation>
     </message>
     <message>
-        <source>pathsRadiusMm={radius} is no radius of a ground</source>
-        <translation>pathsRadiusMm={radius} non è un raggio valido</translation>
+        <source>`pathsRadiusMm={radius}` is no radius of a ground</source>
+        <translation>`pathsRadiusMm={radius}` non è un raggio valido</translation>
     </message>
     <message>
         <source>plane</source>
@@ -6978,8 +6978,8 @@ mm³</translation>
         <translation>il file può essere danneggiato; esportarlo di nuovo</translation>
     </message>
     <message>
-        <source>the file states no filament diameter: {diameter} assumed; for another one set pathsFlow</source>
-        <translation>il file non indica il diametro del filamento: si assume {diameter}; per un altro impostare pathsFlow</translation>
+        <source>the file states no filament diameter: {diameter} assumed; for another one set `pathsFlow`</source>
+        <translation>il file non indica il diametro del filamento: si assume {diameter}; per un altro impostare `pathsFlow`</translation>
     </message>
     <message>
         <source>a bead at X{x:.1f} Y{y:.1f} Z{z:.1f} is {width:.0f} wide</source>
@@ -7262,8 +7262,8 @@ previsto</translation>
         <translation>in {place:.1f}</translation>
     </message>
     <message>
-        <source>clear this place, or use a larger plate (--platform)</source>
-        <translation>liberare questo punto, oppure usare un piano più grande (--platform)</translation>
+        <source>clear this place, or use a larger plate (`--platform`)</source>
+        <translation>liberare questo punto, oppure usare un piano più grande (`--platform`)</translation>
     </message>
     <message>
         <source>close</source>
@@ -7452,16 +7452,16 @@ previsto</translation>
         <translation>apri il modello da cui è stato affettato</translation>
     </message>
     <message>
-        <source>to get a solid instead, use openSurfaces=close</source>
-        <translation>per ottenere invece un solido, usa openSurfaces=close</translation>
+        <source>to get a solid instead, use `openSurfaces=close`</source>
+        <translation>per ottenere invece un solido, usa `openSurfaces=close`</translation>
     </message>
     <message>
-        <source>to get a wall instead, use openSurfaces=thicken</source>
-        <translation>per ottenere invece una parete, usa openSurfaces=thicken</translation>
+        <source>to get a wall instead, use `openSurfaces=thicken`</source>
+        <translation>per ottenere invece una parete, usa `openSurfaces=thicken`</translation>
     </message>
     <message>
-        <source>to get walls instead, use openSurfaces=thicken</source>
-        <translation>per ottenere invece delle pareti, usa openSurfaces=thicken</translation>
+        <source>to get walls instead, use `openSurfaces=thicken`</source>
+        <translation>per ottenere invece delle pareti, usa `openSurfaces=thicken`</translation>
     </message>
     <message>
         <source>pieces with supports</source>
@@ -7630,12 +7630,12 @@ previsto</translation>
         <translation>Larga un cordone, centrata sulla superficie; i bordi restano aperti</translation>
     </message>
     <message>
-        <source>print it as one wall (openSurfaces=wall), thicken it to a wall of two beads (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program</source>
-        <translation>stampala come una sola parete (openSurfaces=wall), dalle lo spessore di una parete di due cordoni (openSurfaces=thicken), chiudi i bordi per farne un solido (openSurfaces=close) o chiudila in un programma di modellazione</translation>
+        <source>print it as one wall (`openSurfaces=wall`), thicken it to a wall of two beads (`openSurfaces=thicken`), close its rims to make it solid (`openSurfaces=close`), or close it in a modelling program</source>
+        <translation>stampala come una sola parete (`openSurfaces=wall`), dalle lo spessore di una parete di due cordoni (`openSurfaces=thicken`), chiudi i bordi per farne un solido (`openSurfaces=close`) o chiudila in un programma di modellazione</translation>
     </message>
     <message>
-        <source>print the sheets as walls of one bead (openSurfaces=wall) or two (openSurfaces=thicken), or give them a thickness in a modelling program</source>
-        <translation>stampa le lamine come pareti di un cordone (openSurfaces=wall) o di due (openSurfaces=thicken), o dai loro uno spessore in un programma di modellazione</translation>
+        <source>print the sheets as walls of one bead (`openSurfaces=wall`) or two (`openSurfaces=thicken`), or give them a thickness in a modelling program</source>
+        <translation>stampa le lamine come pareti di un cordone (`openSurfaces=wall`) o di due (`openSurfaces=thicken`), o dai loro uno spessore in un programma di modellazione</translation>
     </message>
     <message>
         <source>thicken the surface in a modelling program</source>
@@ -7646,8 +7646,8 @@ previsto</translation>
         <translation>la superficie aperta è diventata una parete di {wall:.2f}, metà per lato</translation>
     </message>
     <message>
-        <source>thicken it to a wall of two beads (openSurfaces=thicken), or repair it in a modelling program</source>
-        <translation>ispessiscila a una parete di due cordoni (openSurfaces=thicken) o riparala in un programma di modellazione</translation>
+        <source>thicken it to a wall of two beads (`openSurfaces=thicken`), or repair it in a modelling program</source>
+        <translation>ispessiscila a una parete di due cordoni (`openSurfaces=thicken`) o riparala in un programma di modellazione</translation>
     </message>
     <message>
         <source>the open surface crosses itself at {places} pairs of triangles, the first at ({x:.4g}, {y:.4g}, {z:.4g})</source>
@@ -7662,8 +7662,8 @@ previsto</translation>
         <translation>la superficie aperta si dirama in {edges} spigoli, il primo in ({x:.4g}, {y:.4g}, {z:.4g})</translation>
     </message>
     <message>
-        <source>to get a wall of two beads instead, use openSurfaces=thicken</source>
-        <translation>per ottenere invece una parete di due cordoni, usa openSurfaces=thicken</translation>
+        <source>to get a wall of two beads instead, use `openSurfaces=thicken`</source>
+        <translation>per ottenere invece una parete di due cordoni, usa `openSurfaces=thicken`</translation>
     </message>
     <message>
         <source>the open surface is printed as one wall, one bead ({width:.2f}) wide</source>
@@ -7980,8 +7980,8 @@ previsto</translation>
         <translation>nessun utensile del lavoro posa nastro</translation>
     </message>
     <message>
-        <source>add a tool with a process for tape, such as tape-5, or set fibreLayers=0</source>
-        <translation>aggiungi un utensile con un processo per nastro, come tape-5, oppure imposta fibreLayers=0</translation>
+        <source>add a tool with a process for tape, such as tape-5, or set `fibreLayers=0`</source>
+        <translation>aggiungi un utensile con un processo per nastro, come tape-5, oppure imposta `fibreLayers=0`</translation>
     </message>
     <message>
         <source>process {process} lays tape and prints no beads</source>
@@ -7996,24 +7996,24 @@ previsto</translation>
         <translation>nessun nastro entra negli strati scelti per i nastri: largo {width} e lungo almeno {length:.0f}</translation>
     </message>
     <message>
-        <source>choose another direction (fibreAngle), other paths (fibrePaths), or a narrower tape</source>
-        <translation>scegli un&apos;altra direzione (fibreAngle), altri percorsi (fibrePaths) o un nastro più stretto</translation>
+        <source>choose another direction (`fibreAngle`), other paths (`fibrePaths`), or a narrower tape</source>
+        <translation>scegli un&apos;altra direzione (`fibreAngle`), altri percorsi (`fibrePaths`) o un nastro più stretto</translation>
     </message>
     <message>
         <source>{bent:.0f} of tape is left out because it bends more than a radius of {radius:.0f} allows, {short:.0f} because its pieces are shorter than {length:.0f}</source>
         <translation>{bent:.0f} di nastro sono omessi perché piegano più di quanto consenta un raggio di {radius:.0f}, {short:.0f} perché i pezzi sono più corti di {length:.0f}</translation>
     </message>
     <message>
-        <source>choose another direction (fibreAngle) or other paths (fibrePaths)</source>
-        <translation>scegli un&apos;altra direzione (fibreAngle) o altri percorsi (fibrePaths)</translation>
+        <source>choose another direction (`fibreAngle`) or other paths (`fibrePaths`)</source>
+        <translation>scegli un&apos;altra direzione (`fibreAngle`) o altri percorsi (`fibrePaths`)</translation>
     </message>
     <message>
         <source>plastic does not cover the tape: {length:.0f} on layer {layer}, from this place on</source>
         <translation>la plastica non copre il nastro: {length:.0f} sullo strato {layer}, da questo punto in poi</translation>
     </message>
     <message>
-        <source>increase fibreEndMm, or choose layers that others cover (fibreLayers, fibreFirstLayer)</source>
-        <translation>aumenta fibreEndMm, oppure scegli strati che altri coprono (fibreLayers, fibreFirstLayer)</translation>
+        <source>increase `fibreEndMm`, or choose layers that others cover (`fibreLayers`, `fibreFirstLayer`)</source>
+        <translation>aumenta `fibreEndMm`, oppure scegli strati che altri coprono (`fibreLayers`, `fibreFirstLayer`)</translation>
     </message>
     <message>
         <source>is not less than &apos;widthMm&apos;</source>
@@ -8035,8 +8035,8 @@ previsto</translation>
         </translation>
     </message>
     <message>
-        <source>set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0</source>
-        <translation>imposta infillDensity a 0.1 o più; per un pezzo aperto in alto, imposta topLayers a 0</translation>
+        <source>set `infillDensity` to 0.1 or more; for a part that is open at the top, set `topLayers` to 0</source>
+        <translation>imposta `infillDensity` a 0.1 o più; per un pezzo aperto in alto, imposta `topLayers` a 0</translation>
     </message>
     <message>
         <source>thin walls</source>
@@ -8059,16 +8059,16 @@ previsto</translation>
         <translation>{length:.0f} di pareti, sottili fino a {width:.2f}, è stampato troppo largo: con il cordone più stretto, {bead:.3g}</translation>
     </message>
     <message>
-        <source>use a finer nozzle, or leave them out (thinWalls=omit)</source>
-        <translation>usa un ugello più fine, oppure omettile (thinWalls=omit)</translation>
+        <source>use a finer nozzle, or leave them out (`thinWalls=omit`)</source>
+        <translation>usa un ugello più fine, oppure omettile (`thinWalls=omit`)</translation>
     </message>
     <message>
         <source>{length:.0f} of walls, down to {width:.2f} thin, is left out: the narrowest bead is {bead:.3g}</source>
         <translation>{length:.0f} di pareti, sottili fino a {width:.2f}, è omesso: il cordone più stretto è {bead:.3g}</translation>
     </message>
     <message>
-        <source>use a finer nozzle, or print them with that bead (thinWalls=bead)</source>
-        <translation>usa un ugello più fine, oppure stampale con quel cordone (thinWalls=bead)</translation>
+        <source>use a finer nozzle, or print them with that bead (`thinWalls=bead`)</source>
+        <translation>usa un ugello più fine, oppure stampale con quel cordone (`thinWalls=bead`)</translation>
     </message>
     <message>
         <source>use thinner layers, or a part with steeper walls; another spiral may begin there</source>
@@ -8150,12 +8150,12 @@ previsto</translation>
         <translation>è più lungo di maxLayerTimeS</translation>
     </message>
     <message>
-        <source>maxLayerTimeS={greatest:.0f} is shorter than the {least:.0f} that {material} has to cool</source>
-        <translation>maxLayerTimeS={greatest:.0f} è più breve dei {least:.0f} di raffreddamento di {material}</translation>
+        <source>`maxLayerTimeS={greatest:.0f}` is shorter than the {least:.0f} that {material} has to cool</source>
+        <translation>`maxLayerTimeS={greatest:.0f}` è più breve dei {least:.0f} di raffreddamento di {material}</translation>
     </message>
     <message>
-        <source>minLayerTimeS={least:.0f} is longer than the {greatest:.0f} in which {material} bonds</source>
-        <translation>minLayerTimeS={least:.0f} è più lungo dei {greatest:.0f} entro cui {material} aderisce</translation>
+        <source>`minLayerTimeS={least:.0f}` is longer than the {greatest:.0f} in which {material} bonds</source>
+        <translation>`minLayerTimeS={least:.0f}` è più lungo dei {greatest:.0f} entro cui {material} aderisce</translation>
     </message>
     <message>
         <source>give a longer maximum, or another material</source>
@@ -8214,8 +8214,8 @@ previsto</translation>
         <translation>un pezzo con i propri percorsi si stampa da solo</translation>
     </message>
     <message>
-        <source>remove the other parts, or ignore its tool-paths (givenToolPaths=false)</source>
-        <translation>togli gli altri pezzi, oppure ignora i suoi percorsi (givenToolPaths=false)</translation>
+        <source>remove the other parts, or ignore its tool-paths (`givenToolPaths=false`)</source>
+        <translation>togli gli altri pezzi, oppure ignora i suoi percorsi (`givenToolPaths=false`)</translation>
     </message>
     <message>
         <source>different for each part</source>
@@ -8358,8 +8358,8 @@ previsto</translation>
         <translation>Tempo tra gli strati: da {shortest:.1f} a {longest:.1f} sul suo controllore, {mean:.1f} in media.</translation>
     </message>
     <message>
-        <source>minLayerTimeS={least:.0f} is longer than maxLayerTimeS={greatest:.0f}</source>
-        <translation>minLayerTimeS={least:.0f} è più lungo di maxLayerTimeS={greatest:.0f}</translation>
+        <source>`minLayerTimeS={least:.0f}` is longer than `maxLayerTimeS={greatest:.0f}`</source>
+        <translation>`minLayerTimeS={least:.0f}` è più lungo di `maxLayerTimeS={greatest:.0f}`</translation>
     </message>
     <message>
         <source>give a shorter minimum, or a longer maximum</source>
@@ -9070,8 +9070,8 @@ previsto</translation>
         <translation>i punti di cucitura richiedono strati orizzontali</translation>
     </message>
     <message>
-        <source>set stitchSpacing=0, or give no layerPlanes</source>
-        <translation>imposta stitchSpacing=0, o non indicare layerPlanes</translation>
+        <source>set `stitchSpacing=0`, or give no `layerPlanes`</source>
+        <translation>imposta `stitchSpacing=0`, o non indicare `layerPlanes`</translation>
     </message>
     <message>
         <source>excess of a shot</source>
@@ -9126,8 +9126,8 @@ previsto</translation>
         <translation>il pezzo non ha alcuna superficie entro {angle} dalla verticale che sia abbastanza larga per una cucitura</translation>
     </message>
     <message>
-        <source>turn the part, or increase traceAngle</source>
-        <translation>ruota il pezzo, o aumenta traceAngle</translation>
+        <source>turn the part, or increase `traceAngle`</source>
+        <translation>ruota il pezzo, o aumenta `traceAngle`</translation>
     </message>
     <message>
         <source>greatest angle of the traced surface</source>
@@ -9246,8 +9246,8 @@ previsto</translation>
         <translation>il pezzo non ha rami</translation>
     </message>
     <message>
-        <source>use infill that is dense along the part&apos;s middle (sparsePattern=pith)</source>
-        <translation>usa un riempimento denso lungo il mezzo del pezzo (sparsePattern=pith)</translation>
+        <source>use infill that is dense along the part&apos;s middle (`sparsePattern=pith`)</source>
+        <translation>usa un riempimento denso lungo il mezzo del pezzo (`sparsePattern=pith`)</translation>
     </message>
     <message>
         <source>the limbs of the pith cannot be joined</source>
@@ -9941,16 +9941,16 @@ facce %</translation>
         </translation>
     </message>
     <message>
-        <source>use a process with a greater flow, or smaller pockets (stitchDiameter)</source>
-        <translation>usa un processo con una portata maggiore, o tasche più piccole (stitchDiameter)</translation>
+        <source>use a process with a greater flow, or smaller pockets (`stitchDiameter`)</source>
+        <translation>usa un processo con una portata maggiore, o tasche più piccole (`stitchDiameter`)</translation>
     </message>
     <message>
         <source>support in closed hollows of the part cannot be removed: {volume:.3g}</source>
         <translation>i supporti nelle cavità chiuse del pezzo non si possono togliere: {volume:.3g}</translation>
     </message>
     <message>
-        <source>open the hollow or turn the part; without supports (supports=none) the hollow&apos;s roof is unsupported</source>
-        <translation>apri la cavità o gira il pezzo; senza supporti (supports=none) la volta della cavità non è sostenuta</translation>
+        <source>open the hollow or turn the part; without supports (`supports=none`) the hollow&apos;s roof is unsupported</source>
+        <translation>apri la cavità o gira il pezzo; senza supporti (`supports=none`) la volta della cavità non è sostenuta</translation>
     </message>
     <message>
         <source>too many intersecting triangles to unite them ({pairs} pairs, at most {most}): shells stay as they are, overlaps count as one solid when layers are made</source>
@@ -10236,8 +10236,8 @@ facce %</translation>
         <translation>{volume:.0f} estrusi dal codice proprio della stampante sono omessi, dalla riga {line} in poi</translation>
     </message>
     <message>
-        <source>the file states the filament diameter &apos;{text}&apos;: {diameter} assumed for values that cannot be used; for another one set pathsFlow</source>
-        <translation>il file indica il diametro del filamento «{text}»: {diameter} assunto per i valori inutilizzabili; per un altro impostare pathsFlow</translation>
+        <source>the file states the filament diameter &apos;{text}&apos;: {diameter} assumed for values that cannot be used; for another one set `pathsFlow`</source>
+        <translation>il file indica il diametro del filamento «{text}»: {diameter} assunto per i valori inutilizzabili; per un altro impostare `pathsFlow`</translation>
     </message>
     <message>
         <source>the program ends here, beads that follow in line {line} would not be printed</source>

@@ -66,8 +66,8 @@ Json listFormats() {
 Json listParts() {
   Json rows = Json::array();
   for (const project::PartFormat& format : project::partFormats())
-    rows.push_back(
-        Json{{"id", format.ending}, {"label", format.name}, {"holds", format.holds.english()}});
+    rows.push_back(Json{
+        {"id", format.ending}, {"label", format.name}, {"holds", base::english(format.holds)}});
   return rows;
 }
 
@@ -111,8 +111,8 @@ Json listParameters() {
   Json rows = Json::array();
   for (const base::ParameterSpec& spec : table.specs()) {
     Json row{{"id", spec.key},
-             {"label", spec.label.english()},
-             {"group", spec.group.english()},
+             {"label", base::english(spec.label)},
+             {"group", base::english(spec.group)},
              {"type", types[static_cast<std::size_t>(spec.type)]},
              {"unit", spec.unit},
              {"default", valueJson(spec.defaultValue)}};
@@ -123,7 +123,7 @@ Json listParameters() {
     for (const base::Choice& choice : spec.choices)
       row["choices"].push_back(choice.id);
     row["simple"] = spec.simple;
-    row["help"] = spec.help.english();
+    row["help"] = base::english(spec.help);
     rows.push_back(std::move(row));
   }
   return rows;

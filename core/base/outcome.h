@@ -24,7 +24,7 @@ template <typename F> auto outcomeOf(F&& f) noexcept -> Outcome<std::invoke_resu
     return e;
   } catch (const std::bad_alloc&) {
     return Error(ErrorCode::Internal, "out of memory"_text, {},
-                 "try a larger voxelMm or a smaller part"_text);
+                 "try a larger `voxelMm` or a smaller part"_text);
   } catch (const std::exception& e) {
     return Error(ErrorCode::Internal, message("{what}"_text, std::string(e.what())));
   } catch (...) {

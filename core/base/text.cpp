@@ -1,5 +1,6 @@
 #include "base/text.h"
 
+#include "base/setting_marks.h"
 #include "base/shown_number.h"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ bool operator==(const Message& a, const Message& b) {
 }
 
 std::string Language::sentence(Text text, std::optional<long long> count) const {
-  return std::string(text.plural() && count == 1 ? text.one() : text.english());
+  return withSettingsAsTyped(text.plural() && count == 1 ? text.one() : text.english());
 }
 
 std::string Language::whole(long long number) const {
@@ -214,7 +215,7 @@ std::vector<std::string> english(const std::vector<Message>& messages) {
 }
 
 std::string english(Text text) {
-  return std::string(text.english());
+  return withSettingsAsTyped(text.english());
 }
 
 } // namespace voluta::base

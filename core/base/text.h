@@ -51,6 +51,7 @@ using namespace literals;
 // A sentence or a word of the program, in English. It can only be made from a literal with one of
 // the two suffixes above, which put it on the translators' list, so every text shown to users can
 // be translated.
+// A setting that it names is in backquotes, as it is typed: `orient=none` (setting_marks.h).
 class Text {
 public:
   constexpr Text() = default; // Empty
@@ -190,7 +191,8 @@ template <typename... V> Message message(TextWithPlaces<sizeof...(V)> text, V&&.
 class Language {
 public:
   virtual ~Language() = default;
-  // Returns the sentence with its placeholders; `count` is set if the number decides the form.
+  // Returns the sentence with its placeholders, and settings in this language's form (here: as
+  // typed); `count` is set if the number decides the form.
   virtual std::string sentence(Text text, std::optional<long long> count) const;
   virtual std::string whole(long long number) const;
   // `format`: "g", "f" or empty (as "g"); `digits`: significant digits or decimals.

@@ -32,7 +32,7 @@ robot::CellRod cellRod(const ModeChoices& in) {
     throw base::Error(base::ErrorCode::Usage,
                       base::message("mode {mode} needs a rod, but cell {cell} has none"_text,
                                     in.choices.item().mode, base::dataName(in.choices.cell)),
-                      {}, "give --cell lathe"_text);
+                      {}, "give `--cell lathe`"_text);
   return *cell.rod();
 }
 

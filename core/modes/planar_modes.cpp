@@ -74,7 +74,7 @@ SlicePlan flatSlicePlan(const ModeChoices& in) {
   plan.options.stitches = stitchRule(in);
   if (plan.options.stitches.makesPockets() && !plan.planes.empty())
     throw base::Error(base::ErrorCode::Usage, "stitches need horizontal layers"_text,
-                      "stitchSpacing"_name, "set stitchSpacing=0, or give no layerPlanes"_text);
+                      "stitchSpacing"_name, "set `stitchSpacing=0`, or give no `layerPlanes`"_text);
   return plan;
 }
 

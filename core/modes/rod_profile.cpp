@@ -45,7 +45,7 @@ std::vector<Eigen::Vector2d> rodProfile(const std::string& text) {
     if (!readPair(word, pair))
       throw base::Error(
           base::ErrorCode::Usage,
-          base::message("rodProfile: '{text}' is neither a pair x,radius nor a file"_text,
+          base::message("`rodProfile`: '{text}' is neither a pair x,radius nor a file"_text,
                         word.substr(0, 40)),
           base::message("pair {number}"_text, points.size() + 1),
           "write pairs such as -20,2.5 0,2.5 0,3.5 20,3.5 in mm"_text);

@@ -85,7 +85,7 @@ substrate::EndSurface endSurface(const SurfacePlan& plan) {
   substrate::EndSurface end;
   const auto fail = [&] {
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("endSurface '{text}' is not an end surface"_text, text), {},
+                      base::message("`endSurface` '{text}' is not an end surface"_text, text), {},
                       "write flat, flat:Z, radius:R or mesh:FILE, in mm"_text);
   };
   const std::size_t colon = text.find(':');
@@ -106,8 +106,8 @@ substrate::EndSurface endSurface(const SurfacePlan& plan) {
     const auto body = platformBody(plan.ground.platform);
     if (!body)
       throw base::Error(base::ErrorCode::Usage,
-                        "endSurface mesh:FILE requires a platform that is a body"_text, {},
-                        base::message("give --platform {platforms}, or endSurface flat:Z"_text,
+                        "`endSurface` mesh:FILE requires a platform that is a body"_text, {},
+                        base::message("give `--platform {platforms}`, or `endSurface` flat:Z"_text,
                                       project::platformForms({project::PlatformUse::Body})));
     end.mesh = std::make_shared<geometry::MeshQuery>(
         moved(*file->mesh, scale, motionToMiddle(*body, scale)));
@@ -126,7 +126,7 @@ substrate::SubstrateOptions substrateOptions(const SurfacePlan& plan) {
     if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
       throw base::Error(
           base::ErrorCode::Usage,
-          base::message("layerCentre '{text}' is not a point"_text, text.substr(0, 40)), {},
+          base::message("`layerCentre` '{text}' is not a point"_text, text.substr(0, 40)), {},
           "write x,y,z in mm"_text);
   }
   options.end = endSurface(plan);

@@ -80,7 +80,7 @@ curvesOf(const TracePlan& plan, const geometry::TriangleMesh& body, const base::
                       base::message("the part has no surface within {angle} of the vertical that "
                                     "is wide enough for a seam"_text,
                                     base::degrees(base::radiansToDegrees(plan.rule.steepRad))),
-                      "traceAngle"_name, "turn the part, or increase traceAngle"_text);
+                      "traceAngle"_name, "turn the part, or increase `traceAngle`"_text);
   return curves;
 }
 

@@ -49,7 +49,7 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
   if (cell.plates().empty())
     throw base::Error(base::ErrorCode::Usage,
                       base::message("cell {cell} has no plates"_text, cell.id()), {},
-                      "give --platform disc:DIAMETER, or another platform"_text);
+                      "give `--platform disc:DIAMETER`, or another platform"_text);
   std::vector<Vector2d> points;
   if (needs.supports)
     for (const Eigen::Vector3d& v : part.vertices)

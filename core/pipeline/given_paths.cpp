@@ -286,7 +286,7 @@ plan::Findings withRemediesForGiven(plan::Findings findings) {
 void requireOwnSize(const project::Choices& choices) {
   if (project::parsedScale(choices.item().scale) != 1.0 || choices.item().units != "mm")
     throw base::Error(base::ErrorCode::Usage, "the tool-paths of a file cannot be scaled"_text, {},
-                      "leave scale and units as they are, or give givenToolPaths=false"_text);
+                      "leave scale and units as they are, or give `givenToolPaths=false`"_text);
 }
 
 std::shared_ptr<const modes::DecomposeStage>

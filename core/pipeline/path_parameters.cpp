@@ -26,9 +26,10 @@ Eigen::Isometry3d frameOf(const std::string& text) {
     return frame;
   Vector3d at, turn;
   if (!base::readNumbers(text, ',', {&at.x(), &at.y(), &at.z(), &turn.x(), &turn.y(), &turn.z()}))
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("pathsFrame '{text}' is not a frame"_text, text.substr(0, 40)),
-                      {}, "write x,y,z,a,b,c in mm and degrees"_text);
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("`pathsFrame` '{text}' is not a frame"_text, text.substr(0, 40)), {},
+        "write x,y,z,a,b,c in mm and degrees"_text);
   frame.translation() = at;
   frame.linear() = (AngleAxisd(base::degreesToRadians(turn.z()), Vector3d::UnitZ()) *
                     AngleAxisd(base::degreesToRadians(turn.y()), Vector3d::UnitY()) *
@@ -50,7 +51,7 @@ sliced::PathShape pathShape(const base::ParameterValues& values) {
   shape.frame = frameOf(values.text("pathsFrame"));
   if (shape.ground.isCurved() && std::abs(shape.ground.radiusMm) < 1.0)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("pathsRadiusMm={radius} is no radius of a ground"_text,
+                      base::message("`pathsRadiusMm={radius}` is no radius of a ground"_text,
                                     base::number(shape.ground.radiusMm)),
                       {}, "give at least 1 mm, or at most -1 mm for the inside"_text);
   return shape;

@@ -103,7 +103,7 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
       throw base::Error(
           base::ErrorCode::Usage, "a part with its own tool-paths is printed alone"_text,
           one.item().loaded->name,
-          "remove the other parts, or ignore its tool-paths (givenToolPaths=false)"_text);
+          "remove the other parts, or ignore its tool-paths (`givenToolPaths=false`)"_text);
     if (!request.choices.item(i).automatic || !searches(one))
       continue;
     std::size_t same = 0;

@@ -412,8 +412,8 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
                   : base::message("cell {cell} has a rod, but mode {mode} prints on a plate"_text,
                                   base::dataName(choices.cell), choices.item().mode),
               {},
-              winds ? base::Message("give --cell lathe"_text)
-                    : base::message("give --mode {modes}, or another cell"_text,
+              winds ? base::Message("give `--cell lathe`"_text)
+                    : base::message("give `--mode {modes}`, or another cell"_text,
                                     fmt::format("{}", fmt::join(modesThere, ", "))));
 }
 
@@ -467,10 +467,10 @@ void checkLayerTimes(const project::Choices& choices, const base::ParameterValue
     throw Error(
         ErrorCode::Usage,
         isOwnMost
-            ? base::message("maxLayerTimeS={greatest:.0f} is shorter than the {least:.0f} "
+            ? base::message("`maxLayerTimeS={greatest:.0f}` is shorter than the {least:.0f} "
                             "that {material} has to cool"_text,
                             base::seconds(times.greatestS), base::seconds(times.leastS), material)
-            : base::message("minLayerTimeS={least:.0f} is longer than the {greatest:.0f} "
+            : base::message("`minLayerTimeS={least:.0f}` is longer than the {greatest:.0f} "
                             "in which {material} bonds"_text,
                             base::seconds(times.leastS), base::seconds(times.greatestS), material),
         {},
@@ -478,8 +478,8 @@ void checkLayerTimes(const project::Choices& choices, const base::ParameterValue
                   : base::Message("give a shorter minimum, or another material"_text));
   }
   throw Error(ErrorCode::Usage,
-              base::message("minLayerTimeS={least:.0f} is longer than "
-                            "maxLayerTimeS={greatest:.0f}"_text,
+              base::message("`minLayerTimeS={least:.0f}` is longer than "
+                            "`maxLayerTimeS={greatest:.0f}`"_text,
                             base::seconds(times.leastS), base::seconds(times.greatestS)),
               {}, "give a shorter minimum, or a longer maximum"_text);
 }
@@ -510,15 +510,15 @@ void checkChoices(const project::Choices& given) {
                 base::message("mode {mode} does not print on platform {platform}"_text,
                               choices.item().mode, choices.item().platform.kind().word),
                 {},
-                base::message("give --platform {platforms}"_text, project::platformForms(taken)));
+                base::message("give `--platform {platforms}`"_text, project::platformForms(taken)));
   const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
   if (const auto orient = choices.item().parameters.find("orient");
       laysItself && orient != choices.item().parameters.end() && orient->second != "none")
     throw Error(ErrorCode::Usage,
-                base::message("orient={orient} is for parts on a plate; mode {mode} places them "
+                base::message("`orient={orient}` is for parts on a plate; mode {mode} places them "
                               "itself"_text,
                               orient->second, choices.item().mode),
-                {}, "give orient=none"_text);
+                {}, "give `orient=none`"_text);
   static_cast<void>(project::lengthUnit(choices.item().units));
   if (project::parsedScale(choices.item().scale) == 0.0 && choices.item().platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,

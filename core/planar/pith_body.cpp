@@ -141,7 +141,7 @@ PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
                                           kSpacing * geometry::bounds(part).diagonal().norm());
   if (limbs.empty())
     refuse("the part has no limbs"_text,
-           "use infill that is dense along the part's middle (sparsePattern=pith)"_text);
+           "use infill that is dense along the part's middle (`sparsePattern=pith`)"_text);
   PithBody body;
   body.leastRadiusMm = std::numeric_limits<double>::infinity();
   std::optional<geometry::TriangleMesh> joined;

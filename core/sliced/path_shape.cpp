@@ -117,13 +117,13 @@ void requireRoom(const plan::ToolPlan& plan, const CurvedGround& ground) {
                       base::message("the part is {height:.1f} high, too high for the inside of a "
                                     "radius of {radius:.1f}"_text,
                                     base::mm(top), base::mm(-ground.radiusMm)),
-                      {}, "give a larger pathsRadiusMm"_text);
+                      {}, "give a larger `pathsRadiusMm`"_text);
   if (angle > kMostAngle)
     throw base::Error(
         base::ErrorCode::UnusableInput,
         base::message("the part reaches {angle:.0f} round the ground, more than 90"_text,
                       base::degrees(base::radiansToDegrees(angle))),
-        {}, "give a larger pathsRadiusMm, or turn the part by 90 degrees"_text);
+        {}, "give a larger `pathsRadiusMm`, or turn the part by 90 degrees"_text);
 }
 
 // Maps a path. The area at a waypoint is the mean of those of the segments beside it, weighted

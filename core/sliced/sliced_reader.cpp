@@ -37,12 +37,12 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
   if (!file.volumetric && !file.header.oddDiameters.empty())
     notes.push_back(base::message(
-        "the file states the filament diameter '{text}': {diameter} assumed for values that cannot be used; for another one set pathsFlow"_text,
+        "the file states the filament diameter '{text}': {diameter} assumed for values that cannot be used; for another one set `pathsFlow`"_text,
         file.header.oddDiameters,
         base::mm(file.header.filamentMm > 0.0 ? file.header.filamentMm : kUsualFilamentMm)));
   else if (!file.volumetric && file.header.filamentMm <= 0.0)
     notes.push_back(base::message(
-        "the file states no filament diameter: {diameter} assumed; for another one set pathsFlow"_text,
+        "the file states no filament diameter: {diameter} assumed; for another one set `pathsFlow`"_text,
         base::mm(kUsualFilamentMm)));
   if (file.inStartCode > 0.0)
     notes.push_back(base::message("{volume:.0f} extruded before the first layer are left out"_text,

@@ -103,7 +103,8 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
         refuse(base::message("layers on this surface would fold from layer {layer} on: its normals"
                              " cross before the end surface"_text,
                              k + 1),
-               "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
+               "fill the hollow first, or use `layerShape=offset`"_text,
+               &level.surface.corner(t, 0));
     levels.push_back(std::move(level));
   }
   return levels;

@@ -1,10 +1,10 @@
 #include "substrate/rod_axis.h"
 
 #include "base/error.h"
-#include "geometry/symmetric_axes.h"
 #include "geometry/least_squares.h"
 #include "geometry/least_turn.h"
 #include "geometry/measures.h"
+#include "geometry/symmetric_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
                       "the part has no clear axis: its surface normals have no preferred "
                       "direction"_text,
                       "axis"_text,
-                      "set its axis (rodAxis), or rotate the part onto the rod manually"_text);
+                      "set its axis (`rodAxis`), or rotate the part onto the rod manually"_text);
   Eigen::Vector3d direction = found.axes.col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

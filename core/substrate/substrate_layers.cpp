@@ -190,12 +190,12 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
     refuse(
         base::message("the end surface is {rise:.3g} mm above the top of the starting surface"_text,
                       base::number(rise)),
-        "choose a higher end surface (endSurface)"_text);
+        "choose a higher end surface (`endSurface`)"_text);
   if (halfWidth >= start.radiusMm)
     refuse(base::message("the part is {width:.3g} mm wide, at least as wide as the cylinder "
                          "below it"_text,
                          base::number(2.0 * halfWidth)),
-           "make the part narrower, or use layerShape=offset"_text);
+           "make the part narrower, or use `layerShape=offset`"_text);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
   double least = 0.0, most = 0.0; // Thickness range of the best number of layers
@@ -264,7 +264,7 @@ void addFlattening(LevelFamily& family, const geometry::TriangleMesh& part,
     return addCircles(family, part, *cylinder, o, box);
   if (!std::isinf(o.end.radiusMm))
     refuse("an end surface radius:R requires a cylinder along x below the part"_text,
-           "give endSurface=flat:Z or mesh:FILE"_text);
+           "give `endSurface=flat:Z` or mesh:FILE"_text);
   BlendOptions blend;
   blend.levels = o;
   blend.endHeightMm = topOf(part, o.end);

@@ -1,14 +1,20 @@
 #include "texts/known_texts.h"
 
-#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
 
 namespace voluta::texts {
 
 base::Text knownText(std::string_view english) {
-  const std::span<const base::Text> all = knownTexts();
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const base::Text& text) { return text.english() == english; });
-  return found != all.end() ? *found : base::Text();
+  static const std::map<std::string, base::Text, std::less<>> kByEnglish = [] {
+    std::map<std::string, base::Text, std::less<>> texts;
+    for (const base::Text& text : knownTexts())
+      texts.emplace(base::english(text), text);
+    return texts;
+  }();
+  const auto found = kByEnglish.find(english);
+  return found != kByEnglish.end() ? found->second : base::Text();
 }
 
 } // namespace voluta::texts

@@ -4,7 +4,7 @@
 #include "forms/fold.h"
 #include "forms/icons.h"
 #include "forms/parameter_row.h"
-#include "forms/parameter_texts.h"
+#include "language/parameter_texts.h"
 #include "language/words.h"
 
 #include <QButtonGroup>

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "forms/colours.h"
 #include "forms/icons.h"
-#include "forms/parameter_texts.h"
 #include "forms/value_boxes.h"
+#include "language/parameter_texts.h"
 #include "language/words.h"
 
 #include <QCheckBox>
@@ -109,11 +109,11 @@ void ParameterRow::buildEditor() {
   switch (spec_.type) {
   case base::ParameterType::Number: {
     auto* box = new NumberBox(this);
-    const double shown = shownFactor(spec_);
+    const double shown = language::shownFactor(spec_);
     box->setRange(shown * spec_.minimum, shown * spec_.maximum);
     box->setSingleStep(
         stepFor(shown * std::get<double>(spec_.defaultValue), shown * spec_.maximum));
-    box->setUnit(unitText(spec_.unit));
+    box->setUnit(language::unitText(spec_.unit));
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [this, shown](double value) { commit(value / shown); });
     editor_ = box;
@@ -195,7 +195,8 @@ void ParameterRow::showValue() {
   const QSignalBlocker quiet(editor_);
   switch (spec_.type) {
   case base::ParameterType::Number:
-    static_cast<NumberBox*>(editor_)->setValue(shownFactor(spec_) * std::get<double>(value_));
+    static_cast<NumberBox*>(editor_)->setValue(language::shownFactor(spec_) *
+                                               std::get<double>(value_));
     break;
   case base::ParameterType::Integer:
     static_cast<QSpinBox*>(editor_)->setValue(
@@ -268,13 +269,13 @@ void ParameterRow::showLabel() {
 
 void ParameterRow::retranslate() {
   showLabel();
-  const QString tip = parameterToolTip(spec_);
+  const QString tip = language::parameterToolTip(spec_);
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   editor_->setAccessibleName(language::heading(spec_.label));
   browse_->setToolTip(tr("Choose a file"));
   browse_->setAccessibleName(tr("Choose a file"));
-  reset_->setToolTip(tr("Reset to %1").arg(valueText(spec_, spec_.defaultValue)));
+  reset_->setToolTip(tr("Reset to %1").arg(language::valueText(spec_, spec_.defaultValue)));
   if (auto* combo = qobject_cast<QComboBox*>(editor_))
     for (int i = 0; i < combo->count(); ++i)
       combo->setItemText(i, language::heading(spec_.choices[static_cast<std::size_t>(i)].label));

@@ -1,6 +1,7 @@
 #include "language/words.h"
 
 #include "language/numbers.h"
+#include "language/setting_labels.h"
 #include "language/window_language.h"
 
 #include <QCoreApplication>
@@ -20,8 +21,9 @@ public:
     const QString translated = QCoreApplication::translate(kContext, english.c_str(), nullptr,
                                                            count ? static_cast<int>(*count) : -1);
     // English has no translation file: its singular forms are core's own.
-    return translated == QString::fromStdString(english) ? Language::sentence(text, count)
-                                                         : translated.toStdString();
+    const bool isEnglish = translated == QString::fromStdString(english);
+    const bool isOne = isEnglish && text.plural() && count == 1;
+    return withSettingTexts(isOne ? std::string(text.one()) : translated.toStdString());
   }
   std::string whole(long long number) const override {
     return QLocale().toString(static_cast<qlonglong>(number)).toStdString();

@@ -43,7 +43,7 @@ constexpr double kSteep = 0.5, kShallow = 0.2, kUpWeight = 100.0;
       base::Message(
           text, {count, base::number(place.x()), base::number(place.y()), base::number(place.z())}),
       {},
-      "thicken it to a wall of two beads (openSurfaces=thicken), or repair it in a modelling "
+      "thicken it to a wall of two beads (`openSurfaces=thicken`), or repair it in a modelling "
       "program"_text);
 }
 

@@ -25,9 +25,9 @@ inline constexpr base::Text kTurnOrShrink =
 inline constexpr base::Text kNarrowTo = "use a voxel width of at most {fits}"_text;
 inline constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
 inline constexpr base::Text kCutThere =
-    "add supports (supports=auto), cut there, or use curved mode"_text;
+    "add supports (`supports=auto`), cut there, or use curved mode"_text;
 inline constexpr base::Text kTurnOrModes =
-    "turn the part (orient=leastRisky), add supports, or use planar or curved mode"_text;
+    "turn the part (`orient=leastRisky`), add supports, or use planar or curved mode"_text;
 inline constexpr base::Text kMoreVoxels =
     "{what}; another voxel depends on this|{what}; {more} more voxels depend on this"_plural;
 
@@ -106,11 +106,11 @@ inline constexpr FindingRow kDecomposeRows[] = {
           "print the part smaller (scale)"_text, {.remedies = kForRod}),
     info(BlockedPieces, "blockedPieces",
          "blocked pieces: {blocked} of {pieces}; earlier pieces are in the print head's way"_text,
-         "use other cutting planes (cutPlanes), turn the part, or use curved mode"_text),
+         "use other cutting planes (`cutPlanes`), turn the part, or use curved mode"_text),
     info(
         SmallFoot, "smallFoot",
         "small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}"_text,
-        "place the part on a larger face, or use other cutting planes (cutPlanes)"_text),
+        "place the part on a larger face, or use other cutting planes (`cutPlanes`)"_text),
     info(UniformMisses, "uniformMisses",
          "unsupported voxels: {missed} of {voxels}|unsupported voxels: {missed} of {voxels}"_plural,
          kTurnOrOther, {.remedies = kOffers<TurnLeastRisky>}),

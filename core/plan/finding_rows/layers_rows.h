@@ -35,7 +35,7 @@ inline constexpr FindingRow kLayersRows[] = {
         "move the part on the surface, or extend it down to the surface there"_text,
         {.reportId = "beginsInAir", .remedies = kForAirOverGround}),
     error(NotLaid, "notLaid", "not covered by layers: {left:.3g#} of {whole:.4g} of the part"_text,
-          "choose layers that reach all of it (layerShape, layerCentre, endSurface)"_text,
+          "choose layers that reach all of it (`layerShape`, `layerCentre`, `endSurface`)"_text,
           {.remedies = kForAirOverGround}),
     info(UnheldOverhang, "unheldOverhang",
          "{area:.3g} overhangs where a support would have no footing"_text,
@@ -44,7 +44,7 @@ inline constexpr FindingRow kLayersRows[] = {
     info(
         WalledSupport, "walledSupport",
         "support in closed hollows of the part cannot be removed: {volume:.3g}"_text,
-        "open the hollow or turn the part; without supports (supports=none) the hollow's roof is unsupported"_text),
+        "open the hollow or turn the part; without supports (`supports=none`) the hollow's roof is unsupported"_text),
     info(PlaneMisses, "planeMisses", "layer planes miss the part: {planes}"_text,
          "move or remove them"_text),
     info(HeightBeyondLimits, "heightBeyondLimits",

@@ -10,7 +10,7 @@ inline constexpr base::Text kKeepVoxels =
 inline constexpr base::Text kThinnerThanBead =
     "{share:.3g} of the part is thinner than the narrowest bead ({least}); most of it is {usual:.2f} thick"_text;
 inline constexpr base::Text kKeepOrientation =
-    "to keep the orientation as given, use orient=none"_text;
+    "to keep the orientation as given, use `orient=none`"_text;
 
 inline constexpr FindingRow kLoadRows[] = {
     info(CellsTurned, "cellsTurned",
@@ -24,34 +24,34 @@ inline constexpr FindingRow kLoadRows[] = {
     error(
         OpenRims, "openSurface",
         "open surface: {rims} open edge loop, {width:.3g} wide|open surface: {rims} open edge loops, the widest {width:.3g} wide"_plural,
-        "print it as one wall (openSurfaces=wall), thicken it to a wall of two beads (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program"_text,
+        "print it as one wall (`openSurfaces=wall`), thicken it to a wall of two beads (`openSurfaces=thicken`), close its rims to make it solid (`openSurfaces=close`), or close it in a modelling program"_text,
         {.remedies = kOffers<WallSurface, ThickenSurface, CloseRims>}),
     error(
         SheetModel, "sheetModel",
         "sheet model: {share:.3g} of the surface has no thickness, {triangles} triangles"_text,
-        "print the sheets as walls of one bead (openSurfaces=wall) or two (openSurfaces=thicken), or give them a thickness in a modelling program"_text,
+        "print the sheets as walls of one bead (`openSurfaces=wall`) or two (`openSurfaces=thicken`), or give them a thickness in a modelling program"_text,
         {.reportId = "openSurface", .remedies = kOffers<WallSurface, ThickenSurface>}),
     info(RimsClosed, "rimsClosed",
          "open edges were closed: {share:.3g} of the surface is patches"_text,
-         "to get a wall instead, use openSurfaces=thicken"_text, {.reportId = "openSurface"}),
+         "to get a wall instead, use `openSurfaces=thicken`"_text, {.reportId = "openSurface"}),
     info(
         SheetsLeftOut, "sheetsLeftOut",
         "sheets without thickness were left out: {share:.3g} of the surface, {triangles} triangles"_text,
-        "to get walls instead, use openSurfaces=thicken"_text, {.reportId = "openSurface"}),
+        "to get walls instead, use `openSurfaces=thicken`"_text, {.reportId = "openSurface"}),
     info(SurfaceThickened, "surfaceThickened",
          "the open surface was thickened to a wall of {wall:.2f}, half on each side"_text,
-         "to get a solid instead, use openSurfaces=close"_text, {.reportId = "openSurface"}),
+         "to get a solid instead, use `openSurfaces=close`"_text, {.reportId = "openSurface"}),
     info(SurfaceAsWall, "surfaceAsWall",
          "the open surface is printed as one wall, one bead ({width:.2f}) wide"_text,
-         "to get a wall of two beads instead, use openSurfaces=thicken"_text,
+         "to get a wall of two beads instead, use `openSurfaces=thicken`"_text,
          {.reportId = "openSurface"}),
     error(TinyPart, "tinyPart",
           "the part is very small: {size:.3g} long if its file is in millimetres"_text,
-          "give the units it was drawn in (--units)"_text,
+          "give the units it was drawn in (`--units`)"_text,
           {.reportId = "oddSize", .remedies = kOffers<UnitsMetres, UnitsInches>}),
     error(HugePart, "hugePart",
           "the part is very large: {size:.4g} long if its file is in millimetres"_text,
-          "print it smaller (--scale fit), or give the units it was drawn in (--units)"_text,
+          "print it smaller (`--scale fit`), or give the units it was drawn in (`--units`)"_text,
           {.reportId = "oddSize", .remedies = kOffers<ScaleToFit, UnitsMicrometres>}),
     byAmount(ThinPart, "thinPart", kThinnerThanBead,
              "print it at scale {scale}, or use a process with narrower beads"_text,

@@ -15,7 +15,7 @@ inline constexpr base::Text kMoreWaypoints =
 
 inline constexpr FindingRow kMotionRows[] = {
     error(NothingToPrint, "nothingToPrint", "no tool-paths left"_text,
-          "choose a smaller voxelMm or beadWidthMm"_text,
+          "choose a smaller `voxelMm` or `beadWidthMm`"_text,
           {.remedies = kOffers<FinerProcess, Enlarge>}),
     error(
         TooLarge, "tooLarge",
@@ -30,12 +30,12 @@ inline constexpr FindingRow kMotionRows[] = {
     error(
         Unreachable, "unreachable",
         "{place}: out of the robot's reach, or beyond a joint limit, at every rotation tried about the nozzle"_text,
-        "scale the part down (--scale fit), turn it, or use a larger robot"_text,
+        "scale the part down (`--scale fit`), turn it, or use a larger robot"_text,
         {.remedies = kForOutOfReach, .more = kMoreWaypoints}),
     error(
         Unconnected, "unconnected",
         "{place}: reachable, but the robot cannot move from or to a neighbouring point without lifting"_text,
-        "turn the part about the vertical, or try more rotations (redundancySamples)"_text,
+        "turn the part about the vertical, or try more rotations (`redundancySamples`)"_text,
         {.remedies = kOffers<MoreTurns, Shrink, PrintFlat>, .more = kMoreWaypoints}),
     error(StaysUpright, "staysUpright",
           "this arm keeps the nozzle upright, but the layers need it tilted, first at {place}"_text,
@@ -93,11 +93,11 @@ inline constexpr FindingRow kMotionRows[] = {
     info(
         JerkOverLimit, "jerkOverLimit",
         "jerk of joint {joint} at its greatest here: {jerk:.3g} rad/s³, limit {limit:.3g} rad/s³"_text,
-        "smooth whole paths (rotationSmoothing=wholePath), print slower, or allow more jerk (maxJerk)"_text),
+        "smooth whole paths (`rotationSmoothing=wholePath`), print slower, or allow more jerk (`maxJerk`)"_text),
     info(
         LongShot, "longShot",
         "{shots} shot into a pocket lasts up to {seconds:.1f}: after {most:.0f} in the pocket the nozzle melts the layers around it|{shots} shots into pockets last up to {seconds:.1f}: after {most:.0f} in a pocket the nozzle melts the layers around it"_plural,
-        "use a process with a greater flow, or smaller pockets (stitchDiameter)"_text),
+        "use a process with a greater flow, or smaller pockets (`stitchDiameter`)"_text),
 };
 
 } // namespace voluta::plan::finding_rows

@@ -24,17 +24,17 @@ inline constexpr FindingRow kToolpathRows[] = {
     info(
         ThinWallsWidened, "thinWallsWidened",
         "{length:.0f} of walls, down to {width:.2f} thin, is printed too wide: with the narrowest bead, {bead:.3g}"_text,
-        "use a finer nozzle, or leave them out (thinWalls=omit)"_text,
+        "use a finer nozzle, or leave them out (`thinWalls=omit`)"_text,
         {.reportId = "thinWalls", .remedies = kForSlivers}),
     info(
         ThinWallsLeftOut, "thinWallsLeftOut",
         "{length:.0f} of walls, down to {width:.2f} thin, is left out: the narrowest bead is {bead:.3g}"_text,
-        "use a finer nozzle, or print them with that bead (thinWalls=bead)"_text,
+        "use a finer nozzle, or print them with that bead (`thinWalls=bead`)"_text,
         {.reportId = "thinWalls", .remedies = kForSlivers}),
     info(
         HollowSkin, "hollowSkin",
         "the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on"_plural,
-        "set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0"_text),
+        "set `infillDensity` to 0.1 or more; for a part that is open at the top, set `topLayers` to 0"_text),
     info(
         SpiralEnds, "spiralEnds",
         "the spiral ends below layer {layer} of {layers}: its {beads} bead is not a closed loop|the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop"_plural,
@@ -51,11 +51,11 @@ inline constexpr FindingRow kToolpathRows[] = {
     info(
         PrimeFalls, "primeFalls",
         "no room on the plate for the prime: a bead {length:.0f} long is printed in the air beside the plate and falls down here"_text,
-        "clear this place, or use a larger plate (--platform)"_text),
+        "clear this place, or use a larger plate (`--platform`)"_text),
     info(
         BrimCut, "brimCut",
         "no room on the plate for the whole brim, {width} wide: {share:.0f} of its length is left out"_text,
-        "use a larger plate (--platform), move the part to the middle, or set a smaller brimWidthMm"_text,
+        "use a larger plate (`--platform`), move the part to the middle, or set a smaller `brimWidthMm`"_text,
         {.remedies = kOffers<WidenPlatform, CentrePart>}),
     info(
         Braced, "braced",
@@ -73,15 +73,15 @@ inline constexpr FindingRow kToolpathRows[] = {
     info(
         NoTape, "noTape",
         "no tape fits into the layers chosen for tapes: {width} wide and at least {length:.0f} long"_text,
-        "choose another direction (fibreAngle), other paths (fibrePaths), or a narrower tape"_text),
+        "choose another direction (`fibreAngle`), other paths (`fibrePaths`), or a narrower tape"_text),
     info(
         TapesLeftOut, "tapesLeftOut",
         "{bent:.0f} of tape is left out because it bends more than a radius of {radius:.0f} allows, {short:.0f} because its pieces are shorter than {length:.0f}"_text,
-        "choose another direction (fibreAngle) or other paths (fibrePaths)"_text),
+        "choose another direction (`fibreAngle`) or other paths (`fibrePaths`)"_text),
     info(
         TapesBare, "tapesBare",
         "plastic does not cover the tape: {length:.0f} on layer {layer}, from this place on"_text,
-        "increase fibreEndMm, or choose layers that others cover (fibreLayers, fibreFirstLayer)"_text),
+        "increase `fibreEndMm`, or choose layers that others cover (`fibreLayers`, `fibreFirstLayer`)"_text),
 };
 
 } // namespace voluta::plan::finding_rows

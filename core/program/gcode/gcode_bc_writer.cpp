@@ -115,7 +115,7 @@ private:
           base::message(
               "within a bead the table would turn by more than {turns} turns to one side"_text,
               base::number(mostTurns_)),
-          {}, base::message("set tableTurns to {turns} or more"_text, leastTurns(stretches)));
+          {}, base::message("set `tableTurns` to {turns} or more"_text, leastTurns(stretches)));
     const std::vector<int> turns = windings(stretches, kTurn * mostTurns_);
     for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
       for (std::size_t s = begins[k]; s < begins[k + 1]; ++s)

@@ -229,7 +229,7 @@ private:
     if (solid.rod && !cell_.rod_)
       throw base::Error(base::ErrorCode::UnusableInput,
                         base::message("cell {id} has no rod to print on"_text, cell_.id_), {},
-                        "choose a cell with a rod: --cell lathe"_text);
+                        "choose a cell with a rod: `--cell lathe`"_text);
   }
 
   void readMounts(const base::JsonNode& nozzle, const base::JsonNode& platform) {

@@ -33,7 +33,7 @@ int toolForTape(const process::Tooling& tooling) {
   if (tool == tools.end())
     throw base::Error(
         base::ErrorCode::Usage, "no tool of the job lays tape"_text, "fibreLayers"_name,
-        "add a tool with a process for tape, such as tape-5, or set fibreLayers=0"_text);
+        "add a tool with a process for tape, such as tape-5, or set `fibreLayers=0`"_text);
   return static_cast<int>(tool - tools.begin());
 }
 

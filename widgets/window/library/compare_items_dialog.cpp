@@ -1,7 +1,7 @@
 #include "window/library/compare_items_dialog.h"
 
-#include "forms/parameter_texts.h"
 #include "forms/value_boxes.h"
+#include "language/parameter_texts.h"
 #include "language/words.h"
 #include "process/library_fields.h"
 
@@ -22,7 +22,7 @@ QString shown(const base::ParameterSpec& spec, base::Text none, const base::Para
     return language::words(none);
   if (const auto* text = std::get_if<std::string>(&value))
     return QString::fromStdString(*text);
-  return forms::valueText(spec, value);
+  return language::valueText(spec, value);
 }
 } // namespace
 

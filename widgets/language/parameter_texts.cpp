@@ -1,4 +1,4 @@
-#include "forms/parameter_texts.h"
+#include "language/parameter_texts.h"
 
 #include "language/numbers.h"
 #include "language/words.h"
@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-namespace voluta::forms {
+namespace voluta::language {
 
 QString unitText(const std::string& unit) {
   return unit == "deg"     ? QStringLiteral("°")
@@ -23,7 +23,7 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
   const QLocale locale;
   const QString space = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QString(' ');
   if (const auto* number = std::get_if<double>(&value))
-    return language::numberText(shownFactor(spec) * *number, 6) + space + unit;
+    return numberText(shownFactor(spec) * *number, 6) + space + unit;
   if (const auto* whole = std::get_if<long long>(&value))
     return locale.toString(static_cast<qlonglong>(*whole)) + space + unit;
   if (const auto* yes = std::get_if<bool>(&value))
@@ -32,13 +32,13 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
   const std::string& text = std::get<std::string>(value);
   for (const base::Choice& choice : spec.choices)
     if (choice.id == text)
-      return language::heading(choice.label);
+      return heading(choice.label);
   return QString::fromStdString(text);
 }
 
 QString parameterToolTip(const base::ParameterSpec& spec) {
   const auto line = [](const QString& text) { return QStringLiteral("<br>") + text; };
-  QString tip = language::heading(spec.help).toHtmlEscaped();
+  QString tip = heading(spec.help).toHtmlEscaped();
   tip += QStringLiteral("<br>");
   if (spec.type == base::ParameterType::Number)
     tip += line(QCoreApplication::translate("Parameters", "Range: %1 to %2")
@@ -54,4 +54,4 @@ QString parameterToolTip(const base::ParameterSpec& spec) {
   return QStringLiteral("<qt>%1</qt>").arg(tip);
 }
 
-} // namespace voluta::forms
+} // namespace voluta::language

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-namespace voluta::forms {
+namespace voluta::language {
 
 // Returns "mm" or "mm/s" unchanged; "deg" as the degree sign, "share" as the sign of percent.
 QString unitText(const std::string& unit);
@@ -16,4 +16,4 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
 // Returns help, key, range and default of a parameter as a tool tip.
 QString parameterToolTip(const base::ParameterSpec& spec);
 
-} // namespace voluta::forms
+} // namespace voluta::language
