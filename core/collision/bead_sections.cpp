@@ -1,5 +1,7 @@
 #include "collision/bead_sections.h"
 
+#include "geometry/golden_section.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,25 +23,11 @@ double pointDistance(const Disc& disc, const Vector3d& point) {
 template <typename Value>
 double leastOf(const Value& value, double low, double high, double enough) {
   constexpr int kSteps = 20; // 7e-5 of the range
-  constexpr double kGolden = 0.6180339887498949;
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double atA = value(a), atB = value(b);
-  double least = std::min({atA, atB, value(low), value(high)});
+  geometry::GoldenSection search(value, low, high);
+  double least = std::min({search.atA, search.atB, value(low), value(high)});
   for (int k = 0; k < kSteps && least > enough; ++k) {
-    if (atA < atB) {
-      high = b;
-      b = a;
-      atB = atA;
-      a = high - kGolden * (high - low);
-      atA = value(a);
-    } else {
-      low = a;
-      a = b;
-      atA = atB;
-      b = low + kGolden * (high - low);
-      atB = value(b);
-    }
-    least = std::min({least, atA, atB});
+    search.step();
+    least = std::min({least, search.atA, search.atB});
   }
   return least;
 }

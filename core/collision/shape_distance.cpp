@@ -1,6 +1,7 @@
 #include "collision/shape_distance.h"
 
 #include "base/error.h"
+#include "geometry/golden_section.h"
 #include "geometry/nearest_share.h"
 
 #include <algorithm>
@@ -229,23 +230,23 @@ double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex,
         const Vector3d axis = capsule.p1 - capsule.p0;
         const double length = axis.norm(), radius = capsule.radius;
         const auto at = [&](double t) { return s.signedDistance(capsule.p0 + t * axis); };
-        double low = 0.0, high = 1.0, atLow = at(0.0), atHigh = at(1.0);
+        double atLow = at(0.0), atHigh = at(1.0);
         double best = std::min(atLow, atHigh);
         // A signed distance changes by at most the distance travelled, so the ends bound the
         // interior.
         if (length < 1e-6 || 0.5 * (atLow + atHigh - length) - radius > enough)
           return best - radius;
-        constexpr double golden = 0.6180339887498949;
         constexpr double kPlaceMm = 1e-4, kExactMm = 1e-6;
-        double t1 = high - golden * (high - low), t2 = low + golden * (high - low);
-        double f1 = at(t1), f2 = at(t2);
+        geometry::GoldenSection search(at, 0.0, 1.0);
         // Two probes that differ by less than rounding still bracket the minimum of a convex
         // function; only the value has to be exact, not its position.
-        while ((high - low) * length > kPlaceMm) {
+        while ((search.high - search.low) * length > kPlaceMm) {
+          const double f1 = search.atA, f2 = search.atB;
           best = std::min({best, f1, f2});
           // The function is above the extended neighbouring chords: above that between the probes
           // on the far side of the lower one, above the outer chords between the probes.
-          const double left = (t1 - low), between = t2 - t1, right = high - t2;
+          const double left = search.a - search.low, between = search.b - search.a,
+                       right = search.high - search.b;
           const double beyond =
               f1 < f2 ? f1 - (f2 - f1) * left / between : f2 - (f1 - f2) * right / between;
           const double within =
@@ -255,23 +256,13 @@ double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex,
             return least - radius;
           if (best - least <= kExactMm)
             break;
-          if (f1 < f2) {
-            high = t2;
+          if (search.dropsUpper())
             atHigh = f2;
-            t2 = t1;
-            f2 = f1;
-            t1 = high - golden * (high - low);
-            f1 = at(t1);
-          } else {
-            low = t1;
+          else
             atLow = f1;
-            t1 = t2;
-            f1 = f2;
-            t2 = low + golden * (high - low);
-            f2 = at(t2);
-          }
+          search.step();
         }
-        return std::min({best, f1, f2}) - radius;
+        return std::min({best, search.atA, search.atB}) - radius;
       },
       convex);
 }

@@ -1,6 +1,7 @@
 #include "planar/pith_limbs.h"
 
 #include "base/units.h"
+#include "geometry/polyline.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -38,7 +39,8 @@ public:
       if (degree(node) != 2)
         for (const int next : of(node)) {
           std::vector<int> line = lineFrom(node, next);
-          if (line.front() < line.back() || (line.front() == line.back() && line[1] < line.end()[-2]))
+          if (line.front() < line.back() ||
+              (line.front() == line.back() && line[1] < line.end()[-2]))
             lines.push_back(std::move(line));
         }
     return lines;
@@ -69,10 +71,7 @@ private:
 };
 
 double lengthOf(const std::vector<Vector3d>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    length += (points[i] - points[i - 1]).norm();
-  return length;
+  return geometry::polylineLength(points.size(), [&](std::size_t i) { return points[i]; });
 }
 
 std::vector<Vector3d> evenly(const std::vector<Vector3d>& points, double spacingMm) {

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/polyline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,15 +58,10 @@ void appendArc(PlannedRun& run, const plan::Trajectory& trajectory, const robot:
 
 PlannedPlace placeAt(const PlannedRun& run, double alongMm) {
   base::require(run.size() > 1, "placeAt: two vertices");
-  const auto after = std::ranges::upper_bound(run.alongMm, alongMm);
+  const auto [a, share] = geometry::placeAtLength(run.alongMm, alongMm, run.size() - 2);
   PlannedPlace place;
-  place.segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-      after - run.alongMm.begin(), 1, static_cast<std::ptrdiff_t>(run.size()) - 1));
-  const std::size_t a = place.segment - 1, b = place.segment;
-  const double length = run.alongMm[b] - run.alongMm[a];
-  const double share =
-      length > 0.0 ? std::clamp((alongMm - run.alongMm[a]) / length, 0.0, 1.0) : 1.0;
-  place.alongMm = run.alongMm[a] + share * length;
+  const std::size_t b = place.segment = a + 1;
+  place.alongMm = run.alongMm[a] + share * (run.alongMm[b] - run.alongMm[a]);
   place.timeS = run.timeS[a] + share * (run.timeS[b] - run.timeS[a]);
   place.extrudedMm3 = run.extrudedMm3[a] + share * (run.extrudedMm3[b] - run.extrudedMm3[a]);
   return place;

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/polyline.h"
 #include "replay/arm_speeds.h"
 #include "replay/motion_target.h"
 
@@ -246,10 +247,8 @@ private:
     return pathPoint(m, k + 1) - pathPoint(m, k);
   }
   double lengthOf(std::size_t m) const {
-    double length = 0.0;
-    for (std::size_t k = 0; k <= way_[m].size(); ++k)
-      length += chord(m, k).norm();
-    return length;
+    return geometry::polylineLength(way_[m].size() + 2,
+                                    [&](std::size_t k) { return pathPoint(m, k); });
   }
 
   void findLengths() {

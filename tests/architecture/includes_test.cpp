@@ -43,7 +43,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
       "toolpath", "indicator"}},
     {"program", {"geometry", "process", "robot", "plan"}},
     {"sliced", {"geometry", "process", "voxel", "plan", "build3mf", "program"}},
-    {"record", {"robot", "plan", "program"}},
+    {"record", {"geometry", "robot", "plan", "program"}},
     {"replay", {"geometry", "platform", "process", "voxel", "robot", "plan", "program"}},
     {"project",
      {"texts", "geometry", "platform", "process", "voxel", "plan", "build3mf", "layers", "curved",

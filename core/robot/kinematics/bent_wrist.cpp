@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/golden_section.h"
 #include "robot/angles.h"
 
 #include <algorithm>
@@ -45,29 +46,15 @@ Matrix3d baseTurn(double c1, double s1, double theta23) {
 // Minimum of `of` between lo and hi, by golden section; ends at once if `enough` is true.
 template <typename Of, typename Enough>
 double least(double lo, double hi, const Of& of, const Enough& enough) {
-  constexpr double kGolden = 0.6180339887498949;
-  double a = hi - kGolden * (hi - lo), b = lo + kGolden * (hi - lo);
-  double fa = of(a), fb = of(b);
-  for (int n = 0; n < 60 && hi - lo > 1e-10; ++n) {
-    if (enough(fa))
-      return a;
-    if (enough(fb))
-      return b;
-    if (fa < fb) {
-      hi = b;
-      b = a;
-      fb = fa;
-      a = hi - kGolden * (hi - lo);
-      fa = of(a);
-    } else {
-      lo = a;
-      a = b;
-      fa = fb;
-      b = lo + kGolden * (hi - lo);
-      fb = of(b);
-    }
+  geometry::GoldenSection search(of, lo, hi);
+  for (int n = 0; n < 60 && search.high - search.low > 1e-10; ++n) {
+    if (enough(search.atA))
+      return search.a;
+    if (enough(search.atB))
+      return search.b;
+    search.step();
   }
-  return fa < fb ? a : b;
+  return search.dropsUpper() ? search.a : search.b;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/units.h"
+#include "geometry/polyline.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
@@ -59,23 +60,22 @@ std::vector<SurfacePoint> withCut(const PatchSurface& surface, const SurfaceCurv
   std::vector<SurfacePoint> points = curve.points;
   if (curve.closed)
     points.push_back(points.front());
-  double left = cutAheadMm;
-  for (std::size_t i = points.size() - 1; i > 0; --i) {
-    const Vector3d step = points[i - 1].position - points[i].position;
-    if (step.norm() < left) {
-      left -= step.norm();
-      continue;
-    }
-    const SurfacePoint cut =
-        surface.project(points[i].position + step * (left / step.norm()), points[i].triangle);
-    if (left < kCutMm && i + 1 < points.size())
-      points[i] = cut;
-    else if (step.norm() - left < kCutMm && i > 1)
-      points[i - 1] = cut;
-    else
-      points.insert(points.begin() + static_cast<std::ptrdiff_t>(i), cut);
-    break;
-  }
+  const std::size_t last = points.size() - 1;
+  const auto place = geometry::placeAfter(cutAheadMm, points.size(),
+                                          [&](std::size_t k) { return points[last - k].position; });
+  if (!place)
+    return points;
+  const std::size_t i = last - place->segment;
+  const Vector3d step = points[i - 1].position - points[i].position;
+  const double length = step.norm(), left = place->share * length;
+  const SurfacePoint cut =
+      surface.project(points[i].position + place->share * step, points[i].triangle);
+  if (left < kCutMm && i < last)
+    points[i] = cut;
+  else if (length - left < kCutMm && i > 1)
+    points[i - 1] = cut;
+  else
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(i), cut);
   return points;
 }
 

@@ -1,6 +1,7 @@
 #include "toolpath/fibre/tape_paths.h"
 
 #include "base/error.h"
+#include "geometry/polyline.h"
 #include "toolpath/coverage/segment_grid.h"
 #include "toolpath/fibre/tape_cover.h"
 #include "toolpath/infill/curve_tools.h"
@@ -29,18 +30,15 @@ using Points = std::vector<SurfacePoint>;
 
 // Returns the points of a piece without the length `cutMm` at its front.
 Points withoutFront(const PatchSurface& s, Points points, double cutMm) {
-  double left = cutMm;
-  std::size_t i = 0;
-  for (; i + 1 < points.size(); ++i) {
-    const Vector3d step = points[i + 1].position - points[i].position;
-    if (step.norm() > left) {
-      points[i] = s.project(points[i].position + step * (left / step.norm()), points[i].triangle);
-      points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i));
-      return points;
-    }
-    left -= step.norm();
-  }
-  return {};
+  const auto place =
+      geometry::placeAfter(cutMm, points.size(), [&](std::size_t i) { return points[i].position; });
+  if (!place)
+    return {};
+  SurfacePoint& first = points[place->segment];
+  const Vector3d step = points[place->segment + 1].position - first.position;
+  first = s.project(first.position + place->share * step, first.triangle);
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(place->segment));
+  return points;
 }
 
 class Clipper {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/directions.h"
+#include "geometry/polyline.h"
 #include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
@@ -14,14 +15,16 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
+// The first point of a closed curve is also the last.
+std::size_t verticesOf(const SurfaceCurve& c) {
+  return c.points.size() + (c.closed ? 1 : 0);
+}
+
 // A curve parametrized by arc length [mm]. A closed curve accepts any s, an open one clamps it.
 class ByLength {
 public:
   explicit ByLength(const SurfaceCurve& c) : curve_(c) {
-    const std::size_t n = c.points.size() + (c.closed ? 1 : 0);
-    s_.resize(n, 0.0);
-    for (std::size_t i = 1; i < n; ++i)
-      s_[i] = s_[i - 1] + (point(i) - point(i - 1)).norm();
+    s_ = geometry::arcLengths(verticesOf(c), [this](std::size_t i) { return point(i); });
   }
   double length() const { return s_.back(); }
   const std::vector<double>& knots() const { return s_; }
@@ -36,26 +39,13 @@ public:
       s = s < 0 ? s + length() : s;
     }
     s = std::clamp(s, 0.0, length());
-    const std::size_t i = near = stretchOf(s, near);
-    const double span = s_[i + 1] - s_[i];
-    const double t = span > 0 ? (s - s_[i]) / span : 0.0;
+    const auto [i, t] = geometry::placeAtLength(s_, s, near);
+    near = i;
     return {(1 - t) * point(i) + t * point(i + 1),
             curve_.points[i % curve_.points.size()].triangle};
   }
 
 private:
-  std::size_t stretchOf(double s, std::size_t near) const {
-    constexpr std::size_t kSteps = 8;
-    const std::size_t last = s_.size() - 2;
-    if (s_[near] <= s)
-      for (std::size_t i = near; i < near + kSteps; ++i)
-        if (i == last || s < s_[i + 1])
-          return i;
-    const auto it = std::upper_bound(s_.begin(), s_.end(), s);
-    return std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(it - s_.begin() - 1, 0)),
-                    last);
-  }
-
   const SurfaceCurve& curve_;
   std::vector<double> s_;
 };
@@ -138,12 +128,8 @@ void fillStretch(const ByLength& c, double s0, double s1, const ResampleOptions&
 } // namespace
 
 double lengthOf(const SurfaceCurve& c) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < c.points.size(); ++i)
-    length += (c.points[i].position - c.points[i - 1].position).norm();
-  if (c.closed && c.points.size() > 1)
-    length += (c.points.front().position - c.points.back().position).norm();
-  return length;
+  return geometry::polylineLength(
+      verticesOf(c), [&](std::size_t i) { return c.points[i % c.points.size()].position; });
 }
 
 Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/index.h"
+#include "geometry/polyline.h"
 #include "toolpath/infill/curve_tools.h"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ constexpr double kBentCost = 4.0;
 class Ring {
 public:
   Ring(const PatchSurface& s, const JoinedLoops& loop) : s_(s), points_(loop.points) {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      length_ += (points_[(i + 1) % points_.size()].position - points_[i].position).norm();
+    length_ = geometry::polylineLength(
+        points_.size() + 1, [&](std::size_t i) { return points_[i % points_.size()].position; });
     step_ = length_ / static_cast<double>(points_.size());
   }
   double lengthMm() const { return length_; }

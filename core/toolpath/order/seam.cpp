@@ -4,6 +4,7 @@
 #include "base/mixed_bits.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "geometry/polyline.h"
 #include "toolpath/unsupported/bead_tip.h"
 
 #include <Eigen/Geometry>
@@ -177,17 +178,12 @@ SeamPlace cornerSeam(const SeamInput& input) {
 SeamPlace spreadSeam(const SeamInput& input) {
   const std::uint64_t layer = base::mixedBits(static_cast<std::uint64_t>(input.layer) + 1U);
   const std::uint64_t bits = base::mixedBits(layer + input.path);
-  double left = 0.0;
-  for (std::size_t i = 0; i < segmentsOf(input.bead); ++i)
-    left += lengthOf(input.bead, i);
-  left *= static_cast<double>(bits >> 11U) * 0x1p-53;
-  for (std::size_t i = 0; i < segmentsOf(input.bead); ++i) {
-    const double length = lengthOf(input.bead, i);
-    if (left < length)
-      return {i, left / length};
-    left -= length;
-  }
-  return {};
+  const std::vector<BeadPoint>& points = input.bead.points;
+  const auto tip = [&](std::size_t i) { return tipOf(points[i]); };
+  const double at =
+      geometry::polylineLength(points.size(), tip) * (static_cast<double>(bits >> 11U) * 0x1p-53);
+  const auto place = geometry::placeAfter(at, points.size(), tip);
+  return place ? SeamPlace{place->segment, place->share} : SeamPlace{};
 }
 
 Vector3d tipAt(const Bead& bead, const SeamPlace& place) {

@@ -1,6 +1,7 @@
 #include "toolpath/order/spiral.h"
 
 #include "base/error.h"
+#include "geometry/polyline.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_volume.h"
@@ -47,10 +48,9 @@ LoopPoint between(const LoopPoint& a, const LoopPoint& b, double share) {
 // A closed bead; the first point is repeated at the end.
 class Loop {
 public:
-  explicit Loop(std::vector<LoopPoint> points) : points_(std::move(points)), lengthMm_{0.0} {
-    for (std::size_t i = 1; i < points_.size(); ++i)
-      lengthMm_.push_back(lengthMm_.back() +
-                          (points_[i].position - points_[i - 1].position).norm());
+  explicit Loop(std::vector<LoopPoint> points) : points_(std::move(points)) {
+    lengthMm_ =
+        geometry::arcLengths(points_.size(), [&](std::size_t i) { return points_[i].position; });
   }
 
   const std::vector<LoopPoint>& points() const { return points_; }

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
+#include "geometry/polyline.h"
 #include "layers/layer_stack.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
@@ -130,10 +131,7 @@ public:
 
 private:
   double lengthOf(std::size_t b, std::size_t e) const {
-    double length = 0.0;
-    for (std::size_t i = b + 1; i < e; ++i)
-      length += (plan_.position[i] - plan_.position[i - 1]).norm();
-    return length;
+    return geometry::polylineLength(e - b, [&](std::size_t i) { return plan_.position[b + i]; });
   }
   Vector3d bottomOf(std::size_t i) const {
     return plan_.position[i] - static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
