@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "geometry/append_mesh.h"
+#include "geometry/edges.h"
 #include "geometry/mesh_query.h"
 
 #include <algorithm>
@@ -163,32 +164,27 @@ void eachWinding(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
 
 geometry::TriangleMesh capsOf(const geometry::TriangleMesh& mesh) {
   const std::vector<OpenEdge> open = openEdges(mesh);
-  std::map<int, int> group; // Of a vertex: another one of its group, or itself
-  const auto rootOf = [&](int v) {
-    while (group.at(v) != v)
-      v = group[v] = group.at(group.at(v));
-    return v;
-  };
-  for (const OpenEdge& edge : open) {
-    group.emplace(edge.low, edge.low);
-    group.emplace(edge.high, edge.high);
-    const int a = rootOf(edge.low), b = rootOf(edge.high);
-    group[std::max(a, b)] = std::min(a, b);
-  }
   geometry::TriangleMesh caps;
-  std::map<int, int> vertexOf;
+  if (open.empty())
+    return caps;
+  geometry::UnionFind groups(mesh.vertices.size());
+  std::map<int, int> vertexOf; // Of caps
+  for (const OpenEdge& edge : open) {
+    groups.join(edge.low, edge.high);
+    vertexOf[edge.low] = vertexOf[edge.high] = 0;
+  }
   struct Fan {
     int hub;
     int corners;
   };
   std::map<int, Fan> fans;
-  for (const auto& [v, next] : group) {
-    vertexOf[v] = static_cast<int>(caps.vertices.size());
+  for (auto& [v, vertex] : vertexOf) {
+    vertex = static_cast<int>(caps.vertices.size());
     caps.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
   }
-  for (const auto& [v, next] : group) {
+  for (const auto& [v, vertex] : vertexOf) {
     const auto [fan, fresh] =
-        fans.try_emplace(rootOf(v), Fan{static_cast<int>(caps.vertices.size()), 0});
+        fans.try_emplace(groups.find(v), Fan{static_cast<int>(caps.vertices.size()), 0});
     if (fresh)
       caps.vertices.push_back(Eigen::Vector3d::Zero());
     caps.vertices[static_cast<std::size_t>(fan->second.hub)] +=
@@ -198,7 +194,7 @@ geometry::TriangleMesh capsOf(const geometry::TriangleMesh& mesh) {
   for (const auto& [root, fan] : fans)
     caps.vertices[static_cast<std::size_t>(fan.hub)] /= fan.corners;
   for (const OpenEdge& edge : open) {
-    const int hub = fans.at(rootOf(edge.low)).hub;
+    const int hub = fans.at(groups.find(edge.low)).hub;
     const int low = vertexOf.at(edge.low), high = vertexOf.at(edge.high);
     for (int n = 0; n < std::abs(edge.sign); ++n)
       caps.triangles.push_back(edge.sign > 0 ? std::array<int, 3>{high, low, hub}

@@ -1,9 +1,9 @@
 #include "base/error.h"
+#include "geometry/edges.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace voluta::voxel {
 
@@ -77,25 +77,7 @@ std::vector<Side> sidesOf(const std::vector<Face>& faces) {
 }
 
 // Sets of corners (4 face + corner) that become one vertex.
-class Corners {
-public:
-  explicit Corners(std::size_t faces) : parent_(4 * faces) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int of(int corner) {
-    int& parent = parent_[static_cast<std::size_t>(corner)];
-    while (parent_[static_cast<std::size_t>(parent)] != parent)
-      parent = parent_[static_cast<std::size_t>(parent)];
-    return parent;
-  }
-  void join(int a, int b) {
-    const int rootA = of(a), rootB = of(b);
-    parent_[static_cast<std::size_t>(std::max(rootA, rootB))] = std::min(rootA, rootB);
-  }
-
-private:
-  std::vector<int> parent_;
-};
+using Corners = geometry::UnionFind;
 
 int lowerCorner(const Side& s) {
   return 4 * s.face + (s.forward ? s.side : (s.side + 1) % 4);
@@ -140,7 +122,7 @@ std::vector<int> addVertices(const std::vector<Face>& faces, Corners& corners,
     const std::array<Cell, 4> at = cornersOf(faces[f]);
     for (std::size_t c = 0; c < 4; ++c) {
       const std::size_t corner = 4 * f + c;
-      const auto root = static_cast<std::size_t>(corners.of(static_cast<int>(corner)));
+      const auto root = static_cast<std::size_t>(corners.find(static_cast<int>(corner)));
       if (vertexOf[root] < 0) {
         vertexOf[root] = static_cast<int>(mesh.vertices.size());
         mesh.vertices.push_back(at[c].cast<double>());
@@ -204,7 +186,7 @@ geometry::TriangleMesh surfaceOf(const VoxelObject& object) {
   const std::vector<Face> faces = boundaryFaces(object);
   base::require(faces.size() < (1u << 28), "surfaceOf: fewer than 2^28 faces");
   std::vector<Side> sides = sidesOf(faces);
-  Corners corners(faces.size());
+  Corners corners(4 * faces.size());
   const std::vector<std::size_t> doubled = joinCorners(faces, sides, corners);
   geometry::TriangleMesh mesh;
   const std::vector<int> vertexOf = addVertices(faces, corners, mesh);

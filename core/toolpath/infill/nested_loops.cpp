@@ -1,11 +1,11 @@
 #include "toolpath/infill/nested_loops.h"
 
 #include "base/index.h"
+#include "geometry/edges.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/walls.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -22,34 +22,17 @@ constexpr double kInwards = 0.2;
 // cut over most of their length to be joined.
 constexpr double kShortest = 5.0;
 
-// Disjoint sets of vertices.
-class Sets {
-public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int v) {
-    while (parent_[at(v)] != v)
-      v = parent_[at(v)] = parent_[at(parent_[at(v)])];
-    return v;
-  }
-  void unite(int a, int b) { parent_[at(find(a))] = find(b); }
-
-private:
-  std::vector<int> parent_;
-};
-
 // Returns a vertex of the given rank beside the curve after uniting all such vertices; -1 if there
 // is none.
 int uniteBeside(const PatchSurface& s, const SurfaceCurve& curve, const std::vector<int>& rank,
-                int wanted, Sets& bands) {
+                int wanted, geometry::UnionFind& bands) {
   int beside = -1;
   for (const SurfacePoint& p : curve.points)
     for (const int v : s.triangles[at(p.triangle)]) {
       if (rank[at(v)] != wanted)
         continue;
       if (beside >= 0)
-        bands.unite(v, beside);
+        bands.join(v, beside);
       beside = v;
     }
   return beside;
@@ -82,11 +65,11 @@ NestedLoops nestedLoops(const InfillRegion& r, const base::RunContext& ctx) {
       }
     }
   }
-  Sets bands(rank.size());
+  geometry::UnionFind bands(rank.size());
   for (const auto& t : s.triangles)
     for (std::size_t k = 0; k < 3; ++k)
       if (const int a = t[k], b = t[(k + 1) % 3]; rank[at(a)] == rank[at(b)])
-        bands.unite(a, b);
+        bands.join(a, b);
   for (std::size_t i = 0; i < nested.loops.size(); ++i)
     for (const int side : {0, 1})
       if (const int wanted = rankOfLoop[i] - 1 + side; wanted > 0)
