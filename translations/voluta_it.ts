@@ -769,18 +769,6 @@ sioni</translation>
         <translation>Gruppo</translation>
     </message>
     <message>
-        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it shadows fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
-        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: uno strato prende voxel finché ne isola meno di questi. 1: nessuno. 0: meno di quanti ne isolerebbe lo strato intero.</translation>
-    </message>
-    <message>
-        <source>Growth incremental, adaptive, guided: if every voxel of a layer would shadow others, print the whole layer, as the source does (layer), or only the voxels that shadow fewest (least).</source>
-        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: se ogni voxel di uno strato ne isolerebbe altri, stampa tutto lo strato come fa la fonte (strato) o solo i voxel che ne isolano di meno (il meno possibile).</translation>
-    </message>
-    <message>
-        <source>Growth incremental: order in which a layer&apos;s voxels are tried: outwards from the first one (flooding) or as they were found (insertion).</source>
-        <translation>Crescita voxel per voxel: ordine in cui si provano i voxel di uno strato: dal primo verso l&apos;esterno (a espansione) o come sono stati trovati (di inserimento).</translation>
-    </message>
-    <message>
         <source>Growth step</source>
         <translation>Passo di crescita</translation>
     </message>
@@ -915,10 +903,6 @@ persi</translation>
         <translation>Centro di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o un punto sotto il pezzo.</translation>
     </message>
     <message>
-        <source>Order of candidates</source>
-        <translation>Ordine dei candidati</translation>
-    </message>
-    <message>
         <source>Output</source>
         <translation>file in uscita</translation>
     </message>
@@ -975,10 +959,6 @@ mm²</translation>
         <translation>Schema greedy: un punto x,y,z (mm) sul pezzo da stampare per primo, che deve toccare la piastra. Vuoto: quello con l’area di contatto maggiore.</translation>
     </message>
     <message>
-        <source>Shadowed per layer</source>
-        <translation>isolati per strato</translation>
-    </message>
-    <message>
         <source>Head shape that must clear the part printed so far. flat: a plate of unlimited width. nozzle: the real head where voxels would be lost otherwise, and under wide roofs. auto: the real head only under wide roofs.</source>
         <translation>Forma della testa che non deve urtare il pezzo già stampato. flat: una piastra di larghezza illimitata. nozzle: la testa vera dove altrimenti si perderebbero voxel, e sotto tetti larghi. auto: la testa vera solo sotto tetti larghi.</translation>
     </message>
@@ -1013,10 +993,6 @@ mm³</translation>
         <translation>Superficie</translation>
     </message>
     <message>
-        <source>Published schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside).</source>
-        <translation>Schemi delle fonti: se un voxel esattamente sul fronte convesso si può ancora stampare (fuori) o ne resta isolato (dentro).</translation>
-    </message>
-    <message>
         <source>Tilt of the nozzle</source>
         <translation>Inclinazione dell&apos;ugello</translation>
     </message>
@@ -1049,10 +1025,6 @@ mm³</translation>
         <translation>larghezza voxel</translation>
     </message>
     <message>
-        <source>Voxels on the front</source>
-        <translation>voxel sul fronte</translation>
-    </message>
-    <message>
         <source>WaitTime without a time in seconds</source>
         <translation>WaitTime senza un tempo in secondi</translation>
     </message>
@@ -1071,10 +1043,6 @@ mm³</translation>
     <message>
         <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
         <translation>Sostiene i voxel che la crescita mancherebbe con colonne larghe un voxel, da staccare alla fine.</translation>
-    </message>
-    <message>
-        <source>If no voxel is safe</source>
-        <translation>se nessun voxel è sicuro</translation>
     </message>
     <message>
         <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
@@ -1816,10 +1784,6 @@ mm³</translation>
         <translation>spianatura</translation>
     </message>
     <message>
-        <source>flooding</source>
-        <translation>a espansione</translation>
-    </message>
-    <message>
         <source>front</source>
         <translation>fronte</translation>
     </message>
@@ -1984,14 +1948,6 @@ mm³</translation>
         <translation>direzione del riempimento</translation>
     </message>
     <message>
-        <source>insertion</source>
-        <translation>di inserimento</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>dentro</translation>
-    </message>
-    <message>
         <source>install Mesa (libegl1, libgl1-mesa-dri)</source>
         <translation>installa Mesa (libegl1, libgl1-mesa-dri)</translation>
     </message>
@@ -2052,10 +2008,6 @@ mm³</translation>
         <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (`cutPlanes`)</translation>
     </message>
     <message>
-        <source>layer</source>
-        <translation>strato</translation>
-    </message>
-    <message>
         <source>layer height</source>
         <translation>altezza strato</translation>
     </message>
@@ -2090,10 +2042,6 @@ mm³</translation>
     <message>
         <source>depositing beads</source>
         <translation>disposizione dei cordoni</translation>
-    </message>
-    <message>
-        <source>least</source>
-        <translation>il meno possibile</translation>
     </message>
     <message>
         <source>minimum overhang</source>
@@ -2576,10 +2524,6 @@ mm³</translation>
     <message>
         <source>out of reach</source>
         <translation>fuori portata</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>fuori</translation>
     </message>
     <message>
         <source>overhang angle</source>
@@ -7324,6 +7268,10 @@ previsto</translation>
     <message>
         <source>the counting mode of the filament</source>
         <translation>il modo di contare il filamento</translation>
+    </message>
+    <message>
+        <source>parameter {key} no longer exists: its value has no effect</source>
+        <translation>il parametro {key} non esiste più: il suo valore non ha effetto</translation>
     </message>
     <message>
         <source>parameter {oldKey} was renamed to {key}</source>

@@ -21,6 +21,10 @@ constexpr RenamedKey kRenamedKeys[] = {
     {"underlay", "rimSupports"},
 };
 
+// Rules of the published growth schemes: the sources' own are used.
+constexpr std::string_view kDroppedKeys[] = {"growthBoundary", "growthIsp", "growthQueue",
+                                             "growthSacrifice"};
+
 ParameterSpec makeSpec(std::string key, ParameterType type, std::string unit, ParameterValue value,
                        Text group, Text label, Text help, bool simple) {
   ParameterSpec spec;
@@ -118,6 +122,14 @@ Message renamedNote(std::string_view oldKey) {
   const std::string_view key = currentKey(oldKey);
   require(key != oldKey, "renamedNote: a renamed key");
   return message("parameter {oldKey} was renamed to {key}"_text, oldKey, key);
+}
+
+std::span<const std::string_view> droppedKeys() {
+  return kDroppedKeys;
+}
+
+Message droppedNote(std::string_view key) {
+  return message("parameter {key} no longer exists: its value has no effect"_text, key);
 }
 
 ParameterTable::ParameterTable(std::vector<ParameterSpec> specs) {

@@ -81,6 +81,12 @@ std::string_view currentKey(std::string_view key);
 // Returns the note to the user that a key was renamed. Precondition: `oldKey` is in renamedKeys().
 Message renamedNote(std::string_view oldKey);
 
+// Returns the keys of parameters of older versions that no longer exist. Project files and scripts
+// may still contain them; their values have no effect.
+std::span<const std::string_view> droppedKeys();
+// Returns the note to the user about such a key.
+Message droppedNote(std::string_view key);
+
 class ParameterTable {
 public:
   ParameterTable() = default;

@@ -251,37 +251,4 @@ ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
   return Grower(graph, scheme, options, ctx).run();
 }
 
-base::ParameterTable forwardParameters() {
-  return base::ParameterTable({
-      base::integerParameter(
-          "growthIsp", 1, 0, 1000000, "Layers"_text, "Shadowed per layer"_text,
-          "Growth incremental, adaptive, guided: a layer takes voxels as long as it shadows fewer than this many others. 1: none. 0: fewer than the whole layer would."_text),
-      base::choiceParameter(
-          "growthQueue", "flooding",
-          {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text,
-          "Order of candidates"_text,
-          "Growth incremental: order in which a layer's voxels are tried: outwards from the first one (flooding) or as they were found (insertion)."_text),
-      base::choiceParameter(
-          "growthBoundary", "outside", {{"outside", "outside"_text}, {"inside", "inside"_text}},
-          "Layers"_text, "Voxels on the front"_text,
-          "Published schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside)."_text),
-      base::choiceParameter(
-          "growthSacrifice", "layer", {{"layer", "layer"_text}, {"least", "least"_text}},
-          "Layers"_text, "If no voxel is safe"_text,
-          "Growth incremental, adaptive, guided: if every voxel of a layer would shadow others, print the whole layer, as the source does (layer), or only the voxels that shadow fewest (least)."_text),
-  });
-}
-
-ForwardOptions forwardOptions(const base::ParameterValues& values) {
-  ForwardOptions options;
-  options.ispThreshold = static_cast<std::int32_t>(values.integer("growthIsp"));
-  options.queue =
-      values.text("growthQueue") == "insertion" ? QueueOrder::Insertion : QueueOrder::Flooding;
-  options.boundary =
-      values.text("growthBoundary") == "inside" ? Boundary::Inside : Boundary::Outside;
-  options.sacrifice =
-      values.text("growthSacrifice") == "least" ? Sacrifice::Least : Sacrifice::Layer;
-  return options;
-}
-
 } // namespace voluta::curved

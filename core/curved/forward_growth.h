@@ -1,7 +1,6 @@
 // Forward growth by the four schemes of the sources. All of them may lose voxels.
 #pragma once
 
-#include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/incremental_front.h"
 #include "curved/voxel_graph.h"
@@ -74,11 +73,5 @@ struct ForwardGrowth {
 //   facet by facet, the voxels it must not swallow gives the same answers (incremental_front.h).
 ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
                             const ForwardOptions& options, const base::RunContext& ctx);
-
-// The user's parameters for ForwardOptions: growthIsp, growthQueue, growthBoundary,
-// growthSacrifice.
-base::ParameterTable forwardParameters();
-// Precondition: the table of `values` contains forwardParameters().
-ForwardOptions forwardOptions(const base::ParameterValues& values);
 
 } // namespace voluta::curved

@@ -2,7 +2,6 @@
 
 #include "curved/curved_layers.h"
 #include "curved/decompose.h"
-#include "curved/forward_growth.h"
 #include "curved/grow.h"
 #include "curved/platform_polygon.h"
 #include "curved/voxel_graph.h"
@@ -10,6 +9,7 @@
 #include "modes/growth_plate.h"
 #include "modes/part_voxels.h"
 #include "plan/finding_kinds.h"
+#include "project/choices.h"
 #include "support/supports.h"
 
 #include <algorithm>
@@ -46,8 +46,6 @@ CurvedPlan planOf(const ModeChoices& in) {
                   supports ? in.process.bridgeMm : 0.0};
   curved::CurvedOptions& growth = plan.growth;
   growth.growth = in.choices.item().growth;
-  if (!growth.growth.row().peels)
-    growth.forward = curved::forwardOptions(in.values);
   growth.layerHeightMm = in.process.layerHeightMm;
   growth.heightMinMm = in.process.layerHeightMinMm;
   growth.heightMaxMm = in.process.layerHeightMaxMm;
@@ -155,8 +153,7 @@ Mode curvedMode() {
             {planOf, decomposeCurved},
             {layerOptions, curvedLayersOf},
             project::ResultKind::InVoxels,
-            {"voxelMm", "frontShape", "fieldRounds", "growthIsp", "growthQueue", "growthBoundary",
-             "growthSacrifice", "supports", "overhangAngle"}};
+            {"voxelMm", "frontShape", "fieldRounds", "supports", "overhangAngle"}};
   mode.grows = true;
   // Near a plate a flat front misses voxels that the real head reaches. The nozzle-shaped front
   // misses few, and thin columns support those.

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "curved/decompose.h"
-#include "curved/forward_growth.h"
 #include "modes/curved_mode.h"
 #include "modes/lathe_mode.h"
 #include "modes/planar_modes.h"
@@ -35,7 +34,6 @@ const Mode& findMode(std::string_view id) {
 
 base::ParameterTable modeParameters() {
   base::ParameterTable table = curved::curvedParameters();
-  table.append(curved::forwardParameters());
   table.append(planarModeParameters());
   table.append(latheParameters());
   table.append(substrateParameters());

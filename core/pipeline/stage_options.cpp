@@ -132,16 +132,21 @@ namespace {
 using Texts = std::map<std::string, std::string>;
 
 // Stores the values of "key=value" texts, with the content of a file that a value names, in the
-// map that `where` returns for a parameter. Returns a note for each renamed key.
+// map that `where` returns for a parameter. Returns a note for each key that was renamed
+// or no longer exists.
 template <typename Where>
 std::vector<base::Message> storeAll(const std::vector<std::string>& assignments,
                                     const Where& where) {
   std::vector<base::Message> notes;
   base::ParameterValues values(allParameters());
   for (const std::string& assignment : assignments) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (std::ranges::find(base::droppedKeys(), key) != base::droppedKeys().end()) {
+      notes.push_back(base::droppedNote(key));
+      continue;
+    }
     values.setAssignment(assignment);
-    if (const std::string key = assignment.substr(0, assignment.find('='));
-        base::currentKey(key) != key)
+    if (base::currentKey(key) != key)
       notes.push_back(base::renamedNote(key));
   }
   for (const auto& [key, value] : values.changes()) {

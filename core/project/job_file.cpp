@@ -118,9 +118,9 @@ Choices readChoices(const Json& j) {
   return c;
 }
 
-// Renames the parameters whose keys were renamed. A value of the current key stays. Returns a note
-// about each.
-std::vector<base::Message> renameKeys(std::map<std::string, std::string>& parameters) {
+// Renames the parameters whose keys were renamed, and removes those that no longer exist. A value
+// of the current key stays. Returns a note about each.
+std::vector<base::Message> updateKeys(std::map<std::string, std::string>& parameters) {
   std::vector<base::Message> notes;
   for (const base::RenamedKey& renamed : base::renamedKeys()) {
     auto found = parameters.extract(std::string(renamed.oldKey));
@@ -130,6 +130,9 @@ std::vector<base::Message> renameKeys(std::map<std::string, std::string>& parame
     parameters.insert(std::move(found));
     notes.push_back(base::renamedNote(renamed.oldKey));
   }
+  for (const std::string_view key : base::droppedKeys())
+    if (parameters.erase(std::string(key)) > 0)
+      notes.push_back(base::droppedNote(key));
   return notes;
 }
 
@@ -429,9 +432,9 @@ Job readFrame(const FileFrame& frame, const std::string& where, const base::Para
   readMoreItems(header, blocks, job);
   if (!hasSoundScales(job) || !isConsistent(job))
     throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
-  addNotes(renameKeys(job.choices.parameters), job.item());
+  addNotes(updateKeys(job.choices.parameters), job.item());
   for (std::size_t i = 0; i < job.items.size(); ++i)
-    addNotes(renameKeys(job.choices.item(i).parameters), job.item(i));
+    addNotes(updateKeys(job.choices.item(i).parameters), job.item(i));
   if (frame.format == kScopeless)
     moveToJob(table, job.choices);
   return job;

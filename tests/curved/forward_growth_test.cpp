@@ -384,21 +384,7 @@ TEST(ForwardGrowth, NothingOnThePlatformIsNoGrowth) {
   }
 }
 
-TEST(ForwardGrowth, ParametersBecomeOptions) {
-  base::ParameterValues values(forwardParameters());
-  ForwardOptions options = forwardOptions(values);
-  EXPECT_EQ(options.ispThreshold, ForwardOptions{}.ispThreshold);
-  EXPECT_EQ(options.queue, ForwardOptions{}.queue);
-  EXPECT_EQ(options.boundary, ForwardOptions{}.boundary);
-  EXPECT_EQ(options.sacrifice, ForwardOptions{}.sacrifice);
-  for (const char* set :
-       {"growthIsp=0", "growthQueue=insertion", "growthBoundary=inside", "growthSacrifice=least"})
-    values.setAssignment(set);
-  options = forwardOptions(values);
-  EXPECT_EQ(options.ispThreshold, 0);
-  EXPECT_EQ(options.queue, QueueOrder::Insertion);
-  EXPECT_EQ(options.boundary, Boundary::Inside);
-  EXPECT_EQ(options.sacrifice, Sacrifice::Least);
+TEST(ForwardGrowth, RefusesANegativeThreshold) {
   ForwardOptions wrong;
   wrong.ispThreshold = -1;
   EXPECT_THROW(

@@ -46,8 +46,7 @@ int main(int argc, char** argv) try {
   bool check = true;
   std::string only;
   std::vector<std::string> files;
-  base::ParameterValues values(curved::forwardParameters());
-  int step = 1;
+  curved::ForwardOptions options;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     const auto next = [&] { return std::string(i + 1 < argc ? argv[++i] : ""); };
@@ -56,22 +55,21 @@ int main(int argc, char** argv) try {
     else if (arg == "--scheme")
       only = next();
     else if (arg == "--isp")
-      values.set("growthIsp", next());
+      options.ispThreshold = std::stoi(next());
     else if (arg == "--queue")
-      values.set("growthQueue", next());
+      options.queue =
+          next() == "insertion" ? curved::QueueOrder::Insertion : curved::QueueOrder::Flooding;
     else if (arg == "--boundary")
-      values.set("growthBoundary", next());
+      options.boundary = next() == "inside" ? curved::Boundary::Inside : curved::Boundary::Outside;
     else if (arg == "--step")
-      step = std::stoi(next());
+      options.fieldStep = std::stoi(next());
     else if (arg == "--sacrifice")
-      values.set("growthSacrifice", next());
+      options.sacrifice = next() == "least" ? curved::Sacrifice::Least : curved::Sacrifice::Layer;
     else if (arg == "--no-check")
       check = false;
     else
       files.push_back(arg);
   }
-  curved::ForwardOptions options = curved::forwardOptions(values);
-  options.fieldStep = step;
   const base::RunContext ctx(base::CancelToken{}, 1);
   constexpr std::pair<const char*, curved::ForwardScheme> kSchemes[] = {
       {"greedy", curved::ForwardScheme::Greedy},

@@ -1,4 +1,5 @@
-// Parameters whose keys were renamed: the old keys are still read, with a note.
+// Parameters whose keys were renamed, and those that no longer exist: the old keys are still read,
+// with a note.
 #include "helpers/temporary_folder.h"
 #include "pipeline/sample_job.h"
 #include "pipeline/stage_options.h"
@@ -68,6 +69,35 @@ TEST(RenamedKeys, AProjectWithBothKeysKeepsTheValueOfTheCurrentOne) {
   project::writeJob(folder / "both.voluta", job);
   EXPECT_EQ(project::readJob(folder / "both.voluta", allParameters()).choices.parameters,
             (std::map<std::string, std::string>{{"rimSupports", "auto"}}));
+}
+
+TEST(DroppedKeys, LeadToNoParameter) {
+  const base::ParameterTable table = allParameters();
+  for (const std::string_view key : base::droppedKeys())
+    EXPECT_EQ(table.find(key), nullptr) << key;
+}
+
+TEST(DroppedKeys, AreAcceptedWithANote) {
+  project::Choices choices;
+  const std::vector<base::Message> notes = setParameters(choices, {"growthIsp=0", "walls=3"});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(holds(notes, "parameter growthIsp no longer exists: its value has no effect"));
+  EXPECT_EQ(givenParameters(choices), (std::map<std::string, std::string>{{"walls", "3"}}));
+}
+
+TEST(DroppedKeys, AProjectWithThemIsReadWithANote) {
+  const test::TemporaryFolder folder;
+  project::Job job = test::sampleJob();
+  job.choices.parameters = {{"growthIsp", "0"}, {"walls", "3"}};
+  job.choices.item().parameters = {{"growthQueue", "insertion"}};
+  project::writeJob(folder / "old.voluta", job);
+  const project::Job read = project::readJob(folder / "old.voluta", allParameters());
+  EXPECT_EQ(givenParameters(read.choices), (std::map<std::string, std::string>{{"walls", "3"}}));
+  for (const char* key : {"growthIsp", "growthQueue"})
+    EXPECT_TRUE(holds(
+        read.item().loaded->notes,
+        ("parameter " + std::string(key) + " no longer exists: its value has no effect").c_str()))
+        << key;
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // Changes that outdate a result, and changes that don't.
 #include "base/error.h"
 #include "base/files.h"
-#include "curved/forward_growth.h"
 #include "helpers/given_parameters.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
@@ -53,10 +52,6 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"orient", {"leastRisky", 0}},
     {"openSurfaces", {"close", 0}},
     {"fieldRounds", {"5", 1}},
-    {"growthIsp", {"2", kStageCount}}, // of the sources' schemes, see below
-    {"growthQueue", {"insertion", kStageCount}},
-    {"growthBoundary", {"inside", kStageCount}},
-    {"growthSacrifice", {"least", kStageCount}},
     {"overhangAngle", {"40", kStageCount}}, // of modes planar and flat, see below
     {"pieceMaterials", {"white PLA, red PLA", kStageCount}},
     {"cutPlanes", {R"([{"point": [0, 0, 4], "normal": [0, 0, 1]}])", kStageCount}},
@@ -235,19 +230,6 @@ TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
   check("the formats that are meant anyway", kStageCount, [](Choices& c) {
     c.formats = {"urscript", "gcode-extended"};
   });
-}
-
-TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
-  const base::ParameterTable table = curved::forwardParameters();
-  for (const char* growth : {"guided", "adaptive", "incremental", "greedy"}) {
-    PlanRequest request = boxRequest();
-    request.choices.item().growth = curved::GrowthScheme(growth);
-    default_ = stageKeys(request);
-    for (const base::ParameterSpec& spec : table.specs()) {
-      test::giveParameters(request.choices, {{spec.key, kParameters.at(spec.key).first}});
-      expectChangesFrom(request, 1, growth + (" " + spec.key));
-    }
-  }
 }
 
 TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
