@@ -2036,10 +2036,6 @@ mm³</translation>
         <translation>gli strati su questa superficie si piegherebbero dallo strato {layer} in poi: le sue normali si incrociano prima della superficie finale</translation>
     </message>
     <message>
-        <source>layers of {top:.3g} mm at the top and {side:.3g} mm at the sides end after layer {layer}: no circle passes through both</source>
-        <translation>strati di {top:.3g} mm in cima e {side:.3g} mm ai lati finiscono dopo lo strato {layer}: nessun cerchio passa per entrambi</translation>
-    </message>
-    <message>
         <source>depositing beads</source>
         <translation>disposizione dei cordoni</translation>
     </message>
@@ -2142,10 +2138,6 @@ mm³</translation>
     <message>
         <source>make the part narrower, or use `layerShape=offset`</source>
         <translation>fai il pezzo più stretto, o usa `layerShape=offset`</translation>
-    </message>
-    <message>
-        <source>make the two thicknesses more similar, or use fewer layers</source>
-        <translation>rendi i due spessori più simili, o usa meno strati</translation>
     </message>
     <message>
         <source>piece materials</source>

@@ -43,10 +43,6 @@ JointVector axesOf(const robot::Cell& cell, const JointVector& q) {
   return q.tail(q.size() - cell.armDof());
 }
 
-JointVector armOf(const robot::Cell& cell, const JointVector& q) {
-  return q.head(cell.armDof());
-}
-
 JointVector withAxes(const robot::Cell& cell, JointVector q, const JointVector& axes) {
   for (Eigen::Index k = 0; k < axes.size(); ++k)
     q[cell.armDof() + k] = onStep(cell.externalAxes()[static_cast<std::size_t>(k)], axes[k]);

@@ -12,9 +12,8 @@
 
 namespace voluta::motion {
 
-// Return the external axes of q (empty if the cell has none), and the arm's joints of q.
+// Returns the external axes of q; empty if the cell has none.
 robot::JointVector axesOf(const robot::Cell& cell, const robot::JointVector& q);
-robot::JointVector armOf(const robot::Cell& cell, const robot::JointVector& q);
 // Returns q with the external axes rounded to the steps nearest to `axes`.
 robot::JointVector withAxes(const robot::Cell& cell, robot::JointVector q,
                             const robot::JointVector& axes);

@@ -47,26 +47,6 @@ std::vector<JerkStencil> jerkStencils(const std::vector<double>& times) {
   return stencils;
 }
 
-std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_t i) {
-  base::require(i >= 2 && i + 2 < times.size(), "fivePointJerk: two points on both sides");
-  // Third derivative of each Lagrange polynomial at times[i] (t = 0): six times the negated sum of
-  // the other points' times, divided by the product of the time differences. The term of t^4
-  // vanishes at t = 0.
-  std::array<double, 5> t{}, weights{};
-  for (std::size_t k = 0; k < 5; ++k)
-    t[k] = times[i + k - 2] - times[i];
-  for (std::size_t k = 0; k < 5; ++k) {
-    double divisor = 1.0, sum = 0.0;
-    for (std::size_t m = 0; m < 5; ++m)
-      if (m != k) {
-        divisor *= t[k] - t[m];
-        sum += t[m];
-      }
-    weights[k] = -6.0 * sum / divisor;
-  }
-  return weights;
-}
-
 JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<double>& times,
                    const std::vector<robot::JointLimits>& limits) {
   JerkMeasure measure;

@@ -21,17 +21,11 @@ struct JerkStencil {
 // assumes the joints at rest after the last point.
 std::vector<JerkStencil> jerkStencils(const std::vector<double>& times);
 
-// Returns the weights of points i - 2 .. i + 2 in the third derivative at times[i] of the quartic
-// through them (Dai 2020, eqs. 4.7-4.10; for even times eq. 4.11). Unlike jerkStencils(), it does
-// not detect points that alternate back and forth. Preconditions: 2 <= i, i + 2 < times.size();
-// times increase.
-std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_t i);
-
 // Jerk of the joints over a stretch from rest to rest, computed with jerkStencils().
 struct JerkMeasure {
   std::vector<double> maxAbs;     // Per joint [rad/s3]; sliding joints [mm/s3]
   std::vector<std::size_t> maxAt; // The point at which each joint has it
-  double sumSquared = 0.0;    // Over all points and joints [(rad/s3)2]; sliding joints by asTurn()
+  double sumSquared = 0.0; // Over all points and joints [(rad/s3)2]; sliding joints by asTurn()
 };
 // `q`: the joints at each time. Joints without an entry in `limits` count as turning.
 JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<double>& times,

@@ -6,8 +6,6 @@ namespace voluta::plan {
 struct LayerTimes {
   double leastS = 0.0;    // The covered bead has to cool for so long; 0: no limit
   double greatestS = 0.0; // Beads bond up to this age; 0: no limit
-
-  bool limited() const { return leastS > 0.0 || greatestS > 0.0; }
 };
 
 } // namespace voluta::plan

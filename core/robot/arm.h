@@ -14,8 +14,6 @@ struct Arm {
   int firstJoint = 0;
 
   int jointCount() const { return robot.dof(); }
-  // Every arm works with one tool: the cell's nozzle.
-  int toolCount() const { return 1; }
 };
 
 } // namespace voluta::robot

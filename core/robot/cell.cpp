@@ -14,11 +14,6 @@
 
 namespace voluta::robot {
 
-const Arm& Cell::arm(std::size_t i) const {
-  base::require(i < arms_.size(), "an arm of the cell");
-  return arms_[i];
-}
-
 JointVector Cell::home() const {
   JointVector q = JointVector::Zero(dof());
   for (const Arm& arm : arms_)

@@ -59,11 +59,7 @@ public:
   const std::string& note() const { return note_; }
   // Id of the extruder (program/extruder.h).
   const std::string& extruder() const { return extruder_; }
-  // One arm for now. In a joint vector their joints come first, arm by arm; external axes follow.
-  const std::vector<Arm>& arms() const { return arms_; }
-  // Precondition: i < arms().size().
-  const Arm& arm(std::size_t i) const;
-  // The robot of arm(0).
+  // The robot of the first arm. In a joint vector its joints come first; external axes follow.
   const RobotModel& robot() const { return arms_.front().robot; }
   // Mass on the flange before printing [kg]: the plate and its stem, or head and extruder; assumed
   // if the file does not state it.
@@ -71,7 +67,7 @@ public:
   bool carriedIsAssumed() const { return carriedIsAssumed_; }
   // The robot's axes and the external ones
   int dof() const { return static_cast<int>(limits_.size()); }
-  int armDof() const { return arms_.front().jointCount(); } // of arm(0)
+  int armDof() const { return arms_.front().jointCount(); }
   // Their values follow the robot's own in a joint vector; ordered from the base to the platform.
   const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
   // The number of external axes that carry the robot; they come first.

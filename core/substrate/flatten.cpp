@@ -3,35 +3,8 @@
 #include "base/error.h"
 
 #include <cmath>
-#include <fmt/format.h>
 
 namespace voluta::substrate {
-
-std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
-                                                double topThicknessMm, double sideThicknessMm,
-                                                double sideAngle, int layers) {
-  base::require(!start.isPlane() && start.radiusMm > 0.0, "a circle to start from");
-  base::require(topThicknessMm > 0.0 && sideThicknessMm > 0.0 && layers >= 0,
-                "positive thicknesses and number of layers");
-  base::require(sideAngle > 0.0 && std::cos(sideAngle) > 0.0, "an angle to the side of the top");
-  std::vector<FlatteningCircle> circles{start};
-  const double h1 = topThicknessMm, h2 = sideThicknessMm;
-  for (int k = 0; k < layers; ++k) {
-    const double r = circles.back().radiusMm;
-    const double over = h2 * h2 + 2.0 * r * (h2 - h1) - h1 * h1;
-    const double under = 2.0 * (r + h1) - 2.0 * (r + h2) * std::sin(sideAngle);
-    const double radius = r + h1 + over / under;
-    if (under <= 0.0 || radius <= 0.0)
-      throw base::Error(
-          base::ErrorCode::UnusableInput,
-          base::message("layers of {top:.3g} mm at the top and {side:.3g} mm at the sides end"
-                        " after layer {layer}: no circle passes through both"_text,
-                        base::number(h1), base::number(h2), k),
-          "flattening"_text, "make the two thicknesses more similar, or use fewer layers"_text);
-    circles.push_back({circles.back().topMm + h1, radius});
-  }
-  return circles;
-}
 
 std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, double halfChordMm,
                                                 double topThicknessMm, int layers,

@@ -17,16 +17,6 @@ struct FlatteningCircle {
   double centreMm() const { return topMm - radiusMm; }
 };
 
-// Returns `layers` + 1 circles from `start` outwards. Each layer is topThicknessMm thick at the top
-// and sideThicknessMm at the polar angle sideAngle of the circle below it (radians from the
-// horizontal, in (0, pi/2)), measured along that circle's radius (Castelli 2020, 5.2.3). This is
-// the published rule, used as a reference by tests; plans use flatteningToPlane. Preconditions:
-// `start` is not a plane, positive thicknesses, layers >= 0. Throws Error{UnusableInput} naming the
-// layer after which no such circle exists.
-std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
-                                                double topThicknessMm, double sideThicknessMm,
-                                                double sideAngle, int layers);
-
 // Returns `layers` + 1 circles from `start` to a circle of endRadiusMm, by default a plane. Their
 // heights over the chord of half width halfChordMm change in equal steps, while the top rises by
 // topThicknessMm per layer. At the chord's ends, layers are (change of height over the chord) /

@@ -45,7 +45,7 @@ private:
   std::shared_ptr<Grid> grid_;
 };
 
-// The surface halfway between two circles of flatteningCircles or flatteningToPlane, along the
+// The surface halfway between two circles of flatteningToPlane, along the
 // radii of the first, which are also the directions; extruded along x over [x0, x1] and restricted
 // to the area within halfWidthMm of y = 0 on the first circle's upper half. The thickness is
 // thicknessAt, so that the bottoms are on the first circle and the tops on the second.

@@ -17,6 +17,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "helpers/five_point_jerk.h"
 #include "motion/jerk.h"
 #include "motion/jerk_limit.h"
 #include "motion/motion.h"
@@ -76,7 +77,7 @@ void measure(const Joints& q, const std::vector<double>& times, Measure& m) {
   if (m.greatest.size() == 0 && !q.empty())
     m.greatest = JointVector::Zero(q.front().size());
   for (std::size_t i = 2; i + 2 < q.size(); ++i) {
-    const auto weights = motion::fivePointJerk(times, i);
+    const auto weights = test::fivePointJerk(times, i);
     JointVector jerk = JointVector::Zero(q[i].size());
     for (std::size_t k = 0; k < 5; ++k)
       jerk += weights[k] * q[i + k - 2];
@@ -192,7 +193,7 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
     double most = kAllowed;
     std::size_t centre = q.size();
     for (std::size_t i = 2; i + 2 < q.size(); ++i) {
-      const auto weights = motion::fivePointJerk(times, i);
+      const auto weights = test::fivePointJerk(times, i);
       JointVector jerk = JointVector::Zero(q[i].size());
       for (std::size_t k = 0; k < 5; ++k)
         jerk += weights[k] * at[i + k - 2].q;

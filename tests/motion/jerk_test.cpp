@@ -1,5 +1,6 @@
 #include "motion/jerk.h"
 
+#include "helpers/five_point_jerk.h"
 #include "motion/smoothing/banded_solver.h"
 
 #include <Eigen/Cholesky>
@@ -25,7 +26,7 @@ std::vector<double> unevenTimes(int seed, std::size_t count) {
 TEST(Jerk, FivePointsAreExactForQuartics) {
   const auto times = unevenTimes(1, 40);
   for (std::size_t i = 2; i + 2 < times.size(); ++i) {
-    const auto w = motion::fivePointJerk(times, i);
+    const auto w = test::fivePointJerk(times, i);
     const auto of = [&](auto f) {
       double sum = 0.0;
       for (std::size_t k = 0; k < 5; ++k)
@@ -40,7 +41,7 @@ TEST(Jerk, FivePointsAreExactForQuartics) {
 
 TEST(Jerk, FivePointsOnEvenTimesAreTheCentralDifference) {
   const double h = 0.1;
-  const auto w = motion::fivePointJerk({0, h, 2 * h, 3 * h, 4 * h}, 2);
+  const auto w = test::fivePointJerk({0, h, 2 * h, 3 * h, 4 * h}, 2);
   const double unit = 1.0 / (2.0 * h * h * h); // eq. 4.11
   const double expected[] = {-1, 2, 0, -2, 1};
   for (std::size_t k = 0; k < 5; ++k)
@@ -63,7 +64,7 @@ TEST(Jerk, ToAndFroIsSeen) {
   std::vector<double> times;
   for (int i = 0; i < 9; ++i)
     times.push_back(0.1 * i);
-  const auto five = motion::fivePointJerk(times, 4);
+  const auto five = test::fivePointJerk(times, 4);
   EXPECT_NEAR(five[0] - five[1] + five[2] - five[3] + five[4], 0.0, 1e-6);
   const motion::JerkStencil four = motion::jerkStencils(times)[4];
   EXPECT_NEAR(std::abs(four.weight[0] - four.weight[1] + four.weight[2] - four.weight[3]), 8000.0,

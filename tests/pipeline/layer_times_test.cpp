@@ -49,7 +49,8 @@ std::string errorOf(const project::Choices& choices) {
 }
 
 TEST(MaterialLayerTimes, AreThoseOfAJobWithoutItsOwn) {
-  EXPECT_FALSE(timesOf(choicesWith("")).limited());
+  EXPECT_EQ(timesOf(choicesWith("")).leastS, 0.0);
+  EXPECT_EQ(timesOf(choicesWith("")).greatestS, 0.0);
   const std::string both = R"(, "minLayerTimeS": 20, "maxLayerTimeS": 90)";
   const plan::LayerTimes times = timesOf(choicesWith(both));
   EXPECT_EQ(times.leastS, 20.0);

@@ -91,8 +91,8 @@ TEST(Loft, IsACylinderOfItsSize) {
 TEST(Loft, IsABarAndARectangle) {
   Loft bar;
   bar.roundMm = 2.0;
-  bar.sections = {barSection(0.0, {{0, 0}, 20.0}, {{100, 0}, 10.0}),
-                  barSection(30.0, {{0, 0}, 20.0}, {{100, 0}, 10.0})};
+  bar.sections = {{0.0, {{{0, 0}, 20.0}, {{100, 0}, 10.0}}},
+                  {30.0, {{{0, 0}, 20.0}, {{100, 0}, 10.0}}}};
   EXPECT_TRUE(isClosed(meshOf(bar).mesh));
   EXPECT_NEAR(geometry::bounds(meshOf(bar).mesh).sizes().x(), 130.0, 1e-9);
   Loft rectangle;

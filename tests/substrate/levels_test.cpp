@@ -5,6 +5,7 @@
 #include "geometry/mesh_query.h"
 #include "helpers/lathe_parts.h"
 #include "helpers/shapes.h"
+#include "published_flattening.h"
 #include "substrate/levels.h"
 
 #include <cmath>
@@ -159,7 +160,7 @@ TEST(Levels, OffsetDoesNotFoldInAValley) {
 TEST(Levels, CirclesMeetTopAndFoot) {
   for (const bool plane : {false, true}) {
     const auto c = plane ? substrate::flatteningToPlane({20, 20}, 7, 0.2, 10)
-                         : substrate::flatteningCircles({20, 20}, 0.15, 0.3, 0.72, 10);
+                         : test::flatteningCircles({20, 20}, 0.15, 0.3, 0.72, 10);
     for (std::size_t k = 0; k + 1 < c.size(); ++k) {
       const LevelSurface s = substrate::circleLevel(c[k], c[k + 1], 7, -5, 5, 0.7);
       checkedRim(s);

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <cmath>
 
 namespace voluta::panels {
@@ -59,11 +58,6 @@ void ReachPanel::setReach(const std::optional<ShownReach>& reach) {
 void ReachPanel::setLooking(bool looking) {
   looking_ = looking;
   showState();
-}
-
-void ReachPanel::setMapShown(bool shown) {
-  const QSignalBlocker quiet(map_);
-  map_->setChecked(shown);
 }
 
 void ReachPanel::showState() {

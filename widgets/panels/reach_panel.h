@@ -29,7 +29,6 @@ public:
   void setReach(const std::optional<ShownReach>& reach);
   void setLooking(bool looking);
   bool isLooking() const { return looking_; }
-  void setMapShown(bool shown);
 
 signals:
   void mapToggled(bool shown);

@@ -189,10 +189,6 @@ LoftSection circleSection(double at, double radius) {
   return {at, {{Vector2d::Zero(), radius}}};
 }
 
-LoftSection barSection(double at, const LoftDisc& a, const LoftDisc& b) {
-  return {at, {a, b}};
-}
-
 LoftSection rectangleSection(double at, const Vector2d& size, double roundMm,
                              const Vector2d& centre) {
   const Vector2d half = 0.5 * size - Vector2d::Constant(roundMm);

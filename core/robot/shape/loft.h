@@ -28,9 +28,8 @@ struct Loft {
   double roundMm = 0.0; // Radius of its edges; smaller where an edge has too little room
 };
 
-// Return a disc, a bar and a rectangle as a section. roundMm: radius of the rectangle's corners.
+// Return a disc and a rectangle as a section. roundMm: radius of the rectangle's corners.
 LoftSection circleSection(double at, double radius);
-LoftSection barSection(double at, const LoftDisc& a, const LoftDisc& b);
 LoftSection rectangleSection(double at, const Eigen::Vector2d& size, double roundMm,
                              const Eigen::Vector2d& centre = Eigen::Vector2d::Zero());
 
