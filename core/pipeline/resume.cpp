@@ -11,11 +11,10 @@
 #include "motion/motion_scene.h"
 #include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
-#include "pipeline/judged_part.h"
 #include "pipeline/program_files.h"
-#include "pipeline/replay_stage.h"
-#include "pipeline/replayed/shared_runs.h"
+#include "pipeline/program_runner.h"
 #include "pipeline/stage_options.h"
+#include "pipeline/stage_record.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "program/dialect.h"
@@ -88,7 +87,7 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
       program::readProgram(std::string(found.dialect->id), found.files, tooling, ctx);
   std::size_t at = motionAt(request, found, read);
   const robot::Cell cell =
-      robot::loadCell(job.choices.cell, tooling.first().process, job.item().platform);
+      robot::loadCell(job.choices.cell, tooling.first().process, project::platformOf(job));
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
   const program::MergedPoints points =
@@ -135,34 +134,17 @@ std::size_t resumePointOf(const ResumeRequest& request, const project::Job& job,
 
 namespace {
 
-void done(project::Job& job, project::Stage stage, const plan::Findings& findings,
-          project::Timings timings) {
-  job.stages[project::indexOf(stage)] = {project::kResumedKey, findings.size(), timings};
-  job.report.findings.insert(job.report.findings.end(), findings.begin(), findings.end());
-  job.report.timings += timings;
-  job.reached = stage;
+void record(PlanResult& result, project::Stage stage, const plan::Findings& findings,
+            const project::Timings& timings) {
+  recordStage(result.job, stage, project::kResumedKey, findings, timings,
+              result.tooling->first().process.beadWidthMaxMm);
 }
 
-// Runs the Replay stage of a resumed job.
+// Runs the Replay stage of a resumed or a joined job.
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
-  project::Job& job = result.job;
-  const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
-  const platform::PlatformSolid platform = project::platformOf(job);
-  const base::ParameterValues values = parameterValues(job.choices);
-  const auto printed = judgedPart(job, *result.tooling, values);
-  const ProgramStageInput in =
-      programStageInput(job, *printed, platform, *result.cell, *result.tooling, values);
-  SharedRuns shared;
-  plan::Findings findings;
-  project::Timings timings;
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
-    result.checked.push_back(
-        programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &shared));
-    timings += result.checked.back()->timings;
-    tellProgram(*result.checked.back(), i == 0, true, job.report, findings);
-  }
-  done(job, project::Stage::Replay, findings, timings);
+  const ProgramsOutcome out =
+      runPrograms(result, parameterValues(result.job.choices), ProgramHooks(), ctx);
+  record(result, project::Stage::Replay, out.findings, out.timings);
 }
 
 class Resuming {
@@ -227,10 +209,11 @@ private:
     timings.transfer = watch.seconds();
     if (!resumed) {
       const Eigen::Vector3d& where = plan.position[result_.waypoint];
-      done(job(), project::Stage::Motion,
-           {plan::makeFinding(plan::FindingKind::NoWayBack,
-                              {{"place", base::message("bead {bead}"_text, result_.bead)}}, where)},
-           timings);
+      record(
+          result_.plan, project::Stage::Motion,
+          {plan::makeFinding(plan::FindingKind::NoWayBack,
+                             {{"place", base::message("bead {bead}"_text, result_.bead)}}, where)},
+          timings);
       return false;
     }
     const double before = resumed->trajectory.timeS[resumed->firstPoint];
@@ -252,7 +235,7 @@ private:
     job().resumedAt = resumed->firstPoint;
     measure(*resumed, growing, ctx);
     job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));
-    done(job(), project::Stage::Motion, {}, timings);
+    record(result_.plan, project::Stage::Motion, {}, timings);
     return true;
   }
 

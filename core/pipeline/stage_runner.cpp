@@ -5,7 +5,6 @@
 #include "base/stopwatch.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
-#include "pipeline/avoided.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
@@ -17,10 +16,10 @@
 #include "pipeline/part_size.h"
 #include "pipeline/payload.h"
 #include "pipeline/pedestal.h"
-#include "pipeline/replay_stage.h"
-#include "pipeline/replayed/shared_runs.h"
+#include "pipeline/program_runner.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
+#include "pipeline/stage_record.h"
 #include "pipeline/stages.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
@@ -39,9 +38,6 @@
 namespace voluta::pipeline {
 
 namespace {
-
-// Rounds of replanning the motion without the waypoints that replay found colliding
-constexpr int kRounds = 6;
 
 // Throws Error{Usage} if the cell's tool changer has fewer docks than the job has tools.
 void requireDocks(const robot::Cell& cell, std::size_t tools) {
@@ -106,16 +102,10 @@ private:
 
   // Records that a stage is complete. Returns whether to continue.
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
-    project::StageRecord& record = job().stages[project::indexOf(stage)];
     const bool whole = !context_.isRejected(); // False: the stage ended early
-    record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
-    report().findings.insert(report().findings.end(), findings.begin(), findings.end());
-    if (items_.size() > 1 && stage > project::Stage::Load)
-      nameItems(std::span(report().findings).last(findings.size()), job().items,
-                process().beadWidthMaxMm);
-    report().timings += timings;
+    recordStage(job(), stage, whole ? keys_[project::indexOf(stage)] : std::string(), findings,
+                timings, process().beadWidthMaxMm);
     report().timings.total = whole_.seconds();
-    job().reached = stage;
     base::returnFreedMemory();
     if (whole && context_.observers().onStage)
       context_.observers().onStage(stage, result_);
@@ -327,83 +317,21 @@ private:
   }
 
   void programs() {
-    Avoided avoided;
-    for (int round = 0;; ++round) {
-      write(round < kRounds);
-      std::vector<std::size_t> found;
-      for (const auto& checked : result_.checked)
-        std::ranges::copy(metIn(*checked), std::back_inserter(found));
-      const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
-      if (met.empty() || round == kRounds || isHopeless() || !replanSkipping(met))
-        break;
-    }
+    ProgramHooks hooks;
+    // Cached programs were written for the previous motion.
+    hooks.take = [this](const std::string& format,
+                        const std::function<ProgramHooks::Program()>& make) {
+      return fresh_ ? make() : context_.cachedOrMade<CheckedProgram>(keyOf(format), format, make);
+    };
+    hooks.planWithout = [this](const std::vector<std::size_t>& waypoints) {
+      return replanSkipping(waypoints);
+    };
+    hooks.isTrial = context_.isTrial();
+    const ProgramsOutcome out = runPrograms(result_, values_, hooks, span(project::Stage::Replay));
     keepFresh();
-    plan::Findings findings;
-    project::Timings timings;
-    bool told = false; // The verdict has been reported
-    for (std::size_t i = 0; i < result_.checked.size(); ++i) {
-      timings += result_.checked[i]->timings;
-      const bool counts = decides(*result_.checked[i]), first = !told && counts;
-      told = told || first;
-      tellProgram(*result_.checked[i], first, counts, report(), findings);
-      if (const auto without = program::withoutForce(result_.checked[i]->program.format, tooling_);
-          without && counts)
-        findings.push_back(*without);
-    }
-    if (first().hasGivenPaths())
-      findings = withRemediesForGiven(std::move(findings));
-    if (isHopeless()) // Some formats may not have been written
-      context_.reject(project::Stage::Replay, findings);
-    done(project::Stage::Replay, findings, timings);
-  }
-
-  // In a trial: returns whether a program fails for another reason than collisions, which no other
-  // motion can repair.
-  bool isHopeless() const {
-    return context_.isTrial() && std::ranges::any_of(result_.checked, [this](const auto& checked) {
-             return decides(*checked) &&
-                    checked->failed.size() > (checked->collidingWaypoints.empty() ? 0 : 1);
-           });
-  }
-  bool decides(const CheckedProgram& checked) const {
-    return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
-                                  *result_.cell);
-  }
-  // Returns the colliding waypoints to skip. In a program for another controller, which moves
-  // differently, many collisions are not worth replanning; only isolated ones are, so that they
-  // alone do not get the program refused.
-  std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
-    constexpr double kHereAndThere = 0.002; // Share of the waypoints
-    const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
-    return decides(checked) || static_cast<double>(checked.collidingWaypoints.size()) <=
-                                   kHereAndThere * waypoints
-               ? checked.collidingWaypoints
-               : std::vector<std::size_t>();
-  }
-
-  // `untilMet`: stop after the first program with collisions.
-  void write(bool untilMet) {
-    const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
-    const auto printed = judgedPart(job(), tooling_, values_);
-    const platform::PlatformSolid platform = project::platformOf(job());
-    const ProgramStageInput in =
-        programStageInput(job(), *printed, platform, *result_.cell, tooling_, values_);
-    result_.checked.clear();
-    SharedRuns shared;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-      if (i > 0 && ((untilMet && !metIn(*result_.checked.back()).empty()) || isHopeless()))
-        return;
-      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
-      const auto make = [&] {
-        return programStage(formats[i], in,
-                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
-                            &shared);
-      };
-      // Cached programs were written for the previous motion.
-      result_.checked.push_back(
-          fresh_ ? make()
-                 : context_.cachedOrMade<CheckedProgram>(keyOf(formats[i]), formats[i], make));
-    }
+    if (out.isHopeless) // Some formats may not have been written
+      context_.reject(project::Stage::Replay, out.findings);
+    done(project::Stage::Replay, out.findings, out.timings);
   }
 
   std::string keyOf(const std::string& format) const {

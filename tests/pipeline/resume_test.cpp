@@ -196,6 +196,12 @@ PlanRequest twoTools() {
   return request;
 }
 
+// Planned once.
+const PlanResult& twoToolsPlan() {
+  static const PlanResult kPlan = planPart(twoTools(), kCtx);
+  return kPlan;
+}
+
 // The start of the program of a rest, as its own reader reads it.
 void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult& plan) {
   const plan::ReadProgram read =
@@ -246,7 +252,7 @@ void expectPlateOfFirstTool(const plan::Program& rest) {
 TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
   const std::vector<std::string> formats = {"urscript", "rapid",    "krl",   "melfa",
                                             "spel",     "tmscript", "gcode", "gcode-extended"};
-  PlanResult whole = planPart(twoTools(), kCtx);
+  const PlanResult& whole = twoToolsPlan();
   ASSERT_TRUE(nothingBlocks(whole.job.report));
   const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
   const auto second =
@@ -271,7 +277,7 @@ TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
 
 // By line, from disk; another first selection in the text is refused there.
 TEST(Resume, ByLineOfTheSecondTool) {
-  PlanResult whole = planPart(twoTools(), kCtx);
+  PlanResult whole = twoToolsPlan();
   const test::TemporaryFolder folder;
   writeOutputs(whole, folder.path(), kCtx);
   const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
@@ -295,6 +301,24 @@ TEST(Resume, ByLineOfTheSecondTool) {
   text.replace(text.find(selects), selects.size(), "set_standard_digital_out(1,False)");
   base::writeFile(file, text);
   EXPECT_FALSE(verifyProgram(file, second / "job.voluta", kCtx).replay.passed);
+}
+
+// Another controller's format without a word for the change of tools: as in a plan, it is reported,
+// and the verdict is that of the cell's own program.
+TEST(Resume, AnotherControllersProgramDoesNotDecide) {
+  const auto point =
+      motion::resumePointOfPath(*twoToolsPlan().job.trajectory, *twoToolsPlan().job.toolPlan, 2);
+  ASSERT_TRUE(point);
+  const PlanResult rest = resumeJob(twoToolsPlan().job, *point, {"krl-eki", "urscript"}, kCtx).plan;
+  ASSERT_EQ(rest.checked.size(), 2u);
+  EXPECT_FALSE(rest.checked[0]->passed);
+  EXPECT_TRUE(rest.checked[1]->passed);
+  EXPECT_TRUE(nothingBlocks(rest.job.report));
+  EXPECT_TRUE(rest.job.report.replay.passed);
+  std::vector<plan::FindingKind> kinds;
+  for (const plan::Finding& finding : rest.job.report.findings)
+    kinds.push_back(finding.kind);
+  EXPECT_THAT(kinds, testing::Contains(plan::FindingKind::ForeignRefused));
 }
 
 TEST(Resume, MissingWayBackGivesAFinding) {
