@@ -2,6 +2,7 @@
 #include "cli/run_interruptibly.h"
 #include "pipeline/automatic.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "project/turn_text.h"
@@ -31,17 +32,16 @@ struct Found {
 };
 
 Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) {
-  const project::Choices choices = pipeline::resolved(request.choices);
-  pipeline::checkChoices(choices);
-  const process::Process process =
-      pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
+  const project::Choices manual = pipeline::resolved(request.choices);
+  pipeline::checkChoices(manual);
+  const pipeline::Resolved own = pipeline::resolve(manual);
   const auto loaded =
-      project::loadPart(request.item().part, choices.item().repair, ctx.sub(0.0, 0.1));
+      project::loadPart(request.item().part, own.choices.item().repair, ctx.sub(0.0, 0.1));
   Found found;
-  found.placed = pipeline::loadStage(*loaded, choices, process, ctx.sub(0.1, 0.2));
-  found.ways = pipeline::partWays(*found.placed, choices, process, ctx.sub(0.2, 1.0));
+  found.placed = pipeline::loadStage(*loaded, own, ctx.sub(0.1, 0.2));
+  found.ways = pipeline::partWays(*found.placed, own, ctx.sub(0.2, 1.0));
   for (const placement::Way& way : found.ways)
-    found.seconds.push_back(pipeline::estimatedSeconds(way, choices, process));
+    found.seconds.push_back(pipeline::estimatedSeconds(way, own));
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_reach.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ void say(const cells::ReachMap& map, const std::string& cell) {
 ExitCode cellReachCommand(const ReachOptions& options) {
   const auto map = endedWith(runInterruptibly(
       [&options](const base::RunContext& ctx) {
-        return pipeline::cellReach(options.choices, options.heightMm, ctx);
+        return pipeline::cellReach(pipeline::resolve(options.choices), options.heightMm, ctx);
       },
       options.threads, {}, [] {}));
   if (!map)

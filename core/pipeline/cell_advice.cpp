@@ -13,6 +13,7 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/part_size.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "project/loaded_part.h"
@@ -200,14 +201,15 @@ base::Message reasonFor(const CellAdvice& row, const std::vector<CellAdvice>& ro
 } // namespace
 
 CellNeeds cellNeeds(const PlanRequest& request, const base::RunContext& ctx) {
-  const project::Choices choices = resolved(request.choices);
-  checkChoices(choices);
-  const process::Process process = chosenProcess(choices, parameterValues(choices));
+  const project::Choices manual = resolved(request.choices);
+  checkChoices(manual);
+  const Resolved own = resolve(manual);
+  const auto& [choices, values, process] = own.modeChoices();
   const auto loaded =
       request.item().loaded
           ? request.item().loaded
           : project::loadPart(request.item().part, choices.item().repair, ctx.sub(0.0, 0.3));
-  const auto placed = loadStage(*loaded, choices, process, ctx.sub(0.3, 1.0));
+  const auto placed = loadStage(*loaded, own, ctx.sub(0.3, 1.0));
   const modes::Mode& mode = modes::findMode(choices.item().mode);
   constexpr double kKgPerMm3 = 1e-6; // at 1 g/cm³
   const double density = kKgPerMm3 * process.material.densityGPerCm3;
@@ -225,7 +227,7 @@ CellNeeds cellNeeds(const PlanRequest& request, const base::RunContext& ctx) {
   double moment = part * box.center().z();
   needs.kg = part;
   if (choices.item().platform.isBody())
-    if (const auto body = plannedPlatform(*placed, choices).mesh) {
+    if (const auto body = plannedPlatform(*placed, own).mesh) {
       const Eigen::AlignedBox3d bounds = geometry::bounds(*body);
       const double kg = density * std::abs(geometry::volume(*body));
       needs.kg += kg;
@@ -296,8 +298,7 @@ CellComparison compareCells(const PlanRequest& request, const std::vector<std::s
   base::require(!ids.empty(), "cells to compare");
   constexpr double kNeedsShare = 0.1;
   const CellNeeds needs = cellNeeds(request, ctx.sub(0.0, kNeedsShare));
-  const project::Choices choices = resolved(request.choices);
-  const process::Process process = chosenProcess(choices, parameterValues(choices));
+  const process::Process process = resolve(request.choices).process();
   std::vector<CellAdvice> rows;
   const auto share = [&](std::size_t i) {
     return kNeedsShare +

@@ -6,6 +6,7 @@
 #include "modes/cell_choice.h"
 #include "motion/motion_options.h"
 #include "pipeline/cell_text.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 
 #include <algorithm>
@@ -32,18 +33,15 @@ robot::Cell cellToMap(const project::Choices& choices, const process::Process& p
   return robot::loadCell(choices.cell, process, plateToMap(choices, any));
 }
 
-cells::ReachMap cellReach(const project::Choices& choices, double heightMm,
-                          const base::RunContext& ctx) {
-  const base::ParameterValues values = parameterValues(choices);
-  const process::Process process = chosenProcess(choices, values);
+cells::ReachMap cellReach(const Resolved& resolved, double heightMm, const base::RunContext& ctx) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   const robot::Cell cell = cellToMap(choices, process);
   return cells::reachMap(cell, process, cells::usualGrid(cell, process, heightMm),
                          motionOptionsOf(values, choices.seed).printing, ctx);
 }
 
-std::string cellReachKey(const project::Choices& choices, double heightMm) {
-  const base::ParameterValues values = parameterValues(choices);
-  const process::Process process = chosenProcess(choices, values);
+std::string cellReachKey(const Resolved& resolved, double heightMm) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   const robot::Cell cell = modes::cellOnAnyPlatform(choices, process);
   const collision::Margins margins = motionOptionsOf(values, choices.seed).printing;
   std::vector<double> plate, head;

@@ -12,6 +12,8 @@
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 // Diameter of the disc used for cells without plates
 inline constexpr double kPlateOfNoneMm = 200.0;
 // Maximum tilt of the build directions that are mapped when the part's own tilt is unknown.
@@ -25,10 +27,9 @@ robot::Cell cellToMap(const project::Choices& choices, const process::Process& p
 // Returns the cell's reach map from the first layer up to heightMm, for tilts up to kMappedTiltRad,
 // with the clearances that motion planning keeps. Throws Error{Usage} for invalid names and
 // parameters and for a missing plate; throws Cancelled.
-cells::ReachMap cellReach(const project::Choices& choices, double heightMm,
-                          const base::RunContext& ctx);
+cells::ReachMap cellReach(const Resolved& resolved, double heightMm, const base::RunContext& ctx);
 // Returns the cache key of cellReach(). Throws as cellReach().
-std::string cellReachKey(const project::Choices& choices, double heightMm);
+std::string cellReachKey(const Resolved& resolved, double heightMm);
 
 // Return a part (placed, [mm], not empty) as a cylinder about the centre of its bounding box, and
 // that centre.

@@ -3,6 +3,7 @@
 #include "base/outcome.h"
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "project/loaded_part.h"
@@ -71,8 +72,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
     for (const modes::Mode& mode : modes::modeTable())
       if (modes::printAlike(mode, modes::findMode(given.item().mode)) && takesAll(mode, platforms))
         modeIds.emplace_back(mode.id);
-  const base::ParameterValues values = parameterValues(given);
-  const process::Process process = chosenProcess(given, values);
+  const Resolved resolved = resolve(given);
 
   std::vector<Combination> all;
   const auto addWays = [&](const std::string& cell, const std::string& id) {
@@ -81,7 +81,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
         const project::Choices choices = choicesOf({id, growth, platform, cell}, given);
         checkChoices(choices);
         const modes::Mode& mode = modes::findMode(id);
-        const modes::ModeChoices in{choices, values, process};
+        const modes::ModeChoices in{choices, resolved.values, resolved.process()};
         Combination row{id, growth, platform, cell};
         if (!mode.grows)
           row.growth.reset();

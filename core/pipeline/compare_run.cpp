@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/staged_folder.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "process/tooling.h"
 #include "robot/cell.h"
@@ -33,7 +34,7 @@ ComparedRun compareRun(const std::filesystem::path& job, const std::filesystem::
 ComparedRun compareRun(const project::Job& job, const std::filesystem::path& record,
                        const record::RunTolerances& tolerances, const base::RunContext& ctx) {
   base::require(job.trajectory != nullptr, "compareRun: a job with its motion");
-  const process::Tooling tooling = chosenTooling(job.choices, parameterValues(job.choices));
+  const process::Tooling tooling = resolve(job.choices).tooling;
   const robot::Cell cell =
       robot::loadCell(job.choices.cell, tooling.first().process, project::platformOf(job));
   const record::RecordedRun run =

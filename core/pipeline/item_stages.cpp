@@ -10,6 +10,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
@@ -101,30 +102,29 @@ bool isOverhangOfSlices(const plan::Finding& finding) {
 
 ItemStages::ItemStages(const StageContext& context, const project::Choices& given,
                        std::size_t index, const RequestedItem& part, PlanResult& result)
-    : context_(context), given_(project::onlyItem(given, index)), choices_(resolved(given_)),
-      index_(index), values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)),
-      tools_(chosenTools(values_, tooling_)), process_(tooling_.at(tools_.part).process),
-      result_(result), mode_(modes::findMode(choices_.item().mode)) {
-  report().decomposition.mode = choices_.item().mode;
+    : context_(context), given_(project::onlyItem(given, index)), index_(index), result_(result),
+      resolved_(*result.item(index).resolved),
+      mode_(modes::findMode(resolved_.choices.item().mode)) {
+  report().decomposition.mode = resolved_.choices.item().mode;
   report().chosen = chosenReport();
-  loaded_ = loadedOf(part, choices_.item().repair, context_.span(Stage::Load));
+  loaded_ = loadedOf(part, resolved_.choices.item().repair, context_.span(Stage::Load));
   item().loaded = loaded_;
   item().partName = loaded_->name;
-  hasGivenPaths_ = takesGivenPaths(*loaded_, values_);
+  hasGivenPaths_ = takesGivenPaths(*loaded_, resolved_.values);
   if (hasGivenPaths_)
-    requireOwnSize(choices_);
-  keys_ = keysOf(*loaded_, choices_, values_, tooling_);
+    requireOwnSize(resolved_.choices);
+  keys_ = keysOf(*loaded_, resolved_);
 }
 
 project::ChosenReport ItemStages::chosenReport() const {
   const project::ItemChoices& given = given_.item();
   return {.way = given.automatic ? given.automaticWay : std::string(),
           .name = nameOfWay(given_),
-          .mode = choices_.item().mode,
-          .platform = choices_.item().platform.text(),
-          .supports =
-              mode_.requiresParameter("supports") ? values_.text("supports") : std::string(),
-          .layerHeightMm = process_.layerHeightMm};
+          .mode = resolved_.choices.item().mode,
+          .platform = resolved_.choices.item().platform.text(),
+          .supports = mode_.requiresParameter("supports") ? resolved_.values.text("supports")
+                                                          : std::string(),
+          .layerHeightMm = resolved_.process().layerHeightMm};
 }
 
 // Repairs made when the part was loaded and then to close it, and what the job does not take from
@@ -135,21 +135,22 @@ std::vector<base::Message> ItemStages::allRepairs() const {
     if (std::ranges::find(all, repair) == all.end())
       all.push_back(repair);
   if (hasGivenPaths_)
-    std::ranges::copy(missingToolNotes(*loaded_->toolPaths, tooling_), std::back_inserter(all));
+    std::ranges::copy(missingToolNotes(*loaded_->toolPaths, resolved_.tooling),
+                      std::back_inserter(all));
   return all;
 }
 
 const ShapedPart& ItemStages::shaped() {
   if (!shaped_.part)
-    shaped_ = shapedPart(loaded_, choices_, values_, context_.span(Stage::Load).quiet());
+    shaped_ = shapedPart(loaded_, resolved_, context_.span(Stage::Load).quiet());
   return shaped_;
 }
 
 ItemOutcome ItemStages::load() {
   const base::RunContext span = context_.span(Stage::Load);
   placed_ = context_.cachedOrMade<modes::LoadStage>(keyOf(Stage::Load), slot({}), [&] {
-    return shaped().ground ? loadStageOnGround(shaped(), choices_, process_, span)
-                           : loadStage(*shaped().part, choices_, process_, span);
+    return shaped().ground ? loadStageOnGround(shaped(), resolved_, span)
+                           : loadStage(*shaped().part, resolved_, span);
   });
   result_.item(index_).placed = placed_;
   item().scale = placed_->scale;
@@ -169,10 +170,10 @@ ItemOutcome ItemStages::load() {
     return out;
   }
   const auto size = context_.cachedOrMade<SizeStage>(
-      keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm,
-                                         process_.layerHeightMinMm),
-      slot("size"),
-      [&] { return sizeStage(*shaped().part, *placed_, choices_, process_, span.quiet()); });
+      keyOf(Stage::Load) + base::keyText(resolved_.choices.cell, resolved_.process().id,
+                                         resolved_.process().beadWidthMinMm,
+                                         resolved_.process().layerHeightMinMm),
+      slot("size"), [&] { return sizeStage(*shaped().part, *placed_, resolved_, span.quiet()); });
   // A part that was drawn in other units is not planned.
   const bool isOdd = isOfOtherUnits(*size);
   out.findings = isOdd ? plan::Findings() : startFindings();
@@ -182,11 +183,10 @@ ItemOutcome ItemStages::load() {
     return f.kind == plan::FindingKind::LargerThanPlates;
   });
   const auto stand = context_.cachedOrMade<StandStage>(
-      standKey(*loaded_, *placed_, choices_, process_) + base::keyText(hasGivenPaths_, isTooLarge),
+      standKey(*loaded_, *placed_, resolved_) + base::keyText(hasGivenPaths_, isTooLarge),
       slot("stand"), [&] {
-        return hasGivenPaths_ || isTooLarge
-                   ? std::make_shared<const StandStage>()
-                   : standStage(*placed_, choices_, process_, span.quiet());
+        return hasGivenPaths_ || isTooLarge ? std::make_shared<const StandStage>()
+                                            : standStage(*placed_, resolved_, span.quiet());
       });
   append(out.findings, size->findings);
   append(out.findings, stand->findings);
@@ -198,9 +198,9 @@ ItemOutcome ItemStages::load() {
 // By the choices as they were given: in mode auto the platform may be the user's or not.
 plan::Findings ItemStages::startFindings() {
   return context_
-      .cachedOrMade<StartStage>(startKey(*placed_, given_, process_), slot("start"),
+      .cachedOrMade<StartStage>(startKey(*placed_, given_, resolved_), slot("start"),
                                 [&] {
-                                  return startStage(*placed_, given_, process_,
+                                  return startStage(*placed_, given_, resolved_,
                                                     context_.span(Stage::Load).quiet());
                                 })
       ->findings;
@@ -210,7 +210,7 @@ plan::Findings ItemStages::startFindings() {
 std::shared_ptr<const modes::PartVoxels> ItemStages::voxels(double voxelMm,
                                                             const base::RunContext& ctx) {
   return context_.cachedOrMade<modes::PartVoxels>(
-      placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), slot("voxels"),
+      placedPartKey(*loaded_, *placed_, resolved_) + base::keyText(voxelMm), slot("voxels"),
       [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
 }
 
@@ -231,17 +231,18 @@ ItemOutcome ItemStages::decompose() {
           in.isRejected = [&](const plan::Findings& soFar) {
             return context_.reject(Stage::Decompose, soFar);
           };
-        auto made = mode_.decompose(modeChoices(), in, context_.span(Stage::Decompose));
+        auto made = mode_.decompose(resolved_.modeChoices(), in, context_.span(Stage::Decompose));
         return hasGivenPaths_
-                   ? onlyGround(*made, shaped().ground
-                                           ? placedGround(shaped(), choices_.item().placement)
-                                           : nullptr)
+                   ? onlyGround(*made,
+                                shaped().ground
+                                    ? placedGround(shaped(), resolved_.choices.item().placement)
+                                    : nullptr)
                    : made;
       });
   item().platform = decomposed_->platform;
   item().result = decomposed_->result;
   report().decomposition = decomposed_->report;
-  report().decomposition.mode = choices_.item().mode;
+  report().decomposition.mode = resolved_.choices.item().mode;
   plan::Findings findings = decomposed_->findings;
   // Here and not in the mode, so that its pieces are not searched again for other supports.
   if (supportsSlices())
@@ -253,8 +254,9 @@ ItemOutcome ItemStages::decompose() {
 // those without one. Layers along the user's planes have no columns.
 bool ItemStages::supportsSlices() const {
   const bool hasPlanes =
-      mode_.requiresParameter("layerPlanes") && !values_.text("layerPlanes").empty();
-  return mode_.requiresParameter("supports") && support::supportsWanted(values_) && !hasPlanes;
+      mode_.requiresParameter("layerPlanes") && !resolved_.values.text("layerPlanes").empty();
+  return mode_.requiresParameter("supports") && support::supportsWanted(resolved_.values) &&
+         !hasPlanes;
 }
 
 ItemOutcome ItemStages::layers() {
@@ -263,10 +265,10 @@ ItemOutcome ItemStages::layers() {
       return layersOfGiven(*loaded_->toolPaths);
     const base::RunContext span = context_.span(Stage::Layers);
     const auto made =
-        mode_.layers(modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95));
+        mode_.layers(resolved_.modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95));
     return withTools(withSteps(withWalledSupport(made, item().printed()), item().printed(),
                                span.sub(0.95, 1.0).quiet()),
-                     tools_);
+                     resolved_.tools);
   });
   item().layers = stage->layers;
   report().layers = stage->report;
@@ -276,10 +278,10 @@ ItemOutcome ItemStages::layers() {
 }
 
 toolpath::ItemLayers ItemStages::forToolpaths() const {
-  toolpath::ToolpathOptions options = toolpathOptionsOf(values_, process_);
-  if (tools_.infill != tools_.part)
-    options.infillTool = tools_.infill;
-  return {result_.job.item(index_).layers, std::move(options), tooling_};
+  toolpath::ToolpathOptions options = toolpathOptionsOf(resolved_.values, resolved_.process());
+  if (resolved_.tools.infill != resolved_.tools.part)
+    options.infillTool = resolved_.tools.infill;
+  return {result_.job.item(index_).layers, std::move(options), resolved_.tooling};
 }
 
 } // namespace voluta::pipeline

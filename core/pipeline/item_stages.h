@@ -1,9 +1,7 @@
 // The stages of one item, Load to Layers, each taken from the cache or made.
 #pragma once
 
-#include "base/parameters.h"
-#include "layers/tool_assignment.h"
-#include "modes/from_options.h"
+#include "pipeline/resolved.h"
 #include "pipeline/shaped_paths.h"
 #include "pipeline/stage_context.h"
 #include "project/job.h"
@@ -36,9 +34,9 @@ struct ItemOutcome {
 
 class ItemStages {
 public:
-  // Loads the part. `given`: the job's choices as the user made them; `result`: the job's, whose
-  // item and report of that index the stages fill in. All but `given` outlive it.
-  // Throws as planPart.
+  // Loads the part. `given`: the job's choices as the user made them; `result`: the job's, with the
+  // resolved choices of its items; the stages fill in its item and report of that index. All but
+  // `given` outlive it. Throws as planPart.
   ItemStages(const StageContext& context, const project::Choices& given, std::size_t index,
              const RequestedItem& part, PlanResult& result);
 
@@ -50,7 +48,7 @@ public:
   // The part as its parameters change the tool-paths of its file.
   const ShapedPart& shaped();
   const modes::LoadStage& placed() const { return *placed_; }
-  const project::Choices& choices() const { return choices_; }
+  const project::Choices& choices() const { return resolved_.choices; }
   const project::StageKeys& keys() const { return keys_; }
   // Precondition: layers() is done.
   toolpath::ItemLayers forToolpaths() const;
@@ -60,7 +58,6 @@ public:
 private:
   project::JobItem& item() { return result_.job.item(index_); }
   project::ItemReport& report() { return result_.job.report.item(index_); }
-  modes::ModeChoices modeChoices() const { return {choices_, values_, process_}; }
   // The cache keeps a few results per slot, so each item has slots of its own.
   std::string slot(const std::string& what) const {
     return index_ == 0 ? what : what + "#" + std::to_string(index_);
@@ -75,13 +72,9 @@ private:
 
   const StageContext& context_;
   const project::Choices given_; // of this item only, as the user made them
-  const project::Choices choices_;
-  std::size_t index_;
-  base::ParameterValues values_;
-  const process::Tooling tooling_; // with this item's layer height, bead width and step
-  const layers::ToolAssignment tools_;
-  const process::Process& process_; // of the part's tool
+  const std::size_t index_;
   PlanResult& result_;
+  const Resolved& resolved_; // the choices of this item, in the result
   const modes::Mode& mode_;
   std::shared_ptr<const project::LoadedPart> loaded_;
   ShapedPart shaped_; // Made when first needed

@@ -1,10 +1,10 @@
 #include "pipeline/judged_part.h"
 
 #include "geometry/append_mesh.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "planar/slicing/corrected_mesh.h"
 #include "process/process.h"
-#include "process/tooling.h"
 #include "project/choices.h"
 #include "project/job.h"
 
@@ -22,13 +22,13 @@ planar::SizeCorrection correctionOf(const project::Job& job, std::size_t item,
 } // namespace
 
 std::shared_ptr<const geometry::TriangleMesh> judgedPart(const project::Job& job,
-                                                         const process::Tooling& tooling,
-                                                         const base::ParameterValues& values) {
+                                                         const Resolved& resolved) {
   bool isCorrected = false;
   auto all = std::make_shared<geometry::TriangleMesh>();
   // Layers along the user's planes are not corrected.
-  for (std::size_t i = 0; i < job.items.size() && values.text("layerPlanes").empty(); ++i) {
-    const planar::SizeCorrection correction = correctionOf(job, i, tooling);
+  for (std::size_t i = 0; i < job.items.size() && resolved.values.text("layerPlanes").empty();
+       ++i) {
+    const planar::SizeCorrection correction = correctionOf(job, i, resolved.tooling);
     isCorrected = isCorrected || !correction.isNeutral();
     if (!isCorrected && job.items.size() == 1)
       break;

@@ -3,14 +3,8 @@
 
 #include <memory>
 
-namespace voluta::base {
-class ParameterValues;
-}
 namespace voluta::geometry {
 struct TriangleMesh;
-}
-namespace voluta::process {
-class Tooling;
 }
 namespace voluta::project {
 struct Job;
@@ -18,10 +12,11 @@ struct Job;
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 // Returns project::printedOf(), with the sizes of items in flat layers corrected as the process of
 // their tool states (planar/slicing/corrected_mesh.h). The triangles keep their numbers.
 std::shared_ptr<const geometry::TriangleMesh> judgedPart(const project::Job& job,
-                                                         const process::Tooling& tooling,
-                                                         const base::ParameterValues& values);
+                                                         const Resolved& resolved);
 
 } // namespace voluta::pipeline

@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "modes/mode_table.h"
 #include "pipeline/open_part.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "project/turn_text.h"
@@ -15,11 +16,10 @@ namespace voluta::pipeline {
 
 namespace {
 
-placement::WaysOptions waysOptions(const modes::LoadStage& placed, const project::Choices& choices,
-                                   const process::Process& process) {
+placement::WaysOptions waysOptions(const modes::LoadStage& placed, const Resolved& resolved) {
   placement::WaysOptions options;
-  options.layerHeightMm = process.layerHeightMm;
-  options.overhangRad = base::degreesToRadians(parameterValues(choices).number("overhangAngle"));
+  options.layerHeightMm = resolved.process().layerHeightMm;
+  options.overhangRad = base::degreesToRadians(resolved.values.number("overhangAngle"));
   options.quarterTurns = placed.voxels != nullptr;
   return options;
 }
@@ -41,8 +41,8 @@ plan::Finding findingOf(const placement::BetterWay& found, const geometry::Place
                             {"z", base::degrees(degrees.z())}});
 }
 
-bool isLaidByUser(const project::Choices& choices) {
-  return standsFreely(choices) && parameterValues(choices).text("orient") == "none";
+bool isLaidByUser(const Resolved& resolved) {
+  return standsFreely(resolved.choices) && resolved.values.text("orient") == "none";
 }
 
 } // namespace
@@ -51,15 +51,14 @@ bool standsFreely(const project::Choices& choices) {
   return !modes::findMode(choices.item().mode).place;
 }
 
-std::vector<placement::Way> partWays(const modes::LoadStage& placed,
-                                     const project::Choices& choices,
-                                     const process::Process& process, const base::RunContext& ctx) {
-  return placement::waysToStand(*placed.part, waysOptions(placed, choices, process), ctx);
+std::vector<placement::Way> partWays(const modes::LoadStage& placed, const Resolved& resolved,
+                                     const base::RunContext& ctx) {
+  return placement::waysToStand(*placed.part, waysOptions(placed, resolved), ctx);
 }
 
-double estimatedSeconds(const placement::Way& way, const project::Choices& choices,
-                        const process::Process& process) {
-  const toolpath::ToolpathOptions options = toolpathOptionsOf(parameterValues(choices), process);
+double estimatedSeconds(const placement::Way& way, const Resolved& resolved) {
+  const process::Process& process = resolved.process();
+  const toolpath::ToolpathOptions options = toolpathOptionsOf(resolved.values, process);
   // A spiral counts its bottom in layers only.
   const double leastMm = options.spiral ? 0.0 : options.skinMm;
   const auto skinMm = [&](int layers) { return std::max(leastMm, layers * process.layerHeightMm); };
@@ -73,12 +72,11 @@ double estimatedSeconds(const placement::Way& way, const project::Choices& choic
   return placement::estimatedSeconds(way.part, filling, process);
 }
 
-std::string partWaysKey(const project::LoadedPart& loaded, double scale,
-                        const project::Choices& choices, const process::Process& p) {
-  const base::ParameterValues values = parameterValues(choices);
+std::string partWaysKey(const project::LoadedPart& loaded, double scale, const Resolved& resolved) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   return base::keyText(loaded.hash, choices.item().repair, scale * unitMm(loaded, choices),
-                       values.number("overhangAngle"), p.layerHeightMm) +
-         openSurfacesKey(choices, values, p);
+                       values.number("overhangAngle"), process.layerHeightMm) +
+         openSurfacesKey(choices, values, process);
 }
 
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {
@@ -89,20 +87,17 @@ geometry::Placement standing(const placement::Way& way, const geometry::Placemen
 }
 
 std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
-                     const project::Choices& choices, const process::Process& process) {
-  return partWaysKey(loaded, placed.scale, choices, process) +
-         base::keyText(placed.placement.rotation.coeffs(), isLaidByUser(choices));
+                     const Resolved& resolved) {
+  return partWaysKey(loaded, placed.scale, resolved) +
+         base::keyText(placed.placement.rotation.coeffs(), isLaidByUser(resolved));
 }
 
-std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
-                                             const project::Choices& choices,
-                                             const process::Process& process,
-                                             const base::RunContext& ctx) {
+std::shared_ptr<const StandStage>
+standStage(const modes::LoadStage& placed, const Resolved& resolved, const base::RunContext& ctx) {
   auto stage = std::make_shared<StandStage>();
-  if (!isLaidByUser(choices))
+  if (!isLaidByUser(resolved))
     return stage;
-  if (const auto better =
-          placement::betterWay(*placed.part, waysOptions(placed, choices, process), ctx))
+  if (const auto better = placement::betterWay(*placed.part, waysOptions(placed, resolved), ctx))
     stage->findings.push_back(findingOf(*better, placed.placement));
   return stage;
 }

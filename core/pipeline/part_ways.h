@@ -6,7 +6,6 @@
 #include "modes/mode_stages.h"
 #include "placement/ways_to_stand.h"
 #include "plan/finding.h"
-#include "process/process.h"
 #include "project/choices.h"
 #include "project/job_stage.h"
 #include "project/loaded_part.h"
@@ -16,22 +15,21 @@
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 // Returns whether the user chooses the part's orientation. Some modes place the part themselves.
 bool standsFreely(const project::Choices& choices);
 
 // Returns placement::waysToStand() of the part as placed; for a voxel object only quarter turns.
 // Throws Error{Usage} for parameters or the part's size; Cancelled.
-std::vector<placement::Way> partWays(const modes::LoadStage& placed,
-                                     const project::Choices& choices,
-                                     const process::Process& process, const base::RunContext& ctx);
+std::vector<placement::Way> partWays(const modes::LoadStage& placed, const Resolved& resolved,
+                                     const base::RunContext& ctx);
 // Returns a rough printing time of the part in that orientation [s], with the walls, the infill and
 // the least layer time of the choices (placement::estimatedSeconds). Throws Error{Usage}.
-double estimatedSeconds(const placement::Way& way, const project::Choices& choices,
-                        const process::Process& process);
+double estimatedSeconds(const placement::Way& way, const Resolved& resolved);
 // Cache key: all inputs of partWays() except the part's rotation. `scale` is that of the placed
 // part.
-std::string partWaysKey(const project::LoadedPart& loaded, double scale,
-                        const project::Choices& choices, const process::Process& process);
+std::string partWaysKey(const project::LoadedPart& loaded, double scale, const Resolved& resolved);
 
 // Returns the placement that puts the part on the plate in this orientation. `placed`: the
 // placement from which the way was computed.
@@ -45,11 +43,9 @@ struct StandStage {
 // Cache key of the StandStage. It does not depend on the platform, so that ways of building share
 // the result.
 std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
-                     const project::Choices& choices, const process::Process& process);
+                     const Resolved& resolved);
 // Returns no findings for parts that the mode or a search (orient) orients. Throws as partWays().
 std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
-                                             const project::Choices& choices,
-                                             const process::Process& process,
-                                             const base::RunContext& ctx);
+                                             const Resolved& resolved, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -12,6 +12,7 @@
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
 #include "pipeline/part_size.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
@@ -96,12 +97,10 @@ geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, do
   return place && isUntouched(own) ? place(in, mesh, scale) : own;
 }
 
-platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
-                                        const project::Choices& choices) {
-  const base::ParameterValues values = parameterValues(choices);
-  const process::Process process = chosenProcess(choices, values);
+platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed, const Resolved& resolved) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   if (const auto& platform = modes::findMode(choices.item().mode).platform)
-    return platform({choices, values, process}, placed);
+    return platform(resolved.modeChoices(), placed);
   const bool asksForCells = choices.item().platform.marginMm() && placed.platform.empty();
   const voxel::SolidVoxels cells =
       !asksForCells   ? voxel::SolidVoxels{}
@@ -110,24 +109,22 @@ platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
   return modes::plateOf(choices.item().platform, cells, placed.platform);
 }
 
-std::string plannedPlatformKey(const project::Choices& choices) {
-  const base::ParameterValues values = parameterValues(choices);
-  const process::Process process = chosenProcess(choices, values);
+std::string plannedPlatformKey(const Resolved& resolved) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   if (const auto& platform = modes::findMode(choices.item().mode).platform)
-    return base::keyText(choices.item().mode) + platform.key({choices, values, process});
+    return base::keyText(choices.item().mode) + platform.key(resolved.modeChoices());
   return base::keyText(choices.item().mode, choices.item().platform, values.number("voxelMm"));
 }
 
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
-                                                  const project::Choices& choices,
-                                                  const process::Process& process,
+                                                  const Resolved& resolved,
                                                   const base::RunContext& ctx) {
   auto stage = std::make_shared<modes::LoadStage>();
+  const modes::ModeChoices in = resolved.modeChoices();
+  const auto& [choices, values, process] = in;
   const double unit = unitMm(loaded, choices);
   const double wanted = project::parsedScale(choices.item().scale);
-  const base::ParameterValues values = parameterValues(choices);
   const modes::Mode& mode = modes::findMode(choices.item().mode);
-  const modes::ModeChoices in{choices, values, process};
   const auto scaleFor = [&](const geometry::Placement& how) {
     return wanted > 0.0        ? wanted
            : mode.fittingScale ? mode.fittingScale(in, *loaded.mesh, unit)
@@ -203,10 +200,9 @@ bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& ch
 }
 
 std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
-                                           const modes::LoadStage& placed,
-                                           const project::Choices& choices,
-                                           const process::Process& process,
+                                           const modes::LoadStage& placed, const Resolved& resolved,
                                            const base::RunContext& ctx) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   const auto reach = [&] {
     return takesAnyScale(loaded, choices)
                ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
@@ -216,7 +212,7 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
   auto stage = std::make_shared<SizeStage>();
   stage->findings = sizeFindings(*placed.part, placed.scale, reach, process, ctx);
   // Across a slanting wall one bead is thinner than its width.
-  if (isPrintedAsWall(loaded, parameterValues(choices)))
+  if (isPrintedAsWall(loaded, values))
     std::erase_if(stage->findings, [](const plan::Finding& f) {
       return f.kind == plan::FindingKind::ThinPart || f.kind == plan::FindingKind::ThinPartInReach;
     });

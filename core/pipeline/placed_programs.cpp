@@ -25,7 +25,7 @@ placedPrograms(const std::vector<plan::ReadProgram>& programs, const std::vector
                const std::vector<Eigen::Isometry3d>& shared_T_world) {
   std::vector<replay::PlacedProgram> placed;
   for (std::size_t k = 0; k < programs.size(); ++k)
-    placed.push_back({programs[k], *plans[k].cell, plans[k].tooling->first().process,
+    placed.push_back({programs[k], *plans[k].cell, plans[k].tooling().first().process,
                       shared_T_world[k], printedEarlier(plans[k].job)});
   return placed;
 }

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +28,7 @@ class Cell;
 namespace voluta::pipeline {
 
 struct CheckedProgram;
+struct Resolved;
 
 struct RequestedItem {
   std::string part;                                  // path of a mesh, or "sample:NAME"
@@ -45,6 +45,7 @@ struct PlanRequest {
 };
 
 struct PlannedItem {
+  std::shared_ptr<const Resolved> resolved;       // its choices; null before a plan
   std::shared_ptr<const modes::LoadStage> placed; // null before Load is done
 };
 
@@ -52,7 +53,6 @@ struct PlannedItem {
 struct PlanResult {
   project::Job job;                                 // choices, results and report
   std::vector<PlannedItem> items = {PlannedItem{}}; // as the job's
-  std::optional<process::Tooling> tooling;          // empty before a plan
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
   // one per format, including refused ones
   std::vector<std::shared_ptr<const CheckedProgram>> checked;
@@ -63,7 +63,14 @@ struct PlanResult {
 
   PlannedItem& item(std::size_t i = 0) { return items.at(i); }
   const PlannedItem& item(std::size_t i = 0) const { return items.at(i); }
+  // The choices that stages of the whole job take: those of the first item. Precondition: a plan
+  // has begun.
+  const Resolved& resolved() const { return *items.front().resolved; }
+  const process::Tooling& tooling() const;
 };
+
+// Returns a result without stages, for items with these choices.
+PlanResult emptyResult(const project::Choices& choices);
 
 // Called on the running thread after each stage, computed or cached, with the results so far.
 using StageObserver = std::function<void(project::Stage, const PlanResult&)>;

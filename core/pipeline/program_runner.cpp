@@ -7,6 +7,7 @@
 #include "pipeline/judged_part.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "program/bead_words.h"
 #include "program/dialect.h"
@@ -21,9 +22,8 @@ namespace {
 
 class ProgramRun {
 public:
-  ProgramRun(PlanResult& result, const base::ParameterValues& values, const ProgramHooks& hooks,
-             const base::RunContext& ctx)
-      : result_(result), values_(values), hooks_(hooks), ctx_(ctx),
+  ProgramRun(PlanResult& result, const ProgramHooks& hooks, const base::RunContext& ctx)
+      : result_(result), hooks_(hooks), ctx_(ctx),
         formats_(chosenFormats(result.job.choices, *result.cell)) {}
 
   ProgramsOutcome run() {
@@ -46,10 +46,10 @@ private:
   // `untilCollision`: stop after the first program with collisions.
   void write(bool untilCollision) {
     const project::Job& job = result_.job;
-    const auto printed = judgedPart(job, *result_.tooling, values_);
+    const auto printed = judgedPart(job, result_.resolved());
     const platform::PlatformSolid platform = project::platformOf(job);
     const ProgramStageInput in =
-        programStageInput(job, *printed, platform, *result_.cell, *result_.tooling, values_);
+        programStageInput(job, *printed, platform, *result_.cell, result_.resolved());
     result_.checked.clear();
     SharedRuns shared;
     const double count = static_cast<double>(formats_.size());
@@ -73,11 +73,11 @@ private:
       const bool counts = decides(*checked), isFirst = !hasVerdict && counts;
       hasVerdict = hasVerdict || isFirst;
       tellProgram(*checked, isFirst, counts, result_.job.report, out.findings);
-      if (const auto without = program::withoutForce(checked->program.format, *result_.tooling);
+      if (const auto without = program::withoutForce(checked->program.format, result_.tooling());
           without && counts)
         out.findings.push_back(*without);
     }
-    if (takesGivenPaths(*result_.job.item().loaded, values_))
+    if (takesGivenPaths(*result_.job.item().loaded, result_.resolved().values))
       out.findings = withRemediesForGiven(std::move(out.findings));
     out.isHopeless = isHopeless();
     return out;
@@ -109,7 +109,6 @@ private:
   }
 
   PlanResult& result_;
-  const base::ParameterValues& values_;
   const ProgramHooks& hooks_;
   const base::RunContext& ctx_;
   const std::vector<std::string> formats_;
@@ -117,11 +116,10 @@ private:
 
 } // namespace
 
-ProgramsOutcome runPrograms(PlanResult& result, const base::ParameterValues& values,
-                            const ProgramHooks& hooks, const base::RunContext& ctx) {
-  base::require(result.cell && result.tooling && result.job.toolPlan && result.job.trajectory,
-                "a job with a motion");
-  return ProgramRun(result, values, hooks, ctx).run();
+ProgramsOutcome runPrograms(PlanResult& result, const ProgramHooks& hooks,
+                            const base::RunContext& ctx) {
+  base::require(result.cell && result.job.toolPlan && result.job.trajectory, "a job with a motion");
+  return ProgramRun(result, hooks, ctx).run();
 }
 
 } // namespace voluta::pipeline

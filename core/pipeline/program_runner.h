@@ -13,9 +13,8 @@
 #include <vector>
 
 namespace voluta::base {
-class ParameterValues;
 class RunContext;
-} // namespace voluta::base
+}
 
 namespace voluta::pipeline {
 
@@ -44,9 +43,9 @@ struct ProgramsOutcome {
 // Writes the programs of the job in its formats (chosenFormats) into result.checked, one per
 // format, and adds their rows and the verdict to the job's report. If a replay finds collisions and
 // hooks.planWithout is set, the motion is planned again without their waypoints, at most six times.
-// `values`: of the job. Precondition (Error{Internal}): the job is planned up to its motion. Throws
+// Precondition (Error{Internal}): the job is planned up to its motion. Throws
 // as programStage(); Cancelled.
-ProgramsOutcome runPrograms(PlanResult& result, const base::ParameterValues& values,
-                            const ProgramHooks& hooks, const base::RunContext& ctx);
+ProgramsOutcome runPrograms(PlanResult& result, const ProgramHooks& hooks,
+                            const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -13,6 +13,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/printed_mesh.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "project/version.h"
 #include "replay/covering_times.h"
@@ -204,7 +205,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.robot = result.cell->robot().label;
   proof.cell = result.cell->label();
   proof.mode = modeLabel(result.job);
-  proof.process = result.tooling->first().process;
+  proof.process = result.tooling().first().process;
   proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
   proof.layers = layersOf(result.job.report);
   proof.verdict = checked.verdict;
@@ -216,7 +217,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
   proof.materialMm3 = measured.trajectory.extrudedMm3.back();
-  putTools(proof, *result.tooling, measured.trajectory);
+  putTools(proof, result.tooling(), measured.trajectory);
   const Places places(result, checked);
   proof.armChecked = checked.armChecked;
   if (proof.armChecked)
@@ -229,7 +230,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.deviation = places.near(checked.worst.deviation);
   proof.flowError = places.near(checked.worst.flowError);
   proof.layerTime = places.near(checked.worst.layerTime);
-  proof.leastLayerTimeS = motion::layerTimes(parameterValues(result.job.choices)).leastS;
+  proof.leastLayerTimeS = motion::layerTimes(result.resolved().values).leastS;
   proof.fill = measured.fill;
   return proof;
 }
@@ -409,7 +410,7 @@ void writeProofs(const PlanResult& result, const Programs& programs,
     return meanwhile();
   const plan::ToolPlan& plan = *result.job.toolPlan;
   const plan::Trajectory& whole = *result.job.trajectory;
-  const collision::GrowingPart growing(plan, collision::growingPitch(plan, *result.tooling), ctx);
+  const collision::GrowingPart growing(plan, collision::growingPitch(plan, result.tooling()), ctx);
   Measured measured;
   measured.trajectory = motion::partOf(whole, result.job.resumedAt, whole.pointCount());
   measured.printed = printedName(result);
@@ -421,7 +422,7 @@ void writeProofs(const PlanResult& result, const Programs& programs,
               [&] {
                 base::writeFile(
                     folder / measured.printed,
-                    geometry::writeStl(printedSolid(plan, result.tooling->first().process, ctx)));
+                    geometry::writeStl(printedSolid(plan, result.tooling().first().process, ctx)));
               },
               meanwhile});
   std::vector<std::function<void()>> proofs;

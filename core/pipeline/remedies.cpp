@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/larger_cell.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "process/library.h"
@@ -73,7 +74,7 @@ std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
 // is at that limit already.
 Edited withMultiple(const project::Choices& choices, const std::string& key, double factor,
                     double limit) {
-  const base::ParameterValues values = parameterValues(choices);
+  const base::ParameterValues values = resolve(choices).values;
   const base::ParameterSpec* spec = values.table().find(key);
   const bool whole = spec->type == base::ParameterType::Integer;
   const double now = whole ? static_cast<double>(values.integer(key)) : values.number(key);
@@ -110,7 +111,7 @@ Edited moreClearance(const plan::Finding&, const project::Choices& choices) {
 
 // Halves the layer height, down to the process's minimum.
 Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
-  const process::Process p = chosenProcess(choices, parameterValues(choices));
+  const process::Process p = resolve(choices).process();
   const double wanted = std::max(0.5 * p.layerHeightMm, p.layerHeightMinMm);
   if (wanted >= p.layerHeightMm)
     return std::nullopt;
@@ -119,7 +120,7 @@ Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
 
 // The waypoint spacing is that of the process unless the user sets it.
 Edited withSteps(const project::Choices& choices, double factor, double limit) {
-  const double now = chosenProcess(choices, parameterValues(choices)).stepMm;
+  const double now = resolve(choices).process().stepMm;
   const double wanted =
       factor > 1.0 ? std::min(now * factor, limit) : std::max(now * factor, limit);
   if (factor > 1.0 ? wanted <= now : wanted >= now)
@@ -202,7 +203,7 @@ std::optional<double> numberOf(const plan::Finding& finding, std::string_view na
 std::optional<project::Choices> narrowVoxels(const plan::Finding& finding,
                                              const project::Choices& choices) {
   const std::optional<double> fits = numberOf(finding, "fits");
-  if (!fits || *fits >= parameterValues(choices).number("voxelMm"))
+  if (!fits || *fits >= resolve(choices).values.number("voxelMm"))
     return std::nullopt;
   return withParameter(choices, "voxelMm", base::formatParameter(*fits));
 }

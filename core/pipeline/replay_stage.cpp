@@ -6,6 +6,7 @@
 #include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/replayed/shared_runs.h"
+#include "pipeline/resolved.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "project/job.h"
@@ -102,14 +103,13 @@ std::string programsName(const project::Job& job) {
 
 ProgramStageInput programStageInput(const project::Job& job, const geometry::TriangleMesh& printed,
                                     const platform::PlatformSolid& platform,
-                                    const robot::Cell& cell, const process::Tooling& tooling,
-                                    const base::ParameterValues& values) {
-  ProgramStageInput in{printed, platform, *job.toolPlan,    *job.trajectory,
-                       cell,    tooling,  programsName(job)};
-  in.options = program::programOptions(values);
+                                    const robot::Cell& cell, const Resolved& resolved) {
+  ProgramStageInput in{printed, platform,         *job.toolPlan,    *job.trajectory,
+                       cell,    resolved.tooling, programsName(job)};
+  in.options = program::programOptions(resolved.values);
   in.firstPoint = job.resumedAt;
   in.firstTriangle = project::firstTriangles(job);
-  in.layerTimes = motion::layerTimes(values);
+  in.layerTimes = motion::layerTimes(resolved.values);
   return in;
 }
 

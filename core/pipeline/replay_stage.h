@@ -19,6 +19,8 @@ struct Job;
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 // With Job::resumedAt, the motions of the part printed before precede those of the text; they have
 // line 0.
 struct ReadBack {
@@ -36,12 +38,11 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
 // of a resumed print gets a suffix.
 std::string programsName(const project::Job& job);
 
-// Returns the input of programStage() for a job. All but `values` outlive it. Precondition: the job
+// Returns the input of programStage() for a job. All outlive it. Precondition: the job
 // has a trajectory.
 ProgramStageInput programStageInput(const project::Job& job, const geometry::TriangleMesh& printed,
                                     const platform::PlatformSolid& platform,
-                                    const robot::Cell& cell, const process::Tooling& tooling,
-                                    const base::ParameterValues& values);
+                                    const robot::Cell& cell, const Resolved& resolved);
 
 // Returns the head of the program that is written from `said` (see saying()).
 program::JobHead headOf(const ProgramStageInput& said);

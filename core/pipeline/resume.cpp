@@ -13,6 +13,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/program_files.h"
 #include "pipeline/program_runner.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stage_record.h"
 #include "plan/finding_kinds.h"
@@ -79,21 +80,20 @@ std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
 }
 
 // Returns the point of the job's trajectory from which the motion at the line starts.
-std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
+std::size_t pointOfLine(const ResumeRequest& request, const PlanResult& planned,
                         const base::RunContext& ctx) {
+  const project::Job& job = planned.job;
+  const robot::Cell& cell = *planned.cell;
   const FoundProgram found = findProgram(fileOfLine(request, job), job.report.programs);
-  const process::Tooling tooling = chosenTooling(job.choices, parameterValues(job.choices));
   const plan::ReadProgram read =
-      program::readProgram(std::string(found.dialect->id), found.files, tooling, ctx);
+      program::readProgram(std::string(found.dialect->id), found.files, planned.tooling(), ctx);
   std::size_t at = motionAt(request, found, read);
-  const robot::Cell cell =
-      robot::loadCell(job.choices.cell, tooling.first().process, project::platformOf(job));
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
   const program::MergedPoints points =
       program::pointsFor(found.dialect->id,
-                         {*job.toolPlan, rest, cell, tooling, job.item().partName,
-                          program::programOptions(parameterValues(job.choices))},
+                         {*job.toolPlan, rest, cell, planned.tooling(), job.item().partName,
+                          program::programOptions(planned.resolved().values)},
                          ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
@@ -114,8 +114,9 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
 
 } // namespace
 
-std::size_t resumePointOf(const ResumeRequest& request, const project::Job& job,
+std::size_t resumePointOf(const ResumeRequest& request, const PlanResult& planned,
                           const base::RunContext& ctx) {
+  const project::Job& job = planned.job;
   std::optional<std::size_t> point;
   if (request.bead) {
     if (*request.bead < 1 || *request.bead > job.toolPlan->paths.size())
@@ -124,7 +125,7 @@ std::size_t resumePointOf(const ResumeRequest& request, const project::Job& job,
     point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, *request.bead - 1);
   } else {
     base::require(request.line.has_value(), "a bead or a line");
-    point = motion::resumePoint(*job.trajectory, pointOfLine(request, job, ctx));
+    point = motion::resumePoint(*job.trajectory, pointOfLine(request, planned, ctx));
   }
   if (!point)
     throw Error(ErrorCode::UnusableInput, "nothing is printed after that place"_text, {},
@@ -137,22 +138,20 @@ namespace {
 void record(PlanResult& result, project::Stage stage, const plan::Findings& findings,
             const project::Timings& timings) {
   recordStage(result.job, stage, project::kResumedKey, findings, timings,
-              result.tooling->first().process.beadWidthMaxMm);
+              result.tooling().first().process.beadWidthMaxMm);
 }
 
 // Runs the Replay stage of a resumed or a joined job.
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
-  const ProgramsOutcome out =
-      runPrograms(result, parameterValues(result.job.choices), ProgramHooks(), ctx);
+  const ProgramsOutcome out = runPrograms(result, ProgramHooks(), ctx);
   record(result, project::Stage::Replay, out.findings, out.timings);
 }
 
 class Resuming {
 public:
-  Resuming(project::Job job, std::size_t point, std::vector<std::string> formats) : point_(point) {
-    if (!formats.empty())
-      job.choices.formats = std::move(formats);
-    result_.plan = resultOf(std::move(job));
+  // `planned`: of a job planned up to its motion (resultOf).
+  Resuming(PlanResult planned, std::size_t point) : point_(point) {
+    result_.plan = std::move(planned);
     const std::size_t waypoint = this->job().trajectory->waypoint[point];
     result_.waypoint = waypoint;
     result_.bead = 1 + static_cast<std::size_t>(plan::pathOf(*this->job().toolPlan, waypoint) -
@@ -180,6 +179,9 @@ public:
 private:
   project::Job& job() { return result_.plan.job; }
   project::Report& report() { return job().report; }
+  motion::MotionOptions motionOptions() {
+    return motionOptionsOf(result_.plan.resolved().values, job().choices.seed);
+  }
 
   // The job's motion and program records describe the whole print.
   void forgetRest() {
@@ -196,16 +198,15 @@ private:
     base::Stopwatch watch;
     ctx.report(0.0, "computing the part printed so far"_text);
     const plan::ToolPlan& plan = *job().toolPlan;
-    const process::Tooling& tooling = *result_.plan.tooling;
+    const process::Tooling& tooling = result_.plan.tooling();
     const double pitch = collision::growingPitch(plan, tooling);
     const collision::GrowingPart growing(
         plan, pitch, ctx, collision::groundCells(project::platformOf(job()), pitch, ctx));
     project::Timings timings;
     timings.collision = watch.seconds();
     watch = base::Stopwatch();
-    const base::ParameterValues values = parameterValues(job().choices);
     auto resumed = motion::resumeAt(*job().trajectory, point_, plan, *result_.plan.cell, tooling,
-                                    growing, motionOptionsOf(values, job().choices.seed), ctx);
+                                    growing, motionOptions(), ctx);
     timings.transfer = watch.seconds();
     if (!resumed) {
       const Eigen::Vector3d& where = plan.position[result_.waypoint];
@@ -242,10 +243,9 @@ private:
   // Final check of the rest, as done for the whole motion (motion/check.h).
   void measure(const motion::Resumed& resumed, const collision::GrowingPart& growing,
                const base::RunContext& ctx) {
-    const base::ParameterValues values = parameterValues(job().choices);
-    const motion::MotionOptions options = motionOptionsOf(values, job().choices.seed);
+    const motion::MotionOptions options = motionOptions();
     const collision::CellCollision collision(*result_.plan.cell,
-                                             result_.plan.tooling->first().process);
+                                             result_.plan.tooling().first().process);
     const motion::MotionScene scene{
         *job().toolPlan, *result_.plan.cell,
         collision,       growing,
@@ -263,21 +263,31 @@ private:
   ResumeResult result_;
 };
 
+// `formats`: as ResumeRequest::formats.
+PlanResult resultInFormats(project::Job job, std::vector<std::string> formats) {
+  if (!formats.empty())
+    job.choices.formats = std::move(formats);
+  return resultOf(std::move(job));
+}
+
+void requireNoMarks(const plan::Trajectory& trajectory) {
+  if (std::ranges::any_of(trajectory.events, [](const plan::TrajectoryEvent& event) {
+        return event.kind == plan::EventKind::Mark;
+      }))
+    throw Error(ErrorCode::UnusableInput, "the job waits for another machine at marks"_text, {},
+                "resume the job from which it was made, and print its rest alone"_text);
+}
 } // namespace
 
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx) {
   base::require(job.item().part && job.toolPlan && job.trajectory, "a job with a motion");
-  if (std::ranges::any_of(job.trajectory->events, [](const plan::TrajectoryEvent& event) {
-        return event.kind == plan::EventKind::Mark;
-      }))
-    throw Error(ErrorCode::UnusableInput, "the job waits for another machine at marks"_text, {},
-                "resume the job from which it was made, and print its rest alone"_text);
-  return Resuming(std::move(job), point, std::move(formats)).run(ctx);
+  requireNoMarks(*job.trajectory);
+  return Resuming(resultInFormats(std::move(job), std::move(formats)), point).run(ctx);
 }
 
 project::Job restMotion(project::Job job, std::size_t point, const base::RunContext& ctx) {
-  return Resuming(std::move(job), point, {}).motionOnly(ctx);
+  return Resuming(resultOf(std::move(job)), point).motionOnly(ctx);
 }
 
 PlanResult written(project::Job job, const base::RunContext& ctx) {
@@ -301,8 +311,10 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
   if (!job.item().part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job has no motion to resume"_text,
                 request.job.string(), "plan it without --until"_text);
-  const std::size_t point = resumePointOf(request, job, ctx);
-  return resumeJob(std::move(job), point, request.formats, ctx);
+  PlanResult planned = resultInFormats(std::move(job), request.formats);
+  const std::size_t point = resumePointOf(request, planned, ctx);
+  requireNoMarks(*planned.job.trajectory);
+  return Resuming(std::move(planned), point).run(ctx);
 }
 
 } // namespace voluta::pipeline

@@ -45,8 +45,9 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx);
 
-// Returns the point of the job's trajectory at which its print resumes. Throws as resumePrint().
-std::size_t resumePointOf(const ResumeRequest& request, const project::Job& job,
+// Returns the point of a planned job's trajectory at which its print resumes. Throws as
+// resumePrint().
+std::size_t resumePointOf(const ResumeRequest& request, const PlanResult& planned,
                           const base::RunContext& ctx);
 // Returns the job with the motion of its rest from that point on, without programs. If no way leads
 // there, its report has a finding and resumedAt is 0. Precondition: as resumeJob(), without marks.

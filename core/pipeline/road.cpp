@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stage_runner.h"
@@ -128,10 +129,7 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
 
 project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices) {
   const bool given = takesGivenPaths(loaded, parameterValues(choices));
-  const project::Choices own =
-      resolved(given ? choicesForGivenPaths(choices) : wayOrFirst(choices));
-  const base::ParameterValues values = parameterValues(own);
-  return keysOf(loaded, own, values, chosenTooling(own, values));
+  return keysOf(loaded, resolve(given ? choicesForGivenPaths(choices) : wayOrFirst(choices)));
 }
 
 } // namespace
@@ -159,29 +157,21 @@ project::StageKeys stageKeys(const PlanRequest& request) {
 
 PlanResult resultOf(project::Job job) {
   checkItems(job.choices);
-  PlanResult result;
-  result.items.resize(job.items.size());
-  const base::ParameterValues values = parameterValues(job.choices);
-  result.tooling = chosenTooling(job.choices, values);
-  const process::Process& process = result.tooling->first().process;
+  PlanResult result = emptyResult(job.choices);
+  const process::Process& process = result.tooling().first().process;
   if (std::ranges::all_of(job.items,
                           [](const project::JobItem& item) { return item.platform.known(); }))
     result.cell = std::make_shared<robot::Cell>(
         robot::loadCell(job.choices.cell, process, project::platformOf(job)));
-  result.debug = values.boolean("output.debug");
-  result.keepRefused = values.boolean("output.refused");
-  result.proofs = values.boolean("output.proof");
-  result.buildFile = values.boolean("output.build3mf");
   for (std::size_t i = 0; i < job.items.size(); ++i) {
     project::JobItem& item = job.item(i);
     if (!item.part)
       continue;
-    const project::Choices own = resolved(project::onlyItem(job.choices, i));
+    const Resolved& own = *result.item(i).resolved;
     if (!item.placement)
-      item.placement =
-          placementByHandOrMode(*item.loaded->mesh, item.scale * unitMm(*item.loaded, own),
-                                {own, parameterValues(own), process});
-    result.item(i).placed = loadStageOf(job, i);
+      item.placement = placementByHandOrMode(
+          *item.loaded->mesh, item.scale * unitMm(*item.loaded, own.choices), own.modeChoices());
+    result.item(i).placed = loadStageOf(job, i, own);
   }
   result.job = std::move(job);
   return result;

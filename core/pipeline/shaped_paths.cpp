@@ -5,6 +5,7 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 
@@ -12,12 +13,11 @@
 
 namespace voluta::pipeline {
 
-ShapedPart shapedPart(std::shared_ptr<const project::LoadedPart> loaded,
-                      const project::Choices& choices, const base::ParameterValues& values,
+ShapedPart shapedPart(std::shared_ptr<const project::LoadedPart> loaded, const Resolved& resolved,
                       const base::RunContext& ctx) {
-  if (!takesGivenPaths(*loaded, values))
+  if (!takesGivenPaths(*loaded, resolved.values))
     return {std::move(loaded), nullptr};
-  const sliced::PathShape shape = pathShape(values);
+  const sliced::PathShape shape = pathShape(resolved.values);
   if (shape.changesNothing())
     return {std::move(loaded), nullptr};
   sliced::ShapedPaths made = sliced::shaped(*loaded->toolPaths, *loaded->mesh, shape, ctx);
@@ -28,23 +28,21 @@ ShapedPart shapedPart(std::shared_ptr<const project::LoadedPart> loaded,
   part->source = part->mesh = std::make_shared<geometry::TriangleMesh>(std::move(made.solid));
   part->toolPaths = std::make_shared<plan::ToolPlan>(std::move(made.plan));
   ShapedPart shaped{std::move(part), nullptr};
-  if (made.ground && !choices.item().platform.isBody())
+  if (made.ground && !resolved.choices.item().platform.isBody())
     shaped.ground = std::make_shared<geometry::TriangleMesh>(*std::move(made.ground));
   return shaped;
 }
 
-std::shared_ptr<const modes::LoadStage> loadStageOnGround(const ShapedPart& shaped,
-                                                          const project::Choices& choices,
-                                                          const process::Process& process,
-                                                          const base::RunContext& ctx) {
+std::shared_ptr<const modes::LoadStage>
+loadStageOnGround(const ShapedPart& shaped, const Resolved& resolved, const base::RunContext& ctx) {
+  const auto& [choices, values, process] = resolved.modeChoices();
   const auto ground = placedGround(shaped, choices.item().placement);
-  project::Choices own = choices;
-  own.item().placement = modes::placementBy(
+  Resolved own = resolved;
+  own.choices.item().placement = modes::placementBy(
       *shaped.part->mesh, 1.0, modes::motionOf(*shaped.ground, 1.0, choices.item().placement));
-  auto stage = std::make_shared<modes::LoadStage>(*loadStage(*shaped.part, own, process, ctx));
+  auto stage = std::make_shared<modes::LoadStage>(*loadStage(*shaped.part, own, ctx));
   if (choices.item().platform.isOfCell())
-    stage->platform =
-        cellPlate(fittingCell(choices, process), *ground, plateNeeds(parameterValues(choices)));
+    stage->platform = cellPlate(fittingCell(choices, process), *ground, plateNeeds(values));
   else if (choices.item().platform.marginMm())
     stage->platform = footOf(*ground);
   return stage;

@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/cell_plate.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
@@ -77,18 +78,16 @@ bool holdsResult(const project::Job& job) {
 }
 } // namespace
 
-std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size_t index) {
+std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size_t index,
+                                              const Resolved& resolved) {
   const project::JobItem& item = job.item(index);
   auto load = std::make_shared<modes::LoadStage>();
   load->scale = item.scale;
   load->placement = item.placement.value_or(job.choices.item(index).placement);
   load->part = item.part;
-  if (item.part && job.choices.item(index).platform.isOfCell()) {
-    const project::Choices choices = resolved(project::onlyItem(job.choices, index));
-    const base::ParameterValues values = parameterValues(choices);
-    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)), *item.part,
-                               plateNeeds(values));
-  }
+  if (item.part && job.choices.item(index).platform.isOfCell())
+    load->platform = cellPlate(fittingCell(resolved.choices, resolved.process()), *item.part,
+                               plateNeeds(resolved.values));
   return load;
 }
 
@@ -116,7 +115,7 @@ void seedCache(StageCache& cache, const project::Job& job) {
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
-  auto load = loadStageOf(job, 0);
+  auto load = loadStageOf(job, 0, resolve(job.choices));
   seed(load, job.report.item().model, nullptr);
   auto decompose = std::make_shared<modes::DecomposeStage>();
   decompose->platform = job.item().platform;

@@ -21,6 +21,8 @@ struct Job;
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 // Thread-safe. T is one of the stage values of pipeline/stages.h, which name their stage.
 class StageCache {
 public:
@@ -60,7 +62,8 @@ private:
 
 // Returns the Load stage of a job read from disk with the plate of its cell, but without the cells
 // of a voxel object. Throws Error{Usage, UnreadableFile, UnusableInput} if its cell cannot be read.
-std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size_t index);
+std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size_t index,
+                                              const Resolved& resolved);
 // Puts the results of a job read from disk into the cache, so that a plan with the same choices
 // computes only the results that the file lacks (the programs).
 void seedCache(StageCache& cache, const project::Job& job);

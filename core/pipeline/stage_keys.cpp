@@ -10,6 +10,7 @@
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
@@ -184,14 +185,13 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 
 } // namespace
 
-project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
-                          const base::ParameterValues& values, const process::Tooling& tooling) {
-  const process::Process& process =
-      tooling.at(static_cast<int>(ownTool(choices))).process; // of stages that see one part
+project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& resolved) {
+  const modes::ModeChoices in = resolved.modeChoices();
+  const auto& [choices, values, process] = in;
+  const process::Tooling& tooling = resolved.tooling;
   const std::string tools = assignedToolsKey(values);
   const robot::Cell cell = fittingCell(choices, process); // The platform has its own text.
   const modes::Mode& mode = modes::findMode(choices.item().mode);
-  const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
 
   project::StageKeys keys;
@@ -244,7 +244,8 @@ project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers:
 }
 
 std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
-                          const modes::ModeChoices& in) {
+                          const Resolved& resolved) {
+  const modes::ModeChoices in = resolved.modeChoices();
   const geometry::Placement& at = placed.placement;
   return base::keyText(loaded.hash, isMended(loaded, in.choices),
                        placed.scale * unitMm(loaded, in.choices), at.rotation.coeffs(), at.centreMm,
@@ -253,11 +254,10 @@ std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadSt
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
-                       const process::Tooling& tooling, const program::ProgramOptions& options,
-                       const std::string& format) {
+                       const Resolved& resolved, const std::string& format) {
   return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
-              programText(partName, tooling) + "format " + format + " " +
-                  optionsText(format, options));
+              programText(partName, resolved.tooling) + "format " + format + " " +
+                  optionsText(format, program::programOptions(resolved.values)));
 }
 
 } // namespace voluta::pipeline

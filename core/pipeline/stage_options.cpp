@@ -8,7 +8,6 @@
 #include "layers/tool_assignment.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
-#include "modes/planar_modes.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
@@ -443,12 +442,6 @@ motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int s
   return options;
 }
 
-planar::RiskRule riskRule(const project::Choices& choices) {
-  const base::ParameterValues values = parameterValues(choices);
-  const process::Process process = chosenProcess(choices, values);
-  return modes::riskRule({choices, values, process});
-}
-
 project::Platform usualPlatform(const project::Choices& choices) {
   project::Choices named = choices;
   named.item().platform = project::Platform();
@@ -456,8 +449,11 @@ project::Platform usualPlatform(const project::Choices& choices) {
   const project::Platform plate("cell");
   if (!mode || mode->cuts || !plate.isForAnyOf(mode->platforms))
     return named.item().platform;
-  const process::Process process = chosenProcess(named, parameterValues(named));
-  return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.item().platform : plate;
+  return modes::cellOnAnyPlatform(named, chosenProcess(named, parameterValues(named)))
+                 .plates()
+                 .empty()
+             ? named.item().platform
+             : plate;
 }
 
 namespace {

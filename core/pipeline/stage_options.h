@@ -14,9 +14,6 @@ struct ToolAssignment;
 namespace voluta::motion {
 struct MotionOptions;
 }
-namespace voluta::planar {
-struct RiskRule;
-}
 namespace voluta::process {
 struct Process;
 class Tooling;
@@ -112,10 +109,6 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
 toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
                                             const process::Process& process);
 motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int seed);
-
-// Returns the rule by which faces of pieces need support. Throws Error{Usage} for invalid
-// parameters or an unknown process.
-planar::RiskRule riskRule(const project::Choices& choices);
 
 // Returns the default platform for the mode of the choices: the smallest plate of the cell that
 // carries the part. In cells without plates, in modes that print on no plate, and for modes that

@@ -17,6 +17,7 @@
 #include "pipeline/payload.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/program_runner.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stage_record.h"
@@ -56,17 +57,10 @@ public:
   StageRunner(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
               const PlanObservers& observers, Trial* trial)
       : context_(request.until, ctx, cache, observers, trial), ctx_(ctx),
-        choices_(resolved(project::onlyItem(request.choices, 0))),
-        values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)),
-        load_(toolpath::loadDirection(values_.text("loadDirection"))) {
+        result_(emptyResult(request.choices)), resolved_(result_.resolved()),
+        load_(toolpath::loadDirection(resolved_.values.text("loadDirection"))) {
     base::require(request.items.size() == request.choices.items.size(), "choices for each item");
-    result_.tooling = tooling_;
-    result_.debug = values_.boolean("output.debug");
-    result_.keepRefused = values_.boolean("output.refused");
-    result_.proofs = values_.boolean("output.proof");
-    result_.buildFile = values_.boolean("output.build3mf");
     const std::size_t count = request.items.size();
-    result_.items.resize(count);
     job().items.resize(count);
     report().items.resize(count);
     job().choices = request.choices;
@@ -78,7 +72,7 @@ public:
           std::make_unique<ItemStages>(context_, request.choices, i, request.item(i), result_));
       keys.push_back(items_.back()->keys());
     }
-    keys_ = joinedKeys(keys, choices_.printOrder);
+    keys_ = joinedKeys(keys, resolved_.choices.printOrder);
   }
 
   PlanResult run() {
@@ -93,7 +87,7 @@ private:
   project::Report& report() { return result_.job.report; }
   const ItemStages& first() const { return *items_.front(); }
   // Of the first tool, for stages that see one part.
-  const process::Process& process() const { return tooling_.first().process; }
+  const process::Process& process() const { return resolved_.tooling.first().process; }
   base::RunContext span(project::Stage stage) const { return context_.span(stage); }
 
   template <typename T, typename Make> std::shared_ptr<const T> cachedOrMade(Make make) {
@@ -144,14 +138,14 @@ private:
   bool decompose() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.decompose(); });
     result_.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(choices_.cell, process(), project::platformOf(job())));
-    requireDocks(*result_.cell, tooling_.tools().size());
-    for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
+        robot::loadCell(resolved_.choices.cell, process(), project::platformOf(job())));
+    requireDocks(*result_.cell, resolved_.tooling.tools().size());
+    for (const std::string& format : chosenFormats(resolved_.choices, *result_.cell)) {
       program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);
-      program::requireBeadWords(format, tooling_);
+      program::requireBeadWords(format, resolved_.tooling);
       program::requireExtruder(format, program::findDialect(format).extruders, *result_.cell,
-                               program::programOptions(values_));
+                               program::programOptions(resolved_.values));
     }
     for (std::size_t i = items_.size(); i-- > 0;)
       if (const double gap =
@@ -165,7 +159,8 @@ private:
 
   bool layers() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
-    const bool isByLayer = items_.size() > 1 && choices_.printOrder == layers::PrintOrder::ByLayer;
+    const bool isByLayer =
+        items_.size() > 1 && resolved_.choices.printOrder == layers::PrintOrder::ByLayer;
     if (isByLayer && std::ranges::any_of(job().items, [](const project::JobItem& item) {
           return tiltsHead(*item.layers);
         }))
@@ -205,7 +200,7 @@ private:
     std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
     for (const project::JobItem& item : job().items)
       stacks.push_back(item.layers);
-    return layers::joinStacks(stacks, choices_.printOrder,
+    return layers::joinStacks(stacks, resolved_.choices.printOrder,
                               printSequence(placedParts(), job().choices, process()).order);
   }
 
@@ -213,18 +208,18 @@ private:
     const bool given = first().hasGivenPaths();
     const auto stage = cachedOrMade<ToolpathStage>([&] {
       if (given)
-        return givenToolpathStage(*items_.front()->shaped().part, first().placed(), tooling_,
-                                  span(project::Stage::Toolpath));
+        return givenToolpathStage(*items_.front()->shaped().part, first().placed(),
+                                  resolved_.tooling, span(project::Stage::Toolpath));
       const auto joined = joinedLayers();
       std::vector<toolpath::ItemLayers> items;
       requireFormatsTilt(directionsOf(*joined));
       for (const auto& item : items_) {
         items.push_back(item->forToolpaths());
-        items.back().options.canTilt = canTilt(choices_, *result_.cell);
+        items.back().options.canTilt = canTilt(resolved_.choices, *result_.cell);
       }
       MadeToolpaths made =
           toolpathStage(std::move(items), *joined, *result_.cell, project::platformOf(job()),
-                        tooling_, span(project::Stage::Toolpath));
+                        resolved_.tooling, span(project::Stage::Toolpath));
       grown_ = std::move(made.grown);
       return withStrength(std::move(made.stage), *joined);
     });
@@ -232,12 +227,12 @@ private:
     report().toolpath = stage->report;
     requireFormatsTilt(stage->toolPlan->direction);
     plan::Findings findings = stage->findings;
-    if (const auto load = overload(*result_.cell, tooling_.printedG(*stage->toolPlan)))
+    if (const auto load = overload(*result_.cell, resolved_.tooling.printedG(*stage->toolPlan)))
       findings.push_back(*load);
     const bool goesOn = done(project::Stage::Toolpath, findings, stage->timings);
     if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
       if (const auto mass =
-              massOutOfReach(*stage->toolPlan, *judgedPart(job(), tooling_, values_), process()))
+              massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return goesOn;
   }
@@ -250,7 +245,7 @@ private:
   }
   // Throws Error{Usage} if a chosen format cannot state one of the nozzle's directions.
   void requireFormatsTilt(std::span<const Eigen::Vector3d> directions) const {
-    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+    for (const std::string& format : chosenFormats(resolved_.choices, *result_.cell))
       program::requireUpright(program::findDialect(format), directions);
   }
 
@@ -272,8 +267,8 @@ private:
 
   std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
     return std::make_unique<PartMotion>(
-        *result_.job.toolPlan, project::platformOf(result_.job), *result_.cell, tooling_,
-        motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx);
+        *result_.job.toolPlan, project::platformOf(result_.job), *result_.cell, resolved_.tooling,
+        motionOptionsOf(resolved_.values, resolved_.choices.seed), std::exchange(grown_, {}), ctx);
   }
   // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
   // of some paths. Its state is as large as the trajectory.
@@ -294,7 +289,7 @@ private:
     plan::Findings findings = motion_->findings;
     if (motion_->tooLarge) {
       const bool anyScale = items_.size() == 1 && !first().hasGivenPaths() &&
-                            takesAnyScale(first().loaded(), choices_);
+                            takesAnyScale(first().loaded(), resolved_.choices);
       findings.insert(findings.begin(),
                       tooLargeFinding(*motion_->tooLarge,
                                       anyScale ? std::optional(job().item().scale) : std::nullopt));
@@ -327,7 +322,7 @@ private:
       return replanSkipping(waypoints);
     };
     hooks.isTrial = context_.isTrial();
-    const ProgramsOutcome out = runPrograms(result_, values_, hooks, span(project::Stage::Replay));
+    const ProgramsOutcome out = runPrograms(result_, hooks, span(project::Stage::Replay));
     keepFresh();
     if (out.isHopeless) // Some formats may not have been written
       context_.reject(project::Stage::Replay, out.findings);
@@ -335,9 +330,8 @@ private:
   }
 
   std::string keyOf(const std::string& format) const {
-    return programKey(keys_, first().loaded().name, tooling_, program::programOptions(values_),
-                      format) +
-           base::keyText(motion::layerTimes(values_));
+    return programKey(keys_, first().loaded().name, resolved_, format) +
+           base::keyText(motion::layerTimes(resolved_.values));
   }
 
   // Caches motion and programs together, so that the cache stays consistent whenever a plan is
@@ -355,9 +349,8 @@ private:
   base::Stopwatch whole_;
   const StageContext context_;
   const base::RunContext& ctx_;
-  const project::Choices choices_; // the job's, with the first item's way of building
-  base::ParameterValues values_;
-  const process::Tooling tooling_;
+  PlanResult result_;
+  const Resolved& resolved_;                  // of the job: the first item's choices, in the result
   const std::optional<Eigen::Vector3d> load_; // in the frame of the part's file
   std::vector<std::unique_ptr<ItemStages>> items_;
   std::shared_ptr<const MotionStage> motion_;
@@ -366,7 +359,6 @@ private:
   std::unique_ptr<PartMotion> moving_; // nullptr: released
   bool fresh_ = false;                 // the motion is another one than its key's
   project::StageKeys keys_;
-  PlanResult result_;
 };
 
 } // namespace

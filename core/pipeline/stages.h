@@ -52,6 +52,8 @@ struct ItemLayers;
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 struct ToolpathStage {
   static constexpr project::Stage kStage = project::Stage::Toolpath;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
@@ -75,8 +77,7 @@ struct MotionStage {
 // cells; otherwise its surface is voxelized again, which a finding reports. Throws Error{Usage} for
 // the scale; Cancelled.
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
-                                                  const project::Choices& choices,
-                                                  const process::Process& process,
+                                                  const Resolved& resolved,
                                                   const base::RunContext& ctx = {});
 // Returns whether the part can be printed at another scale. Voxel objects and parts printed onto
 // bodies cannot.
@@ -88,9 +89,7 @@ struct SizeStage {
   plan::Findings findings;
 };
 std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
-                                           const modes::LoadStage& placed,
-                                           const project::Choices& choices,
-                                           const process::Process& process,
+                                           const modes::LoadStage& placed, const Resolved& resolved,
                                            const base::RunContext& ctx);
 // Returns the placement before any search for a better one: the user's if there is one, else the
 // mode's.
@@ -98,11 +97,9 @@ geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, do
                                           const modes::ModeChoices& in);
 // Returns the surface that printing will start on, as far as it is known before a decomposition:
 // the mode's own base, else the plate. Throws Error{Usage, UnusableInput} for the platform.
-platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
-                                        const project::Choices& choices);
-// Returns the choices that determine plannedPlatform(), as text. Throws Error{Usage} for a
-// parameter.
-std::string plannedPlatformKey(const project::Choices& choices);
+platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed, const Resolved& resolved);
+// Returns the choices that determine plannedPlatform(), as text.
+std::string plannedPlatformKey(const Resolved& resolved);
 // Returns the defects that could not be repaired, as findings. Returns none for an open part:
 // loadStage() reports how it is handled.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);

@@ -10,6 +10,7 @@
 #include "pipeline/cell_reach.h"
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "robot/cell.h"
@@ -96,36 +97,35 @@ std::optional<plan::Finding> largerThanPlates(const Polygon& foot, const robot::
 
 } // namespace
 
-std::string startKey(const modes::LoadStage& placed, const project::Choices& choices,
-                     const process::Process& process) {
+std::string startKey(const modes::LoadStage& placed, const project::Choices& given,
+                     const Resolved& resolved) {
   const Polygon foot = footOf(*placed.part);
   const Eigen::AlignedBox3d box = geometry::bounds(*placed.part);
-  return base::keyText(isForCellPlates(choices), placed.scale, foot,
-                       plateUnder(placed, choices, foot), Vector2d(box.min().head<2>()),
-                       Vector2d(box.max().head<2>())) +
-         cellReachKey(choices, process.layerHeightMm);
+  return base::keyText(isForCellPlates(given), placed.scale, foot, plateUnder(placed, given, foot),
+                       Vector2d(box.min().head<2>()), Vector2d(box.max().head<2>())) +
+         cellReachKey(resolved, resolved.process().layerHeightMm);
 }
 
 std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
-                                             const project::Choices& choices,
-                                             const process::Process& process,
+                                             const project::Choices& given,
+                                             const Resolved& resolved,
                                              const base::RunContext& ctx) {
   auto stage = std::make_shared<StartStage>();
   const Polygon foot = footOf(*placed.part);
-  const Polygon plate = plateUnder(placed, choices, foot);
+  const Polygon plate = plateUnder(placed, given, foot);
+  const process::Process& process = resolved.process();
   if (plate.empty())
     return stage;
-  const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
+  const robot::Cell cell = robot::loadCell(given.cell, process, plate);
   if (cell.rod())
     return stage; // Reported where a plate is needed there.
-  if (adriftMm(choices.item().platform, *placed.part, cell) > 0.0)
+  if (adriftMm(given.item().platform, *placed.part, cell) > 0.0)
     return stage; // Reported where the platform is made; the cell is not at fault.
-  const collision::Margins margins =
-      motionOptionsOf(parameterValues(choices), choices.seed).printing;
+  const collision::Margins margins = motionOptionsOf(resolved.values, given.seed).printing;
   for (const cells::CellFault& fault : cells::printingFaults(cell, process, margins, ctx))
     stage->findings.push_back(plan::makeFinding(plan::FindingKind::CellCannotPrint,
                                                 {{"fault", fault.what}, {"help", fault.remedy}}));
-  if (isForCellPlates(choices))
+  if (isForCellPlates(given))
     if (auto larger = largerThanPlates(foot, cell, placed.scale))
       stage->findings.push_back(std::move(*larger));
   return stage;

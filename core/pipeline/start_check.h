@@ -5,7 +5,6 @@
 #include "base/run_context.h"
 #include "modes/mode_stages.h"
 #include "plan/finding.h"
-#include "process/process.h"
 #include "project/choices.h"
 #include "project/job_stage.h"
 
@@ -14,6 +13,8 @@
 
 namespace voluta::pipeline {
 
+struct Resolved;
+
 struct StartStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   plan::Findings findings; // of a plan that cannot succeed
@@ -21,10 +22,11 @@ struct StartStage {
 
 // Returns the inputs of startStage() as text. They exclude the mode, so that ways of building share
 // the result. Throws as startStage().
-std::string startKey(const modes::LoadStage& placed, const project::Choices& choices,
-                     const process::Process& process);
+std::string startKey(const modes::LoadStage& placed, const project::Choices& given,
+                     const Resolved& resolved);
 
-// Returns blocking findings; none if the plan may succeed:
+// `given`: the item's choices as the user made them; in mode auto the platform may be the user's or
+// not. `resolved`: made from them. Returns blocking findings; none if the plan may succeed:
 // - CellCannotPrint: two bodies of the cell collide in the home pose, or the head reaches no place
 //   above the plate (cells::printingFaults());
 // - LargerThanPlates: the part is placed on the cell's plate, or mode auto may choose its platform,
@@ -32,8 +34,7 @@ std::string startKey(const modes::LoadStage& placed, const project::Choices& cho
 //   right angle. Checks nothing around a rod, on a body, or on a platform that would float
 //   (pedestal.h). Throws Error{Usage} for names and parameters; Cancelled.
 std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
-                                             const project::Choices& choices,
-                                             const process::Process& process,
-                                             const base::RunContext& ctx);
+                                             const project::Choices& given,
+                                             const Resolved& resolved, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

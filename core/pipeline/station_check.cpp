@@ -65,7 +65,7 @@ StationCheck verifyStation(const std::filesystem::path& folder, const base::RunC
     plans.push_back(resultOf(std::move(job)));
     places.push_back(station.machines[k].shared_T_world);
     read.push_back(
-        program::readProgram(found.dialect->id, found.files, *plans.back().tooling, part.quiet()));
+        program::readProgram(found.dialect->id, found.files, plans.back().tooling(), part.quiet()));
   }
   check.replay = replay::runTogether(placedPrograms(read, plans, places), ctx.sub(0.8, 1.0));
   std::ranges::copy(runFindings(check.replay), std::back_inserter(check.findings));

@@ -37,10 +37,10 @@ using base::ErrorCode;
 together::PlacedMotion placedMotion(const PlanResult& plan, const Eigen::Isometry3d& shared_T_world,
                                     const base::RunContext& ctx) {
   const project::Job& job = plan.job;
-  const double pitchMm = collision::growingPitch(*job.toolPlan, *plan.tooling);
+  const double pitchMm = collision::growingPitch(*job.toolPlan, plan.tooling());
   together::PlacedMotion motion{
       plan.cell,
-      std::make_shared<const collision::CellCollision>(*plan.cell, plan.tooling->first().process),
+      std::make_shared<const collision::CellCollision>(*plan.cell, plan.tooling().first().process),
       job.toolPlan,
       job.trajectory,
       std::make_shared<const collision::GrowingPart>(
@@ -126,7 +126,7 @@ std::optional<plan::ReadProgram> readBack(const PlanResult& result, const base::
   const CheckedProgram* checked = replayedTogether(result);
   if (!checked)
     return std::nullopt;
-  return program::readProgram(checked->program.format, checked->program.files, *result.tooling,
+  return program::readProgram(checked->program.format, checked->program.files, result.tooling(),
                               ctx);
 }
 

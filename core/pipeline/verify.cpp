@@ -3,6 +3,7 @@
 #include "pipeline/judged_part.h"
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/resolved.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
@@ -63,13 +64,12 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   base::finishStaged(std::filesystem::absolute(program).parent_path());
   const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
-  const base::ParameterValues values = parameterValues(planned.choices);
-  const process::Tooling tooling = chosenTooling(planned.choices, values);
+  const Resolved resolved = resolve(planned.choices);
   const platform::PlatformSolid platform = project::platformOf(planned);
-  const robot::Cell cell = robot::loadCell(planned.choices.cell, tooling.first().process, platform);
-  const auto printed = judgedPart(planned, tooling, values);
-  const ProgramStageInput in =
-      programStageInput(planned, *printed, platform, cell, tooling, values);
+  const robot::Cell cell =
+      robot::loadCell(planned.choices.cell, resolved.tooling.first().process, platform);
+  const auto printed = judgedPart(planned, resolved);
+  const ProgramStageInput in = programStageInput(planned, *printed, platform, cell, resolved);
   const program::MergedPoints points = program::pointsFor(
       format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name, in.options}, ctx);
   const ProgramStageInput said = saying(in, points);

@@ -7,6 +7,7 @@
 #include "panels/reach_panel.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "robot/cell_draft.h"
 #include "robot/urdf/link_meshes.h"
@@ -73,8 +74,7 @@ protected:
   }
   Eigen::Vector3d nozzleAtHome() {
     const project::Choices& choices = document().choices();
-    const robot::Cell cell = pipeline::cellToMap(
-        choices, pipeline::chosenProcess(choices, pipeline::parameterValues(choices)));
+    const robot::Cell cell = pipeline::cellToMap(choices, pipeline::resolve(choices).process());
     return cell.work_T_tool(cell.home()).translation();
   }
   QString reachText() { return reach()->findChild<QLabel*>("reachState")->text(); }

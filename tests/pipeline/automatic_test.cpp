@@ -8,6 +8,7 @@
 #include "helpers/shapes.h"
 #include "modes/mode_table.h"
 #include "pipeline/box_request.h"
+#include "pipeline/resolved.h"
 #include "pipeline/road.h"
 #include "pipeline/search_texts.h"
 #include "pipeline/stage_options.h"
@@ -63,7 +64,7 @@ void expectConsistent(const pipeline::PlanResult& result) {
   EXPECT_EQ(chosen.mode, hand.item().mode);
   EXPECT_EQ(chosen.platform, hand.item().platform.text());
   EXPECT_EQ(chosen.supports, pipeline::parameterValues(hand).text("supports"));
-  EXPECT_EQ(chosen.layerHeightMm, result.tooling->first().process.layerHeightMm);
+  EXPECT_EQ(chosen.layerHeightMm, result.tooling().first().process.layerHeightMm);
   for (const project::TriedReport& tried : report.item().tried) {
     EXPECT_FALSE(tried.name.empty());
     EXPECT_TRUE(tried.taken || !tried.reason.empty()) << base::english(tried.name);
@@ -111,6 +112,22 @@ TEST(Automatic, WaysKeepTheirIdsWhenOthersAreInserted) {
   choices.item().automaticWay = "gone"; // the first that has this mode and platform
   EXPECT_FALSE(resolved(choices).item().parameters.contains("layerHeightMm"));
   EXPECT_EQ(resolved(choices).item().parameters.at("supports"), "auto");
+}
+
+// An opened job is judged, resumed and drawn with the process that it was planned with.
+TEST(Automatic, AnOpenedJobHasTheLayerHeightOfItsWay) {
+  pipeline::PlanRequest request = automaticRequest();
+  request.item().loaded = test::loadedBox({-5, -5, 0}, {5, 5, 4});
+  request.choices.item().mode = "flat";
+  request.choices.item().platform = project::Platform("cell");
+  request.choices.item().automaticWay = "flat-low";
+  request.until = project::Stage::Decompose; // in the way that the choices name
+  const pipeline::PlanResult planned = pipeline::planPart(request, {});
+  const double heightMm = planned.tooling().first().process.layerHeightMm;
+  EXPECT_LT(heightMm, process::loadProcess(request.choices.tool().process).layerHeightMm);
+  const pipeline::PlanResult opened = pipeline::resultOf(planned.job);
+  EXPECT_EQ(opened.tooling().first().process.layerHeightMm, heightMm);
+  EXPECT_EQ(opened.resolved().values.text("supports"), "auto");
 }
 
 TEST(Automatic, PlanByHandDiffersFromTheFirstWay) {
@@ -383,7 +400,7 @@ TEST(Automatic, LeastUnsupportedWayIsTakenIfAllAreUnsupported) {
       pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
-  EXPECT_GT(report.replay.longestUnsupportedMm, result.tooling->first().process.bridgeMm);
+  EXPECT_GT(report.replay.longestUnsupportedMm, result.tooling().first().process.bridgeMm);
   EXPECT_EQ(lastShown, result.job.choices.item().automaticWay);
   ASSERT_EQ(report.item().tried.size(), 2U);
   int taken = 0;

@@ -13,7 +13,7 @@ class EarlyVerdict : public testing::Test {
 protected:
   std::optional<plan::Finding> verdictOn(const plan::ToolPlan& toolPlan) const {
     return pipeline::massOutOfReach(toolPlan, box_.job.item().printed(),
-                                    box_.tooling->first().process);
+                                    box_.tooling().first().process);
   }
 
   const pipeline::PlanResult& box_ = test::boxPlan();

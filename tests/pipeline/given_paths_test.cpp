@@ -106,7 +106,7 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
   for (const plan::ToolPath& path : planned.job.toolPlan->paths)
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
       EXPECT_LE((planned.job.toolPlan->position[i] - planned.job.toolPlan->position[i - 1]).norm(),
-                1.5 * planned.tooling->first().process.stepMm);
+                1.5 * planned.tooling().first().process.stepMm);
 }
 
 TEST(GivenPaths, WithoutAnObjectTheirBeadsAreTheReference) {
@@ -181,7 +181,7 @@ TEST(GivenPaths, ProcessFillsValuesMissingInTheFile) {
       beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadheight=\"0.8\" "
                     "beadwidth=\"1.2\"");
   EXPECT_FLOAT_EQ(planned.job.toolPlan->speedMmPerS[1],
-                  static_cast<float>(planned.tooling->first().process.speedMmPerS));
+                  static_cast<float>(planned.tooling().first().process.speedMmPerS));
   EXPECT_TRUE(std::ranges::any_of(planned.job.report.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::GivenWithoutSection && !f.blocking;
   }));
@@ -193,7 +193,7 @@ TEST(GivenPaths, NoMoreThanTheExtruderGives) {
                     "beadwidth=\"1.2\" depositionspeed=\"2000\"");
   const plan::ToolPlan& plan = *planned.job.toolPlan;
   EXPECT_LE(plan.speedMmPerS[1] * process::beadArea(1.2, 0.8),
-            1.0001 * planned.tooling->first().process.maxFlowMm3PerS);
+            1.0001 * planned.tooling().first().process.maxFlowMm3PerS);
   EXPECT_TRUE(std::ranges::any_of(planned.job.report.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::GivenTooFast;
   }));

@@ -255,7 +255,7 @@ int main(int argc, char** argv) {
     if (!keep.empty() && !std::filesystem::exists(kept))
       project::writeJob(kept, project::upTo(planned.job, project::Stage::Decompose));
     if (planned.job.toolPlan)
-      report(planned.job, *planned.job.toolPlan, planned.tooling->first().process, overMm, listed,
+      report(planned.job, *planned.job.toolPlan, planned.tooling().first().process, overMm, listed,
              ctx);
     std::fflush(stdout);
   }

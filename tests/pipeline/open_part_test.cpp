@@ -89,7 +89,7 @@ TEST(OpenPart, BecomesAWallOfTwoBeads) {
   const PlanResult result = planned(cup(), "thicken");
   EXPECT_EQ(first(result).kind, FindingKind::SurfaceThickened);
   EXPECT_TRUE(result.job.report.item().model.watertight);
-  const double wall = pipeline::openSurfaceWallMm(result.tooling->first().process);
+  const double wall = pipeline::openSurfaceWallMm(result.tooling().first().process);
   EXPECT_NEAR(result.job.report.item().model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
   EXPECT_NEAR(result.job.report.item().model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
 }
@@ -151,7 +151,7 @@ TEST(OpenPart, BecomesOneWallOfOneBead) {
                   winds ? 1u : static_cast<std::size_t>(made.paths.back().layer) + 1)
             << mode << turns;
         EXPECT_EQ(made.paths.front().closed, !winds && turns >= 1.0);
-        const double bead = result.tooling->first().process.beadWidthMm;
+        const double bead = result.tooling().first().process.beadWidthMm;
         for (std::size_t i = 0; i < made.waypointCount() && turns >= 1.0; ++i)
           EXPECT_NEAR(made.widthMm[i], bead, 0.03 * bead) << mode;
       }

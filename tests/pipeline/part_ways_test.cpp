@@ -6,6 +6,7 @@
 #include "geometry/measures.h"
 #include "helpers/shapes.h"
 #include "pipeline/remedies.h"
+#include "pipeline/resolved.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
@@ -88,8 +89,7 @@ TEST(PartWays, AreOfThePlacedPartAndKeepItsCentre) {
   request.choices.item().scale = "0.5";
   request.choices.item().placement.centreMm = {8.0, -3.0};
   const PlanResult result = pipeline::planPart(request, {});
-  const auto ways = pipeline::partWays(*result.item().placed, request.choices,
-                                       result.tooling->first().process, {});
+  const auto ways = pipeline::partWays(*result.item().placed, result.resolved(), {});
   ASSERT_EQ(ways.size(), 2u) << "on the smallest side it would hardly stand";
   EXPECT_NEAR(ways[0].score.heightMm, 3.0, 1e-6);
   request.choices.item().placement = pipeline::standing(ways[0], result.item().placed->placement);
@@ -102,32 +102,31 @@ TEST(PartWays, AreOfThePlacedPartAndKeepItsCentre) {
 
 TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   const PlanRequest request = requestOf(kOnEdge);
-  const auto keyOf = [&](double scale, const project::Choices& choices,
-                         const process::Process& process) {
-    return pipeline::partWaysKey(*request.item().loaded, scale, choices, process);
+  const auto keyOf = [&](double scale, const project::Choices& choices) {
+    return pipeline::partWaysKey(*request.item().loaded, scale, pipeline::resolve(choices));
   };
   project::Choices choices;
-  process::Process process;
-  const std::string key = keyOf(1.0, choices, process);
-  EXPECT_NE(keyOf(2.0, choices, process), key);
-  process.layerHeightMm = 0.6;
-  EXPECT_NE(keyOf(1.0, choices, process), key);
+  const std::string key = keyOf(1.0, choices);
+  EXPECT_NE(keyOf(2.0, choices), key);
+  choices.item().parameters["layerHeightMm"] = "0.6";
+  EXPECT_NE(keyOf(1.0, choices), key);
+  choices.item().parameters.clear();
   choices.item().parameters["overhangAngle"] = "50";
-  EXPECT_NE(keyOf(1.0, choices, {}), key);
+  EXPECT_NE(keyOf(1.0, choices), key);
   choices.item().parameters.clear();
   choices.item().units = "in";
-  EXPECT_NE(keyOf(1.0, choices, {}), key);
+  EXPECT_NE(keyOf(1.0, choices), key);
   choices.item().units = "mm";
   choices.item().parameters["openSurfaces"] = "thicken";
-  const std::string thick = keyOf(1.0, choices, {});
+  const std::string thick = keyOf(1.0, choices);
   EXPECT_NE(thick, key);
   choices.item().parameters["openSurfaces"] = "close";
-  EXPECT_NE(keyOf(1.0, choices, {}), key);
-  EXPECT_NE(keyOf(1.0, choices, {}), thick);
+  EXPECT_NE(keyOf(1.0, choices), key);
+  EXPECT_NE(keyOf(1.0, choices), thick);
   choices.item().parameters.clear();
   choices.item().parameters["walls"] = "1";
   choices.item().platform = project::Platform("disc:90");
-  EXPECT_EQ(keyOf(1.0, choices, {}), key);
+  EXPECT_EQ(keyOf(1.0, choices), key);
 }
 
 // The estimate of a part in its orientation and the time of its plan.
@@ -149,11 +148,10 @@ TEST(PartWays, TheirTimesAreThoseOfThePlans) {
     request.until = project::Stage::Motion;
     pipeline::setParameters(request.choices, parameters);
     const PlanResult result = pipeline::planPart(request, {});
-    const process::Process& process = result.tooling->first().process;
-    const auto ways = pipeline::partWays(*result.item().placed, request.choices, process, {});
+    const auto ways = pipeline::partWays(*result.item().placed, result.resolved(), {});
     const auto now = std::ranges::find_if(ways, &placement::Way::now);
     ASSERT_NE(now, ways.end());
-    const double estimate = pipeline::estimatedSeconds(*now, request.choices, process);
+    const double estimate = pipeline::estimatedSeconds(*now, result.resolved());
     const double planned = result.job.report.motion.durationS;
     EXPECT_NEAR(estimate, planned, kRough * planned)
         << (parameters.empty() ? "solid" : parameters.front());

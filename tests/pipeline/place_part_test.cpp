@@ -4,6 +4,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/cell_plate.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 
@@ -101,18 +102,18 @@ TEST(PlacePart, PlannedPlatformIsThatOfTheDecomposition) {
     request.choices.item().platform = project::Platform(platform);
     request.until = Stage::Decompose;
     const PlanResult result = pipeline::planPart(request, {});
-    const auto planned = pipeline::plannedPlatform(*result.item().placed, request.choices);
+    const auto planned = pipeline::plannedPlatform(*result.item().placed, result.resolved());
     EXPECT_EQ(planned.polygon, result.job.item().platform.polygon) << platform;
   }
 }
 
 TEST(PlacePart, AnotherPlatformHasAnotherKey) {
   project::Choices choices;
-  const std::string key = pipeline::plannedPlatformKey(choices);
+  const std::string key = pipeline::plannedPlatformKey(pipeline::resolve(choices));
   choices.item().parameters["walls"] = "1";
-  EXPECT_EQ(pipeline::plannedPlatformKey(choices), key);
+  EXPECT_EQ(pipeline::plannedPlatformKey(pipeline::resolve(choices)), key);
   choices.item().platform = project::Platform("disc:40");
-  EXPECT_NE(pipeline::plannedPlatformKey(choices), key);
+  EXPECT_NE(pipeline::plannedPlatformKey(pipeline::resolve(choices)), key);
 }
 
 } // namespace

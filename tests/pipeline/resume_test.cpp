@@ -52,8 +52,8 @@ TEST(Resume, AtRandomBeadsTheRestIsTheRest) {
     EXPECT_TRUE(rest.plan.checked[0]->passed) << bead;
     EXPECT_TRUE(nothingBlocks(rest.plan.job.report)) << bead;
     EXPECT_NEAR(rest.laidMm3 + rest.leftMm3, material, 1e-6 * material);
-    EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling->first().process), rest.leftMm3,
-                2e-3 * material)
+    EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling().first().process),
+                rest.leftMm3, 2e-3 * material)
         << bead;
     // The deposited volume is the volume of the beads before it.
     EXPECT_NEAR(rest.laidMm3, whole.job.trajectory->extrudedMm3[*point], 1e-9);
@@ -205,7 +205,7 @@ const PlanResult& twoToolsPlan() {
 // The start of the program of a rest, as its own reader reads it.
 void expectBeginsWith(int tool, const CheckedProgram& checked, const PlanResult& plan) {
   const plan::ReadProgram read =
-      program::readProgram(checked.program.format, checked.program.files, *plan.tooling, kCtx);
+      program::readProgram(checked.program.format, checked.program.files, plan.tooling(), kCtx);
   const std::string name = "tool " + std::to_string(tool + 1) + " (";
   const auto stop =
       std::ranges::find(read.facts, plan::FactKind::OperatorStop, &plan::StatedFact::kind);

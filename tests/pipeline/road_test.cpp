@@ -296,7 +296,7 @@ TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
   EXPECT_EQ(said(job.report), said(first_->job.report));
   const PlanResult shown = resultOf(job);
   EXPECT_EQ(shown.cell->id(), "ur5-fixed");
-  EXPECT_EQ(shown.tooling->first().process.id, "fdm-1.0");
+  EXPECT_EQ(shown.tooling().first().process.id, "fdm-1.0");
 
   StageCache cache;
   seedCache(cache, job);

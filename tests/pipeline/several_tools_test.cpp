@@ -65,7 +65,7 @@ TEST(SeveralTools, PartsOneAfterAnotherNeedOneChange) {
   const PlanResult plan = planPart(given, {});
   expectPassed(plan, {"urscript"});
   EXPECT_EQ(plan.job.report.motion.toolChanges, 1u);
-  const std::vector<process::ToolUse> uses = plan.tooling->usesOf(*plan.job.trajectory);
+  const std::vector<process::ToolUse> uses = plan.tooling().usesOf(*plan.job.trajectory);
   EXPECT_NEAR(uses[0].printedMm3, uses[1].printedMm3, 0.01 * uses[0].printedMm3);
   EXPECT_DOUBLE_EQ(uses[0].purgedMm3, 0.0);
   EXPECT_DOUBLE_EQ(uses[1].purgedMm3, motion::MotionOptions{}.purge.changeMm3);

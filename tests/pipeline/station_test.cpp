@@ -61,14 +61,14 @@ replay::SharedRun unmarked(const StationResult& result) {
   for (const PlanResult& plan : result.plans) {
     const CheckedProgram& checked = *plan.checked.front();
     read.push_back(
-        program::readProgram(checked.program.format, checked.program.files, *plan.tooling, kCtx));
+        program::readProgram(checked.program.format, checked.program.files, plan.tooling(), kCtx));
     std::erase_if(read.back().facts, [](const plan::StatedFact& fact) {
       return fact.kind == plan::FactKind::MarkSet || fact.kind == plan::FactKind::MarkAwaited;
     });
   }
   std::vector<replay::PlacedProgram> machines;
   for (std::size_t k = 0; k < read.size(); ++k)
-    machines.push_back({read[k], *result.plans[k].cell, result.plans[k].tooling->first().process,
+    machines.push_back({read[k], *result.plans[k].cell, result.plans[k].tooling().first().process,
                         result.shared_T_world[k]});
   return replay::runTogether(machines, kCtx);
 }

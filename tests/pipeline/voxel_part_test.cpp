@@ -9,6 +9,7 @@
 #include "modes/mode_stages.h"
 #include "modes/part_voxels.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/resolved.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
@@ -53,7 +54,7 @@ PlanRequest requestFor(const std::shared_ptr<const LoadedPart>& part, Stage unti
 }
 
 std::shared_ptr<const LoadStage> placedEll(const Choices& choices) {
-  return loadStage(*ell(), choices, chosenProcess(choices, parameterValues(choices)));
+  return loadStage(*ell(), resolve(choices));
 }
 
 Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& polygon) {

@@ -45,7 +45,7 @@ TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
   EXPECT_EQ(base::dataName(request.choices.cell), "my-cell");
   PlanResult plan = planPart(request, kCtx);
   ASSERT_TRUE(nothingBlocks(plan.job.report));
-  EXPECT_EQ(plan.tooling->first().process.label, "own mine");
+  EXPECT_EQ(plan.tooling().first().process.label, "own mine");
   EXPECT_EQ(plan.cell->label(), "own my-cell");
   std::filesystem::create_directory(folder / "out");
   writeOutputs(plan, folder / "out", kCtx);

@@ -16,7 +16,7 @@ const base::RunContext kCtx;
 TEST(PrintedSolid, ABoxIsAsMuchAsTheReplayLays) {
   const pipeline::PlanResult& plan = test::boxPlan();
   const geometry::TriangleMesh solid =
-      pipeline::printedSolid(*plan.job.toolPlan, plan.tooling->first().process, kCtx);
+      pipeline::printedSolid(*plan.job.toolPlan, plan.tooling().first().process, kCtx);
   const geometry::Diagnosis found = geometry::diagnose(solid);
   EXPECT_TRUE(found.watertight);
   EXPECT_EQ(found.components, 1u); // no walls are left inside

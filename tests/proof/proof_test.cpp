@@ -212,7 +212,7 @@ TEST(Proof, FillMapShowsEmptyPlaces) {
   const PlanResult& plan = test::boxPlan();
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const double pitch =
-      collision::growingPitch(whole, process::Tooling(plan.tooling->first().process));
+      collision::growingPitch(whole, process::Tooling(plan.tooling().first().process));
   const FillMap full =
       fillMap(plan.job.item().printed(), collision::GrowingPart(whole, pitch, kCtx), kCtx);
   double mean = 0.0, count = 0.0;

@@ -9,6 +9,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/items/plate_parts.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "robot/cell.h"
@@ -32,8 +33,7 @@ double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Foot
   constexpr double kLeastMm = 10.0, kSpareMm = 4.0;
   double gap = kLeastMm;
   try {
-    const process::HeadShape head =
-        pipeline::chosenTooling(choices, pipeline::parameterValues(choices)).first().process.head;
+    const process::HeadShape head = pipeline::resolve(choices).tooling.first().process.head;
     for (const pipeline::Footprint& other : others)
       gap = std::max(gap, kSpareMm + std::min(pipeline::headNeedsMm(head, added, other),
                                               pipeline::headNeedsMm(head, other, added)));
@@ -50,8 +50,7 @@ std::vector<std::vector<Eigen::Vector2d>> platesFor(const project::Choices& choi
         pipeline::wayOrFirst(project::onlyItem(choices, choices.items.size() - 1));
     const project::Platform& platform = own.item().platform;
     if (platform.isOfCell()) {
-      const robot::Cell cell =
-          pipeline::fittingCell(own, pipeline::chosenProcess(own, pipeline::parameterValues(own)));
+      const robot::Cell cell = pipeline::fittingCell(own, pipeline::resolve(own).process());
       for (const auto& plate : cell.plates())
         plates.push_back(project::Platform(plate).plateAround({}));
     } else if (platform.isFor(project::PlatformUse::Plate) && !platform.marginMm()) {

@@ -4,6 +4,7 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "program/dialect.h"
@@ -22,8 +23,7 @@ using project::Choices;
 
 bool cellFits(const Choices& choices) {
   try {
-    const base::ParameterValues values = pipeline::parameterValues(choices);
-    pipeline::fittingCell(choices, pipeline::chosenProcess(choices, values));
+    pipeline::fittingCell(choices, pipeline::resolve(choices).process());
     return true;
   } catch (const base::Error&) {
     return false;
@@ -99,9 +99,7 @@ std::vector<std::string> writableFormats(const Choices& choices) {
   if (formats.empty())
     return formats;
   try {
-    const base::ParameterValues values = pipeline::parameterValues(choices);
-    const robot::Cell cell =
-        pipeline::fittingCell(choices, pipeline::chosenProcess(choices, values));
+    const robot::Cell cell = pipeline::fittingCell(choices, pipeline::resolve(choices).process());
     std::erase_if(formats, [&](const std::string& id) {
       return program::refusal(program::findDialect(id), cell, {}, nullptr).has_value();
     });
@@ -157,8 +155,7 @@ QString obstacle(const Choices& given) {
       return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform file %1 is missing."))
           .arg(QString::fromStdString(choices.item().platform.file()));
     pipeline::checkChoices(choices);
-    const base::ParameterValues values = pipeline::parameterValues(choices);
-    pipeline::chosenProcess(choices, values);
+    pipeline::resolve(choices);
     if (!cellFits(choices))
       return mode.aroundRod
                  ? say(QT_TRANSLATE_NOOP("ModeSwitch",

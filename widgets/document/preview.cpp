@@ -9,7 +9,7 @@ namespace voluta::document {
 
 Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
                   const pipeline::PlanResult& soFar) {
-  return {std::move(decomposition), soFar.tooling->first().process.layerHeightMm,
+  return {std::move(decomposition), soFar.tooling().first().process.layerHeightMm,
           soFar.job.stages[project::indexOf(project::Stage::Load)].key,
           soFar.job.item().loaded->hash};
 }

@@ -7,6 +7,7 @@
 #include "modes/planar_modes.h"
 #include "motion/waits.h"
 #include "pictures/all_items.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/arrival_times.h"
 #include "robot/shape/arm_look.h"
@@ -83,7 +84,8 @@ public:
     const std::vector<planar::Piece> pieces = piecesOf(job_);
     if (pieces.empty())
       need(job_.item().pieces(), "pieces"_text);
-    scene_.setPieces(scene::drawPieces(pieces, pipeline::riskRule(job_.choices)));
+    scene_.setPieces(
+        scene::drawPieces(pieces, pipeline::riskRule(pipeline::resolve(job_.choices))));
     view_.pieces = true;
     showPlatform();
   }
@@ -165,9 +167,7 @@ private:
     return look;
   }
 
-  process::Process process() const {
-    return pipeline::chosenProcess(job_.choices, pipeline::parameterValues(job_.choices));
-  }
+  process::Process process() const { return pipeline::resolve(job_.choices).process(); }
 
   void showPlatform() {
     double reach = 0.0;

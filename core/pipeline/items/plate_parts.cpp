@@ -8,6 +8,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/items/part_arrangement.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
@@ -38,17 +39,16 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
     RequestedItem& item = request.item(i);
     if (!item.loaded)
       item.loaded = project::loadPart(item.part, request.choices.item(i).repair, ctx);
-    const project::Choices own = resolved(wayOrFirst(project::onlyItem(request.choices, i)));
-    const base::ParameterValues values = parameterValues(own);
-    const process::Process process = chosenProcess(own, values);
-    const auto placed = loadStage(*item.loaded, own, process, ctx);
+    const Resolved own = resolve(wayOrFirst(project::onlyItem(request.choices, i)));
+    const auto& [choices, values, process] = own.modeChoices();
+    const auto placed = loadStage(*item.loaded, own, ctx);
     parts.push_back(footprintOf(*placed->part, mayLean(request.choices.item(i))));
     centres.push_back(placed->placement.centreMm);
     options.spareMm = std::max(options.spareMm, 2.0 * process.beadWidthMaxMm) +
                       2.0 * values.number("brimWidthMm");
     head = process.head;
     if (options.plate.empty() && isOnCellPlate(request.choices.item(i)))
-      options.plate = largestPlate(fittingCell(own, process));
+      options.plate = largestPlate(fittingCell(choices, process));
   }
   const auto moves = arranged(parts, head, options);
   if (!moves)

@@ -264,7 +264,7 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
           current ? stateOf(*program, result->job.report) : panels::VerdictState::OutOfDate;
       format.whyRefused = whyNotPassed(*program, result->job.report);
       format.verdict = program->verdict;
-      format.facts = {pipeline::bridgedMm(*program, *result->tooling), program->deviations};
+      format.facts = {pipeline::bridgedMm(*program, result->tooling()), program->deviations};
       format.files = exportFiles(program);
     }
     formats.push_back(std::move(format));

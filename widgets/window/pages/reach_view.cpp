@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "modes/mode_stages.h"
 #include "modes/mode_table.h"
+#include "pipeline/resolved.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
 #include "window/presenters/presenter.h"
@@ -68,7 +69,7 @@ void ReachView::refresh() {
   const double height = mappedHeight(standing_->heightMm);
   std::string key;
   try {
-    key = pipeline::cellReachKey(document.choices(), height);
+    key = pipeline::cellReachKey(pipeline::resolve(document.choices()), height);
   } catch (const base::Error&) {
     // Planning reports the cell's error.
   }
@@ -95,8 +96,8 @@ void ReachView::look(const std::string& key, double heightMm) {
       [choices = work_.document.choices(), heightMm](const base::RunContext& ctx) {
         Found found;
         try {
-          found.map =
-              std::make_shared<const cells::ReachMap>(pipeline::cellReach(choices, heightMm, ctx));
+          found.map = std::make_shared<const cells::ReachMap>(
+              pipeline::cellReach(pipeline::resolve(choices), heightMm, ctx));
         } catch (const base::Error&) {
           return found;
         }

@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "panels/stand_picture.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/resolved.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
 #include "window/presenters/presenter.h"
@@ -84,11 +85,11 @@ void StandChooser::refresh() {
     return;
   }
   const auto placed = document.itemResult(Stage::Load);
-  if (!placed || !placed->item().placed || !placed->tooling || !document.upToDate(Stage::Load))
+  if (!placed || !placed->item().placed || !placed->item().resolved ||
+      !document.upToDate(Stage::Load))
     return;
-  const std::string key =
-      pipeline::partWaysKey(*document.source(), placed->job.item().scale, document.choices(),
-                            placed->tooling->first().process);
+  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.item().scale,
+                                                pipeline::resolve(document.choices()));
   // A custom orientation is shown beside the others; while the part has one of the computed ones,
   // they stay.
   if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame)) {
@@ -114,7 +115,7 @@ void StandChooser::look(const std::string& key) {
       runner_,
       [plan, choices = work_.document.choices()](const base::RunContext& ctx) {
         const modes::LoadStage& placed = *plan->item().placed;
-        Found found{pipeline::partWays(placed, choices, plan->tooling->first().process, ctx),
+        Found found{pipeline::partWays(placed, pipeline::resolve(choices), ctx),
                     {},
                     placed.placement.rotation.normalized()};
         std::vector<Eigen::Quaterniond> turns;
@@ -143,12 +144,15 @@ void StandChooser::take(Found found) {
 
 void StandChooser::showTimes() {
   const auto placed = work_.document.itemResult(Stage::Load);
-  if (!placed || !placed->tooling || work_.document.unusable())
+  if (!placed || !placed->item().resolved || work_.document.unusable())
     return;
+  const auto now = base::outcomeOf([&] { return pipeline::resolve(work_.document.choices()); });
+  const auto* resolved = std::get_if<pipeline::Resolved>(&now);
+  if (!resolved)
+    return; // Planning reports it
   bool isChanged = false;
   for (std::size_t n = 0; n < ways_.size(); ++n) {
-    const QString time = roughTime(pipeline::estimatedSeconds(ways_[n], work_.document.choices(),
-                                                              placed->tooling->first().process));
+    const QString time = roughTime(pipeline::estimatedSeconds(ways_[n], *resolved));
     isChanged = isChanged || time != shown_[n].time;
     shown_[n].time = time;
   }

@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "modes/mode_stages.h"
 #include "pipeline/cell_reach.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "robot/shape/arm_look.h"
@@ -79,7 +80,8 @@ PartPresenter::PlatformKey PartPresenter::platformKeyOf(const project::Choices& 
                                                         const project::Job& job) {
   PlatformKey key;
   for (std::size_t i = 0; i < job.items.size(); ++i)
-    key.emplace_back(pipeline::plannedPlatformKey(project::onlyItem(choices, i)), job.item(i).part);
+    key.emplace_back(pipeline::plannedPlatformKey(pipeline::resolve(project::onlyItem(choices, i))),
+                     job.item(i).part);
   return key;
 }
 
@@ -184,7 +186,12 @@ void PartPresenter::drawPlannedPlatform() {
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
   const project::Choices& choices = document_.jobChoices();
-  const PlatformKey wanted = platformKeyOf(choices, placed->job);
+  PlatformKey wanted;
+  try {
+    wanted = platformKeyOf(choices, placed->job);
+  } catch (const base::Error&) {
+    return; // Planning reports it
+  }
   if (wanted == drawnPlatform_)
     return;
   drawnPlatform_ = wanted;
@@ -193,8 +200,8 @@ void PartPresenter::drawPlannedPlatform() {
       [choices, placed] {
         project::Job job = placed->job;
         for (std::size_t i = 0; i < job.items.size(); ++i)
-          job.item(i).platform =
-              pipeline::plannedPlatform(*placed->item(i).placed, project::onlyItem(choices, i));
+          job.item(i).platform = pipeline::plannedPlatform(
+              *placed->item(i).placed, pipeline::resolve(project::onlyItem(choices, i)));
         return drawingOf(project::platformOf(job));
       },
       [this](auto&& made) { swapPlatform(made.first, made.second); });
@@ -233,7 +240,8 @@ void PartPresenter::drawChosenCell() {
   const auto placed = placedForCell();
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
   try {
-    wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
+    const pipeline::Resolved now = pipeline::resolve(choices);
+    wanted = {pipeline::cellReachKey(now, 0.0) + pipeline::plannedPlatformKey(now),
               placed ? placed->job.item().part : nullptr};
   } catch (const base::Error&) {
     chosenCell_ = {};
@@ -249,12 +257,10 @@ void PartPresenter::drawChosenCell() {
       [choices, stage = placed ? placed->item().placed : nullptr]() {
         std::shared_ptr<const scene::CellDrawing> drawing;
         try {
-          const process::Process process =
-              pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
-          const robot::Cell cell = stage
-                                       ? robot::loadCell(choices.cell, process,
-                                                         pipeline::plannedPlatform(*stage, choices))
-                                       : pipeline::cellToMap(choices, process);
+          const pipeline::Resolved now = pipeline::resolve(choices);
+          const robot::Cell cell = stage ? robot::loadCell(choices.cell, now.process(),
+                                                           pipeline::plannedPlatform(*stage, now))
+                                         : pipeline::cellToMap(choices, now.process());
           drawing = scene::drawCell(cell, robot::lookOf(cell.robot()));
         } catch (const base::Error&) {
         }

@@ -4,6 +4,7 @@
 #include "geometry/simplify.h"
 #include "language/words.h"
 #include "modes/planar_modes.h"
+#include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "window/background.h"
 
@@ -60,8 +61,9 @@ void PiecesPresenter::setPieces(std::shared_ptr<const planar::PlanarDecompositio
   inBackground(
       *drawingRun_,
       [pieces = pieces_, choices] {
-        return Drawn{scene::drawPieces(pieces->pieces, pipeline::riskRule(choices)),
-                     planar::cutsOf(pieces->pieces), planar::cutPieces(pieces->pieces)};
+        return Drawn{
+            scene::drawPieces(pieces->pieces, pipeline::riskRule(pipeline::resolve(choices))),
+            planar::cutsOf(pieces->pieces), planar::cutPieces(pieces->pieces)};
       },
       [this](Drawn&& made) {
         drawing_ = std::move(made.drawing);
@@ -117,10 +119,9 @@ void PiecesPresenter::startEstimate() {
           made.coarse = std::make_shared<const geometry::TriangleMesh>(
               geometry::simplified(*now.part, kCoarseTriangles));
         try {
-          const planar::RiskRule rule = pipeline::riskRule(now.choices);
-          const double beadMm =
-              pipeline::chosenProcess(now.choices, pipeline::parameterValues(now.choices))
-                  .beadWidthMm;
+          const pipeline::Resolved resolved = pipeline::resolve(now.choices);
+          const planar::RiskRule rule = pipeline::riskRule(resolved);
+          const double beadMm = resolved.process().beadWidthMm;
           for (const planar::Piece& piece :
                planar::cutApart(planar::wholePart(now.exact ? *now.part : *made.coarse, rule),
                                 now.cuts, rule, beadMm, ctx))

@@ -46,7 +46,7 @@ void Presenter::drawVoxels() {
   const auto result = document_.itemResult(Stage::Decompose);
   voxels_.setDecomposition(
       result ? result->job.item().decomposition() : nullptr,
-      result && result->tooling ? result->tooling->first().process.layerHeightMm : 0.0);
+      result && result->item().resolved ? result->tooling().first().process.layerHeightMm : 0.0);
 }
 
 // Flat slicing has a single piece, the part, which is not shown as a piece.

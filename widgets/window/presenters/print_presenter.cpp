@@ -42,7 +42,7 @@ void PrintPresenter::show(Stage stage) {
   if (!result)
     drop(stage);
   else if (stage == Stage::Layers)
-    drawLayers(layersOf(result->job), result->tooling->first().process);
+    drawLayers(layersOf(result->job), result->tooling().first().process);
   else if (stage == Stage::Toolpath)
     drawPaths(result->job.toolPlan);
   else if (stage == Stage::Motion)
@@ -174,7 +174,7 @@ void PrintPresenter::gatherFacts() {
   inBackground(
       *gathering_,
       [layers, plan, clock, rising, stacked,
-       heights = heightLimits(result->tooling->first().process)] {
+       heights = heightLimits(result->tooling().first().process)] {
         auto facts = std::make_shared<LayerFacts>();
         const auto stack = layers.joined();
         facts->of = layers;
