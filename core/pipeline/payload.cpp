@@ -1,6 +1,11 @@
 #include "pipeline/payload.h"
 
+#include "geometry/measures.h"
+#include "pipeline/plan_result.h"
+#include "pipeline/resolved.h"
 #include "plan/finding_kinds.h"
+
+#include <cmath>
 
 namespace voluta::pipeline {
 
@@ -17,6 +22,16 @@ std::optional<plan::Finding> overload(const robot::Cell& cell, double materialG)
                                                       {"most", base::number(*most)}});
   finding.blocking = carried > *most;
   return finding;
+}
+
+double solidKg(const PlanResult& result) {
+  constexpr double kKgPerMm3 = 1e-6; // at 1 g/cm³
+  double kg = 0.0;
+  for (std::size_t i = 0; i < result.job.items.size(); ++i)
+    if (const auto& part = result.job.item(i).part)
+      kg += kKgPerMm3 * result.item(i).resolved->process().material.densityGPerCm3 *
+            std::abs(geometry::volume(*part));
+  return kg;
 }
 
 } // namespace voluta::pipeline

@@ -1,7 +1,9 @@
 // The mass that the robot carries: the plate with the print, or the tool.
 #include "pipeline/payload.h"
 
+#include "pipeline/box_request.h"
 #include "platform/platform_solid.h"
+#include "process/own_materials.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
@@ -45,6 +47,28 @@ TEST(Payload, IsThatOfTheMassForRandomPrints) {
 
 TEST(Payload, APrintOnAFixedPlateDoesNotCount) {
   EXPECT_FALSE(pipeline::overload(cellOf("ur5-moving"), 1000.0 * 100.0));
+}
+
+// Each part weighs what its own tool prints, whatever the other one's material.
+TEST(Payload, EachPartHasTheDensityOfItsTool) {
+  pipeline::PlanRequest request;
+  request.items.resize(2);
+  request.choices.items.resize(2);
+  request.choices.tools = {{"fdm-1.0"}, {process::processTextWith("fdm-1.0", "petg")}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    request.item(i).loaded = test::loadedBox({-9, -8, 0}, {9, 8, 3});
+    request.choices.item(i).mode = "flat";
+    request.choices.item(i).placement.centreMm.x() = 60.0 * static_cast<double>(i) - 30.0;
+  }
+  request.choices.item(1).parameters["tool"] = "2";
+  request.until = project::Stage::Load;
+  const pipeline::PlanResult placed = pipeline::planPart(request, {});
+  const auto densityOf = [&](int tool) {
+    return placed.tooling().at(tool).process.material.densityGPerCm3;
+  };
+  ASSERT_NE(densityOf(0), densityOf(1));
+  EXPECT_NEAR(pipeline::solidKg(placed), 18.0 * 16.0 * 3.0 * 1e-6 * (densityOf(0) + densityOf(1)),
+              1e-9);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "document/document.h"
 #include "document/opening.h"
 #include "forms/parameter_form.h"
-#include "geometry/measures.h"
 #include "language/words.h"
 #include "layers/tool_assignment.h"
 #include "modes/mode_stages.h"
@@ -12,6 +11,7 @@
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/payload.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
@@ -28,7 +28,6 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
-#include <cmath>
 #include <set>
 
 namespace voluta::window {
@@ -179,13 +178,9 @@ void PreparePage::editCell() {
   try {
     const project::Choices& choices = document.choices();
     const process::Process process = process::loadProcess(choices.tool().process);
-    const auto placed = document.itemResult(Stage::Load);
-    const double partKg =
-        placed && placed->job.item().part
-            ? 1e-6 * process.material.densityGPerCm3 * geometry::volume(*placed->job.item().part)
-            : 0.0;
-    CellEditor editor(robot::draftOfCell(choices.cell), process, std::abs(partKg),
-                      work().viewport.window());
+    const auto placed = document.result(Stage::Load);
+    CellEditor editor(robot::draftOfCell(choices.cell), process,
+                      placed ? pipeline::solidKg(*placed) : 0.0, work().viewport.window());
     if (editor.exec() != QDialog::Accepted)
       return;
     choices_->retranslate(); // there is a new cell to choose
