@@ -5809,10 +5809,6 @@ mm³</translation>
         <translation>Pose raggiunte</translation>
     </message>
     <message>
-        <source>use STL, OBJ, PLY, OFF, 3MF, COLLADA or glTF</source>
-        <translation>usa STL, OBJ, PLY, OFF, 3MF, COLLADA o glTF</translation>
-    </message>
-    <message>
         <source>a frame needs at least three points</source>
         <translation>un riferimento richiede almeno tre punti</translation>
     </message>
@@ -10303,6 +10299,30 @@ facce %</translation>
     <message>
         <source>{key} is a setting of the job, not of a part</source>
         <translation>{key} è un&apos;impostazione del lavoro, non di un pezzo</translation>
+    </message>
+    <message>
+        <source>use one of these formats: {formats}</source>
+        <translation>usa uno di questi formati: {formats}</translation>
+    </message>
+    <message>
+        <source>the project of a station of several machines, not a part</source>
+        <translation>il progetto di una stazione di più macchine, non un pezzo</translation>
+    </message>
+    <message>
+        <source>give it to &apos;together&apos;, &apos;verify&apos; or &apos;resume&apos;; a part is a file of its own</source>
+        <translation>passalo a &apos;together&apos;, &apos;verify&apos; o &apos;resume&apos;; un pezzo è un file a sé</translation>
+    </message>
+    <message>
+        <source>a project, not a part</source>
+        <translation>un progetto, non un pezzo</translation>
+    </message>
+    <message>
+        <source>give it to &apos;resume&apos;, &apos;verify&apos; or &apos;together&apos;; a part is a file of its own</source>
+        <translation>passalo a &apos;resume&apos;, &apos;verify&apos; o &apos;together&apos;; un pezzo è un file a sé</translation>
+    </message>
+    <message>
+        <source>not the file of a part</source>
+        <translation>non è il file di un pezzo</translation>
     </message>
 </context>
 <context>

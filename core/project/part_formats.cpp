@@ -1,5 +1,6 @@
 #include "project/part_formats.h"
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/lower_case.h"
 #include "base/run_context.h"
@@ -9,6 +10,7 @@
 #include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/mesh_reader.h"
 #include "project/content_hash.h"
+#include "project/job_magic.h"
 #include "project/loaded_part.h"
 #include "sliced/sliced_reader.h"
 #include "voxel/voxel_text.h"
@@ -100,6 +102,33 @@ bool isOf(const PartFormat& format, NamedFiles files) {
   return format.content == PartContent::Mesh && (files == NamedFiles::AllMeshes || !format.foreign);
 }
 
+// Each once, "STL, OBJ, G-code".
+std::string formatNames() {
+  std::vector<std::string_view> known;
+  std::string names;
+  for (const PartFormat& format : partFormats())
+    if (std::ranges::find(known, format.name) == known.end()) {
+      known.push_back(format.name);
+      names += (names.empty() ? "" : ", ") + std::string(format.name);
+    }
+  return names;
+}
+
+[[noreturn]] void refuseUnknown(std::string_view bytes, const std::string& file) {
+  using base::Error, base::ErrorCode;
+  if (bytes.empty())
+    throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, file);
+  if (bytes.starts_with(kStationMagic))
+    throw Error(ErrorCode::UnreadableFile,
+                "the project of a station of several machines, not a part"_text, file,
+                "give it to 'together', 'verify' or 'resume'; a part is a file of its own"_text);
+  if (bytes.starts_with(kJobMagic))
+    throw Error(ErrorCode::UnreadableFile, "a project, not a part"_text, file,
+                "give it to 'resume', 'verify' or 'together'; a part is a file of its own"_text);
+  throw Error(ErrorCode::UnreadableFile, "not the file of a part"_text, file,
+              base::message("use one of these formats: {formats}"_text, formatNames()));
+}
+
 const PartFormat& formatNamed(std::string_view ending) {
   return *std::ranges::find(partFormats(), ending, &PartFormat::ending);
 }
@@ -122,7 +151,11 @@ const PartFormat& detectedFormat(const std::string& file) {
   const std::string bytes = base::readFile(file);
   if (voxel::looksLikeVoxelText(bytes))
     return formatNamed(".voxels");
-  return formatNamed(build3mf::holdsToolpaths(bytes) ? ".3mf" : ".stl");
+  if (build3mf::holdsToolpaths(bytes))
+    return formatNamed(".3mf");
+  if (!geometry::looksLikeMesh(bytes))
+    refuseUnknown(bytes, file);
+  return formatNamed(".stl");
 }
 
 bool isSlicedFile(const std::string& name) {

@@ -33,8 +33,9 @@ struct PartFormat {
 const std::vector<PartFormat>& partFormats();
 // Returns nullptr if no format has the ending of that name.
 const PartFormat* partFormatOf(const std::filesystem::path& file);
-// Returns the format of a file by the ending of its name, or else by its content: a mesh if nothing
-// else is found. Throws Error{UnreadableFile} if a file of unknown ending cannot be read.
+// Returns the format of a file by the ending of its name, or else by its content. Throws
+// Error{UnreadableFile} if a file of unknown ending cannot be read, is a project, or has no format
+// of the table.
 const PartFormat& detectedFormat(const std::string& file);
 
 // Returns whether a file of that name holds a slicer's tool-paths.

@@ -61,5 +61,25 @@ TEST(PartFormats, AFileOfUnknownEndingIsReadByItsContent) {
   EXPECT_THROW(detectedFormat((folder / "missing").string()), base::Error);
 }
 
+TEST(PartFormats, AFileOfNoFormatIsToldTheFormatsAndAProjectItsCommands) {
+  const test::TemporaryFolder folder;
+  const auto refusalOf = [&](const std::string& name, const std::string& bytes) -> std::string {
+    base::writeFile(folder / name, bytes);
+    try {
+      loadPart((folder / name).string(), true, {});
+    } catch (const base::Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string letter = refusalOf("letter.doc", "Dear all\n");
+  for (const PartFormat& format : partFormats())
+    EXPECT_NE(letter.find(format.name), std::string::npos) << format.name << ": " << letter;
+  EXPECT_NE(refusalOf("job.voluta", "VOLUTA 3\n0 0\n").find("'resume'"), std::string::npos);
+  EXPECT_NE(refusalOf("station.voluta", "VOLUTA STATION 1\n0 0\n").find("station"),
+            std::string::npos);
+  EXPECT_NE(refusalOf("empty.doc", "").find("empty"), std::string::npos);
+}
+
 } // namespace
 } // namespace voluta::project

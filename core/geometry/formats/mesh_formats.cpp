@@ -19,6 +19,17 @@ std::span<const MeshFormat> meshFormats() {
   return kFormats;
 }
 
+std::string meshFormatNames() {
+  std::string names;
+  std::string_view last;
+  for (const MeshFormat& format : kFormats) {
+    if (format.name != last)
+      names += (names.empty() ? "" : ", ") + std::string(format.name);
+    last = format.name;
+  }
+  return names;
+}
+
 const MeshFormat* meshFormatOf(const std::filesystem::path& file) {
   const std::string ending = base::lowerCase(file.extension().string());
   const auto* format = std::ranges::find(kFormats, ending, &MeshFormat::ending);

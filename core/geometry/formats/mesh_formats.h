@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace voluta::geometry {
@@ -16,5 +17,9 @@ struct MeshFormat {
 std::span<const MeshFormat> meshFormats();
 // Returns nullptr if no format has the ending of that name.
 const MeshFormat* meshFormatOf(const std::filesystem::path& file);
+// Returns the names of all formats, each once, "STL, OBJ".
+std::string meshFormatNames();
+// Returns whether a file without one of these endings is read as a mesh, by its content.
+bool looksLikeMesh(std::string_view bytes);
 
 } // namespace voluta::geometry

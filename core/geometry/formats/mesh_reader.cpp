@@ -112,6 +112,10 @@ MeshFile meshOf(FacetSoup soup, const std::string& name) {
   return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
 }
 
+bool looksLikeMesh(std::string_view bytes) {
+  return isBinaryStl(bytes) || !formatOf(bytes, {}).empty();
+}
+
 MeshFile readMesh(const std::filesystem::path& path) {
   return readMesh(base::readFile(path), path.string());
 }
@@ -125,7 +129,7 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
   const std::string_view format = formatOf(text, name);
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
-                "use STL, OBJ, PLY, OFF, 3MF, COLLADA or glTF"_text);
+                base::message("use one of these formats: {formats}"_text, meshFormatNames()));
   FacetSoup soup = format == "stl"   ? readStl(text, name)
                    : format == "obj" ? readObj(text, name)
                    : format == "off" ? readOff(text, name)
