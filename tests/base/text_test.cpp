@@ -103,6 +103,25 @@ TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {
                "wrong (mend it)");
 }
 
+// Quoted from a file of any bytes.
+TEST(Text, BytesThatAreNoCharactersAreReplaced) {
+  const auto quoted = [](const std::string& bytes) {
+    const base::Message quote = message("'{text}'"_text, bytes);
+    EXPECT_EQ(inWords(quote, Other()), base::english(quote));
+    std::string sentence = base::english(quote);
+    return sentence.substr(1, sentence.size() - 2);
+  };
+  EXPECT_EQ(quoted("perché 20 °C, 部件 😀"), "perché 20 °C, 部件 😀");
+  EXPECT_EQ(quoted("a\x80\xFF\xC3"), "a???");
+  EXPECT_EQ(quoted("\xC3\x28"), "?(");
+  EXPECT_EQ(quoted("\xE2\x82"), "??");
+  EXPECT_EQ(quoted("\xC0\xAF"), "??");
+  EXPECT_EQ(quoted("\xC2\x9B"
+                   "31m"),
+            "??31m")
+      << "a control character of terminals";
+}
+
 // The compiler refuses a sentence made at run time and a placeholder without a value.
 template <typename T> constexpr bool kSays = std::is_constructible_v<base::Message, T>;
 static_assert(!kSays<std::string> && !kSays<const char*> && !kSays<std::string_view>);
