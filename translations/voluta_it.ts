@@ -10324,6 +10324,10 @@ facce %</translation>
         <source>not the file of a part</source>
         <translation>non è il file di un pezzo</translation>
     </message>
+    <message>
+        <source>the file ends within line {line}, without a line end: it may be cut there, and the part unfinished; export it again</source>
+        <translation>il file finisce dentro la riga {line}, senza fine riga: potrebbe essere troncato lì e il pezzo incompleto; esportalo di nuovo</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -54,7 +54,8 @@ public:
     file_.volumetric = file_.header.volumetric;
     program::LineReader lines(text_);
     std::string_view line;
-    while (lines.next(line)) {
+    for (std::string_view next; lines.next(next);) {
+      line = next;
       line_ = lines.number();
       if (line_ % 4096 == 0)
         ctx_.checkpoint();
@@ -68,6 +69,7 @@ public:
       }
     }
     endPath();
+    file_.cutLine = isCutIn(line) ? line_ : 0;
     for (const auto& [tool, amounts] : amountAt_)
       file_.nozzleC[tool] =
           std::ranges::max_element(amounts, {}, [](const auto& at) { return at.second; })->first;
@@ -113,7 +115,20 @@ private:
            "write each command in a line of its own"_text);
   }
 
+  // Slicers end each line, and state M commands behind the last bead, which switch the heat off. A
+  // file that was written by hand may lack its last line end.
+  bool isCutIn(std::string_view lastLine) const {
+    if (text_.empty() || text_.ends_with('\n') || text_.ends_with('\r'))
+      return false;
+    const GcodeCommand last = commandOf(lastLine);
+    const bool isMotion = last.letter == 'G' && last.number <= 3.0;
+    const bool hasEnd = lastMLine_ > lastBeadLine_;
+    return isMotion || !hasEnd;
+  }
+
   void execute(const GcodeCommand& command) {
+    if (command.letter == 'M')
+      lastMLine_ = line_;
     if (command.letter == ' ')
       refuseBareWord(command.text);
     if (endsProgram(command)) {
@@ -496,7 +511,7 @@ private:
   const base::RunContext& ctx_;
   SlicedFile file_;
   std::size_t line_ = 0, points_ = 0, lastBeadLine_ = 0; // 0: no bead yet
-  std::size_t endLine_ = 0;                              // Of the program; 0: not yet
+  std::size_t endLine_ = 0, lastMLine_ = 0; // Of the program; of an M command; 0: not yet
 
   Vector3d position_ = Vector3d::Zero(), shift_ = Vector3d::Zero(); // shift_: by G92
   Vector3d direction_ = Vector3d::UnitZ(), stated_ = Vector3d::UnitZ();

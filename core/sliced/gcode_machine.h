@@ -26,6 +26,8 @@ namespace voluta::sliced {
 // - Other M commands, macros and G commands that do not move are skipped; those that change the
 //   print, such as stops, are named in SlicedFile::unused.
 // - Purge lines beside the part are left out.
+// - A file whose last line has no line end, and is a motion or follows the last bead without an M
+//   command, is taken as it is, with its last line in SlicedFile::cutLine.
 //
 // Throws Error{UnreadableFile} with the line for a motion that is not understood, a position beyond
 // a kilometre, a bead from an unknown position, a bead behind the end of the program, an M200

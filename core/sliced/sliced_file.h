@@ -64,6 +64,7 @@ struct SlicedFile {
   std::size_t restLine = 0, ownLine = 0, purgeLine = 0; // The first line of each; 0: none
   std::map<int, int> nozzleC; // By tool: the temperature at which most material is printed [°C]
   int bedC = 0;               // The highest that is set [°C]; 0: none
+  std::size_t cutLine = 0;    // The last line, if the file seems to be cut within it; 0: it is not
   std::vector<base::Message> unused; // Commands that are not acted on, a sentence each
 };
 

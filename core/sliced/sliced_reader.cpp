@@ -35,6 +35,10 @@ std::string heatOf(const SlicedFile& file) {
 
 std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
+  if (file.cutLine > 0)
+    notes.push_back(base::message(
+        "the file ends within line {line}, without a line end: it may be cut there, and the part unfinished; export it again"_text,
+        file.cutLine));
   if (!file.volumetric && !file.header.oddDiameters.empty())
     notes.push_back(base::message(
         "the file states the filament diameter '{text}': {diameter} assumed for values that cannot be used; for another one set `pathsFlow`"_text,

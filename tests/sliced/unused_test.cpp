@@ -69,6 +69,38 @@ std::array<double, 2> volumesByTool(const plan::ToolPlan& plan) {
   return volumes;
 }
 
+// What a file that is cut has up to there is read.
+TEST(SlicedWords, AFileThatEndsWithinALineIsNoted) {
+  std::string print = kHead;
+  for (int k = 0; k < 3; ++k)
+    print += layer(k) + square(60.0, 60.0, 0.8 * (k + 1));
+  const std::string end = "G1 E-2 F2100\nM104 S0\nG1 Z30\nM84\n; filament used = 0.4\n";
+  const auto isNoted = [](const std::string& text) {
+    const std::vector<std::string> notes = notesOf(text);
+    return std::ranges::any_of(notes, [](const std::string& note) {
+      return note.starts_with("the file ends within line");
+    });
+  };
+  for (const char* whole : {"", "M84", "M104 S0\n; end", "; end\n", "M104 S0\r\n"})
+    EXPECT_FALSE(isNoted(print + whole)) << whole;
+  EXPECT_FALSE(isNoted(print + end));
+  for (const char* cut : {"G1 X70 Y63.", "G1 X70 Y63", "G0 X7", "G1", "G", "; TYPE:Wal"})
+    EXPECT_TRUE(isNoted(print + cut)) << cut;
+  EXPECT_TRUE(isNoted(print + "M104 S0\nG1 Z3"));
+  // Wherever the last layer is cut, a reader refuses the word or notes the end.
+  const std::string sound = print + end;
+  for (std::size_t at = sound.rfind("G1 X"); at < print.size(); ++at) {
+    if (sound[at - 1] == '\n')
+      continue;
+    try {
+      EXPECT_TRUE(isNoted(sound.substr(0, at))) << sound.substr(at - 20, 20);
+    } catch (const base::Error&) {
+    }
+  }
+  const std::vector<std::string> notes = notesOf(print + "G1 X70 Y63.");
+  EXPECT_THAT(notes, Contains(HasSubstr("within line 27")));
+}
+
 TEST(SlicedWords, FilamentOfOneToolIsNoDebtOfTheOther) {
   for (const bool returnsFirst : {false, true}) {
     const auto volumes = volumesByTool(readIn(twoTools("", returnsFirst)).plan);
