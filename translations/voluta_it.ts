@@ -10328,6 +10328,18 @@ facce %</translation>
         <source>the file ends within line {line}, without a line end: it may be cut there, and the part unfinished; export it again</source>
         <translation>il file finisce dentro la riga {line}, senza fine riga: potrebbe essere troncato lì e il pezzo incompleto; esportalo di nuovo</translation>
     </message>
+    <message>
+        <source>&apos;{text}&apos; is more than a kilometre away</source>
+        <translation>&apos;{text}&apos; è a più di un chilometro</translation>
+    </message>
+    <message>
+        <source>give places in mm</source>
+        <translation>indica le posizioni in mm</translation>
+    </message>
+    <message>
+        <source>there is no curve for tapes</source>
+        <translation>non ci sono curve per i nastri</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -192,6 +192,24 @@ TEST(Tapes, CurvesAreReadOrRefused) {
   for (const char* bad : {"0,0", "0,0 1", "0,0 a,b", "0,0 1,2,3,4", "0,0 1,nan", "0,0 1,2,", "0 1"})
     EXPECT_THROW(tapeCurves(bad), base::Error) << bad;
   EXPECT_THROW(tapeKind("spiral"), base::Error);
+  EXPECT_THROW(tapesOn(evenPatch(60, 30), {.paths = "curves"}), base::Error);
+}
+
+// Curves are followed in steps: farther ones would never end, or lose the steps on the part.
+TEST(Tapes, PlacesBeyondAKilometreAreRefused) {
+  EXPECT_EQ(tapeCurves("-1e6,0 1e6,0").size(), 1u);
+  EXPECT_EQ(tapeField("0,0,1e6,1,0,0").size(), 1u);
+  for (const char* far : {"-25,0 1e9,0", "-25,0 1e300,0", "0,0 0,-1000001", "0,0,0 0,0,2e6"})
+    try {
+      tapeCurves(far);
+      ADD_FAILURE() << far;
+    } catch (const base::Error& error) {
+      const std::string line = error.what();
+      EXPECT_NE(line.find("fibreCurves"), std::string::npos) << line;
+      EXPECT_NE(line.find("kilometre"), std::string::npos) << line;
+    }
+  for (const char* far : {"1e9,0,0,1,0,0", "0,0,-1e300,1,0,0", "0,0,0,1e300,0,0"})
+    EXPECT_THROW(tapeField(far), base::Error) << far;
 }
 
 // ---- fields

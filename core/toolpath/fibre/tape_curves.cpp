@@ -1,11 +1,13 @@
 #include "toolpath/fibre/tape_curves.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/filled_file.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 namespace voluta::toolpath {
@@ -44,6 +46,7 @@ Vector3d pointOf(const std::string& word) {
   const std::vector<double> n = numbersOf(word);
   if (n.size() != 2 && n.size() != 3)
     refuse(word);
+  base::refuseFar(n, word, "fibreCurves"_name);
   return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
 }
 } // namespace
@@ -73,11 +76,12 @@ std::vector<FieldSample> tapeField(const std::string& text) {
     const std::vector<double> n = numbersOf(word);
     const bool isSample = n.size() == 6;
     const Vector3d direction = isSample ? Vector3d(n[3], n[4], n[5]) : Vector3d::Zero();
-    if (!(direction.norm() > 0.0))
+    if (!(direction.norm() > 0.0) || !std::isfinite(direction.norm()))
       throw base::Error(
           base::ErrorCode::Usage, base::message("'{part}' is no direction at a place"_text, word),
           "fibreField"_name,
           "give place and direction as x,y,z,dx,dy,dz, separated by spaces or lines"_text);
+    base::refuseFar(std::span(n).first(3), word, "fibreField"_name);
     samples.push_back({Vector3d(n[0], n[1], n[2]), direction.normalized()});
   }
   return samples;

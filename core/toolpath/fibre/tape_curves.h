@@ -8,8 +8,8 @@
 namespace voluta::toolpath {
 
 // Returns the polylines in a text like "0,0 50,10 80,10; 0,5 80,5,2": points x,y or x,y,z in the
-// work frame [mm], separated by spaces, curves by semicolons. Throws Error{Usage} for anything else
-// and for a curve of fewer than two points.
+// work frame [mm], separated by spaces, curves by semicolons. Throws Error{Usage} for anything
+// else, for a curve of fewer than two points, and for a point beyond a kilometre.
 std::vector<std::vector<Eigen::Vector3d>> tapeCurves(const std::string& text);
 
 struct FieldSample {
@@ -17,8 +17,8 @@ struct FieldSample {
   Eigen::Vector3d direction; // unit; its sign does not matter
 };
 // Returns the samples in a text like "0,0,0,1,0,0 50,0,0,1,0.2,0": x,y,z,dx,dy,dz, separated by
-// blanks, semicolons or lines. Throws Error{Usage} for anything else and for directions without a
-// length.
+// blanks, semicolons or lines. Throws Error{Usage} for anything else, for directions without a
+// length, and for places beyond a kilometre.
 std::vector<FieldSample> tapeField(const std::string& text);
 
 // Returns the content of the file if the text is a file's name, else the text. Throws

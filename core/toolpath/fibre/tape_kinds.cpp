@@ -101,6 +101,11 @@ SurfaceCurve projected(const PatchSurface& s, const std::vector<Vector3d>& line)
 
 std::vector<TapeFamily> alongCurves(const PatchSurface& s, const process::Tape&,
                                     const TapeChoice& choice, const base::RunContext& ctx) {
+  if (choice.curves.empty())
+    throw base::Error(base::ErrorCode::Usage, "there is no curve for tapes"_text,
+                      "fibreCurves"_name,
+                      "give points in mm: x,y or x,y,z, separated by spaces, at least two for each "
+                      "curve, and semicolons between curves"_text);
   TapeFamily family;
   for (const std::vector<Vector3d>& line : choice.curves) {
     ctx.checkpoint();
