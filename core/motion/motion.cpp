@@ -25,6 +25,7 @@
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_to.h"
+#include "robot/tool_changer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -351,7 +352,6 @@ private:
   // Adds the events of a step of the change to the tool, before the motion to the next point.
   void changeTool(ToolStep::Kind step, int tool) {
     using By = robot::ToolChange::By;
-    constexpr double kChangerS = 1.0; // Time that a tool changer needs to lock or release
     const By by = cell_.toolChange().by;
     const auto add = [&](plan::TrajectoryEvent event) {
       event.point = result_.trajectory.pointCount();
@@ -360,7 +360,7 @@ private:
     };
     switch (step) {
     case ToolStep::Kind::Release:
-      add({.kind = plan::EventKind::Release, .seconds = kChangerS});
+      add({.kind = plan::EventKind::Release, .seconds = robot::kChangerS});
       break;
     case ToolStep::Kind::Take:
       // The operator fits the tool before an output selects it.
@@ -369,7 +369,7 @@ private:
       add({.kind = plan::EventKind::ToolChange, .tool = tool});
       ++result_.statistics.toolChanges;
       if (by == By::Changer)
-        add({.kind = plan::EventKind::Lock, .seconds = kChangerS});
+        add({.kind = plan::EventKind::Lock, .seconds = robot::kChangerS});
       break;
     case ToolStep::Kind::Purge:
       if (const auto purge = purgeEvent(tooling_.at(tool).process, options_.purge.changeMm3))

@@ -7,6 +7,7 @@
 #include "program/common/program_text.h"
 #include "program/extruder.h"
 #include "program/stream/extruder_stream.h"
+#include "robot/tool_changer.h"
 
 #include <algorithm>
 #include <bit>
@@ -135,7 +136,7 @@ std::vector<int> usedOutputs(const ProgramInput& input) {
   if (input.selectsTool())
     for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
       outputs.push_back(tool);
-  if (hasEvent(input, plan::EventKind::Lock))
+  if (locksTool(input))
     outputs.push_back(kChangerOutput);
   if (hasEvent(input, plan::EventKind::Mark))
     for (const int signal : plan::markSignalsOf(input.trajectory))
@@ -349,6 +350,10 @@ std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) 
     lines.emplace_back(rest);
   }
   return lines;
+}
+
+bool locksTool(const ProgramInput& input) {
+  return robot::hasChanger(input.cell) || hasEvent(input, plan::EventKind::Lock);
 }
 
 bool cutsTape(const ProgramInput& input) {

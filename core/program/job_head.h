@@ -53,6 +53,9 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 // Returns whether the program cuts tape, for which a head names the output.
 bool cutsTape(const ProgramInput& input);
 
+// Returns whether the program has an output that locks the tool of a tool changer.
+bool locksTool(const ProgramInput& input);
+
 // Shown at a planned pause.
 inline constexpr std::string_view kPauseText = "Paused. Continue?";
 // Returns e.g. "tool 2 (petg-1.0, PETG, 240 C)"; long names are cut.

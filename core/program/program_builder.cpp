@@ -214,9 +214,10 @@ bool isMark(int signal) {
 } // namespace
 
 bool ProgramBuilder::toolOutput(int tool, bool on) {
-  if (tool == kChangerOutput && toolOutputs_.size() > 1) {
+  // In a job of one tool the cell may have no changer: then it is another output.
+  if (tool == kChangerOutput) {
     state(plan::FactKind::ToolLocked, on ? 1.0 : 0.0);
-    return true;
+    return on || toolOutputs_.size() > 1;
   }
   if (isMark(tool)) {
     statePassingOutput();

@@ -6,6 +6,8 @@
 #include "process/bead_model.h"
 #include "program/extruder.h"
 #include "replay/approach.h"
+#include "replay/start_lock.h"
+#include "robot/tool_changer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +112,14 @@ private:
   bool waitsBefore(std::size_t motion) const { return planned_.secondsAt(motion) > 0.0; }
   // Planned duration of a pause without flow.
   double plannedPauseS(const plan::ProgramPause& p) const {
-    return std::min(p.drawnMm, tooling_.at(p.tool).process.retractMm) / program::kDrawBackMmPerS;
+    return std::min(p.drawnMm, tooling_.at(p.tool).process.retractMm) / program::kDrawBackMmPerS +
+           lockS(p);
+  }
+
+  double lockS(const plan::ProgramPause& p) const {
+    return robot::hasChanger(cell_)
+               ? fileLockS(program_, static_cast<std::size_t>(&p - program_.pauses.data()))
+               : 0.0;
   }
 
   void prime() {

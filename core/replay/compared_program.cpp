@@ -17,6 +17,7 @@
 #include "replay/required_bead_words.h"
 #include "replay/required_facts.h"
 #include "replay/section_errors.h"
+#include "replay/start_lock.h"
 #include "replay/verdict_findings.h"
 
 #include <algorithm>
@@ -134,11 +135,12 @@ private:
         compareWithPlan(in_.program, path(), planned_, in_.trajectory, alignment_, options));
     addDeviations(
         compareStatedFacts(in_.program, in_.trajectory, alignment_, in_.cell, in_.tooling));
+    addDeviations(compareStartLock(in_.program, in_.cell));
     addDeviations(compareHeat(in_.program, in_.trajectory, in_.tooling, in_.firstPoint));
     addFindings(verdict,
                 compareFan(in_.program, in_.plan, in_.trajectory, alignment_, in_.tooling));
-    addDeviations(
-        compareEvents(in_.program, in_.trajectory, alignment_, in_.tooling, in_.firstPoint));
+    addDeviations(compareEvents(in_.program, in_.trajectory, alignment_, in_.tooling, in_.cell,
+                                in_.firstPoint));
     addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
     stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
     addDrops();

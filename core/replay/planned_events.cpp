@@ -4,6 +4,8 @@
 #include "plan/marks.h"
 #include "program/dialect.h"
 #include "replay/change_order.h"
+#include "replay/start_lock.h"
+#include "robot/tool_changer.h"
 
 #include <algorithm>
 #include <array>
@@ -39,9 +41,11 @@ constexpr double kPurgeShare = 0.02; // Tolerance of the volume of purges
 class EventComparer {
 public:
   EventComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-                const Alignment& alignment, const process::Tooling& tooling, std::size_t firstPoint)
+                const Alignment& alignment, const process::Tooling& tooling, bool hasChanger,
+                std::size_t firstPoint)
       : program_(program), trajectory_(trajectory), alignment_(alignment), tooling_(tooling),
-        firstPoint_(firstPoint), found_(trajectory.events.size(), false) {}
+        hasLock_(hasChanger || !tooling.isOne()), firstPoint_(firstPoint),
+        found_(trajectory.events.size(), false) {}
 
   std::vector<TextFinding> compare() {
     const StatedFact* begin = nullptr; // selects the tool of the first motion
@@ -53,7 +57,7 @@ public:
         endsByItself(fact);
       if (kind && isBetweenMotions(fact) && !(selects && fact.tool == selected))
         stated(fact, *kind);
-      if (kind == EventKind::Release && !isBetweenMotions(fact))
+      if (kind == EventKind::Release && hasLock_ && !isBetweenMotions(fact))
         unplanned(fact, EventKind::Release);
       if (!selects)
         continue;
@@ -213,7 +217,8 @@ private:
         return;
       }
     }
-    unplanned(fact, kind);
+    if (!locksAtFile(program_, fact))
+      unplanned(fact, kind);
   }
   void unplanned(const StatedFact& fact, EventKind kind) {
     findings_.push_back(textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
@@ -245,6 +250,7 @@ private:
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
   const process::Tooling& tooling_;
+  const bool hasLock_; // there is a tool changer's output
   const std::size_t firstPoint_;
   std::vector<bool> found_;                      // per event of the trajectory
   bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
@@ -280,11 +286,12 @@ PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajecto
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment, const process::Tooling& tooling,
-                                       std::size_t firstPoint) {
+                                       const robot::Cell& cell, std::size_t firstPoint) {
   if (program.motions.empty())
     return {};
   std::vector<TextFinding> found =
-      EventComparer(program, trajectory, alignment, tooling, firstPoint).compare();
+      EventComparer(program, trajectory, alignment, tooling, robot::hasChanger(cell), firstPoint)
+          .compare();
   std::ranges::move(compareChangeOrder(program, trajectory, alignment, tooling, firstPoint),
                     std::back_inserter(found));
   return found;

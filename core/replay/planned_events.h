@@ -6,6 +6,7 @@
 #include "process/tooling.h"
 #include "replay/alignment.h"
 #include "replay/comparison.h"
+#include "robot/cell.h"
 
 #include <cstddef>
 #include <vector>
@@ -25,7 +26,7 @@ namespace voluta::replay {
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment, const process::Tooling& tooling,
-                                       std::size_t firstPoint = 0);
+                                       const robot::Cell& cell, std::size_t firstPoint = 0);
 
 // Returns how much the duration of a planned wait may differ [s].
 double waitTolerance(double plannedS);

@@ -4,6 +4,7 @@
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "program/assumptions.h"
+#include "replay/changer_cell.h"
 #include "replay/event_programs.h"
 #include "replay/told.h"
 
@@ -20,7 +21,8 @@ constexpr double kPurgeMm3 = 50.0, kPurgeS = 4.0;
 // A box of four layers, the second and the third of them by tool 2.
 class ToolChanges : public EventPrograms {
 protected:
-  void SetUp() override {
+  void SetUp() override { addChanges(); }
+  void addChanges() {
     for (plan::ToolPath& path : scene_.plan.paths)
       path.tool = path.layer == 1 || path.layer == 2 ? 1 : 0;
     process::Process other = scene_.process;
@@ -47,6 +49,8 @@ protected:
   }
   // A changer switches the tools: no stop, no purge.
   void useChanger() {
+    scene_ = test::boxScene(4, test::changerCell());
+    addChanges();
     std::vector<plan::TrajectoryEvent> events;
     for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
       if (event.kind == plan::EventKind::ToolChange) {

@@ -5,10 +5,12 @@
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
+#include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/filament.h"
 #include "program/gcode/extruder_axis.h"
 #include "program/job_head.h"
+#include "robot/tool_changer.h"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +31,8 @@ public:
   Walker(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
          const base::RunContext& ctx)
       : in_(input), walk_(walk), emitter_(emitter), ctx_(ctx), paths_(input.toolPlan),
-        extruder_(extruderOf(input)) {
+        extruder_(extruderOf(input)),
+        locks_(locksTool(input) && hasWordFor(findDialect(walk.format), plan::EventKind::Lock)) {
     if (byAxis())
       zeros_ = axisCount(input).zeros;
     for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)
@@ -45,6 +48,8 @@ public:
       emitter_.beginFile(file);
       if (file == 0)
         marks(0);
+      else
+        lockAtFile(walk_.cuts[file]);
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
@@ -91,6 +96,10 @@ private:
       // The operator has fitted it by then. Dialects without outputs select it in their heads.
       if (walk_.outputs != nullptr && in_.selectsTool())
         selectTool();
+      if (locks_) {
+        emitter_.setOutput(kChangerOutput, true);
+        emitter_.wait(robot::kChangerS);
+      }
     }
     if (!amidBead)
       events(i);
@@ -149,6 +158,17 @@ private:
       case plan::EventKind::StopLag: // said by the flow (TcpMotions)
         break;
       }
+  }
+
+  // A file may be started alone, after a stop; a change locks its tool itself.
+  void lockAtFile(std::size_t point) {
+    const auto events = in_.trajectory.eventsBefore(point);
+    if (!locks_ || std::ranges::find(events, plan::EventKind::Lock, &plan::TrajectoryEvent::kind) !=
+                       events.end())
+      return;
+    emitter_.setOutput(kChangerOutput, true);
+    if (walk_.filesRunAlone)
+      emitter_.wait(robot::kChangerS);
   }
 
   // Each tool has its own filament, which the operator or a tool changer takes away.
@@ -333,6 +353,7 @@ private:
   PathNames paths_;
   WrittenOutputs outputs_{in_.tooling.fullFlowMm3PerS()};
   const Extruder& extruder_;
+  const bool locks_;  // before anything moves: an earlier run may have left the tool unlocked
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
   int tool_ = in_.trajectory.firstTool; // selected

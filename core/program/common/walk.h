@@ -66,6 +66,7 @@ struct Walk {
   // (program/extruder.h), and which then primes at the first point; nullptr: the motions contain
   // amounts.
   const TcpMotions* outputs = nullptr;
+  bool filesRunAlone = false; // each file is started by itself, when the one before has ended
 };
 
 // Emits per point its remark, the outputs and the motion; at the first point also the prime. With

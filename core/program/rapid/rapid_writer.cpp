@@ -77,7 +77,7 @@ public:
       endModule(0);
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
-    if (!byAxis_ || cutsTape(in_))
+    if (!byAxis_ || cutsTape(in_) || locksTool(in_))
       program_.files.push_back({name_ + "_EIO.cfg", signals()});
     program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});
     return std::move(program_);
