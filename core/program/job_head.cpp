@@ -238,12 +238,16 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
   return std::nullopt;
 }
 
+std::string fittedQuestion(const ProgramInput& input) {
+  const bool isFed = input.cell.toolChange().by == robot::ToolChange::By::Feeder;
+  return joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
+                 isFed ? " selected" : " fitted"});
+}
+
 namespace {
 // Names the tool, which an operator may have to fit first, also before the rest of a print.
 std::string toolQuestion(const ProgramInput& input) {
-  const bool isFed = input.cell.toolChange().by == robot::ToolChange::By::Feeder;
-  const std::string tool = joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
-                                   isFed ? " selected" : " fitted"});
+  const std::string tool = fittedQuestion(input);
   std::string question = tool + " and the way clear?";
   if (const int bed = plateC(input); bed > 0) {
     std::string all =

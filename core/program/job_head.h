@@ -81,5 +81,8 @@ inline constexpr std::string_view kStartQuestion =
 // material and temperature. At most kQuestionLength characters.
 std::string startQuestion(const ProgramInput& input);
 inline constexpr std::size_t kQuestionLength = 80; // RAPID's strings
+// Returns the beginning of a question about the first tool, e.g. "Is tool 1 (fdm-1.0, PLA, 210 C)
+// fitted".
+std::string fittedQuestion(const ProgramInput& input);
 
 } // namespace voluta::program

@@ -8,7 +8,9 @@
 #include "replay/planned_events.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace voluta::replay {
@@ -197,18 +199,34 @@ private:
                                    {{"statement", nameOf(Step::Heat)}}));
   }
 
-  // A tool that the operator fits has no heat before the stop for it.
+  // A tool that the operator fits has no heat before the stop for it, and none from the stop on at
+  // which he takes it off.
   void compareFitted() {
     int fitted = trajectory_.toolAt(firstPoint_);
+    std::map<int, double> heat; // commanded last, of each tool
+    std::set<int> removed;
     std::size_t next = program_.firstMotion + 1;
     for (const StatedFact& fact : program_.facts) {
       for (; next < fact.before && next < program_.motions.size(); ++next)
         fitted = fittedBefore(next).value_or(fitted);
       if (fact.kind == FactKind::OperatorStop && fact.before > program_.firstMotion &&
           fact.before < program_.motions.size())
-        fitted = fittedBefore(fact.before).value_or(fitted);
-      if (fact.kind != FactKind::NozzleHeat || fact.number <= 0.0 || fact.tool == fitted ||
-          !plan::isFittedByHand(trajectory_, fact.tool))
+        if (const std::optional<int> tool = fittedBefore(fact.before); tool && *tool != fitted) {
+          removed.insert(fitted);
+          if (heat[fitted] > 0.0)
+            tellHot(fact, fitted, heat[fitted]);
+          fitted = *tool;
+        }
+      if (fact.kind != FactKind::NozzleHeat)
+        continue;
+      heat[fact.tool] = fact.number;
+      if (fact.number <= 0.0 || fact.tool == fitted)
+        continue;
+      if (removed.contains(fact.tool)) {
+        tellHot(fact, fact.tool, fact.number);
+        continue;
+      }
+      if (!plan::isFittedByHand(trajectory_, fact.tool))
         continue;
       found_.push_back(
           textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
@@ -217,6 +235,13 @@ private:
                        {"found", base::message("before {event}"_text, nameOf(Step::Stop))},
                        {"planned", base::message("behind {event}"_text, nameOf(Step::Stop))}}));
     }
+  }
+  void tellHot(const StatedFact& at, int tool, double celsius) {
+    found_.push_back(textFinding(
+        program_, StatementChanged, {at.file + 1U, at.line},
+        {{"statement", base::message("the heat of {tool}"_text, program::toolName(tooling_, tool))},
+         {"found", base::number(celsius)},
+         {"planned", base::number(0.0)}}));
   }
   // Returns the tool that the operator fits before that motion.
   std::optional<int> fittedBefore(std::size_t motion) const {

@@ -19,9 +19,9 @@ namespace voluta::replay {
 // between selection and purge, in programs that heat; and for a release or a lock of a tool changer
 // whose time does not pass before the next statement of the change. In a job of several tools the
 // same holds of the stop and the selection before the first motion. A tool that the operator fits
-// must not be heated before the stop for it. Statements that are missing
-// altogether are the business of compareEvents. `firstPoint`: point of the trajectory at which the
-// program begins.
+// must not be heated before the stop for it, nor from the stop on at which the operator takes it
+// off. Statements that are missing altogether are the business of compareEvents. `firstPoint`:
+// point of the trajectory at which the program begins.
 std::vector<TextFinding> compareChangeOrder(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment,

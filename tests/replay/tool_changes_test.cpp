@@ -450,6 +450,59 @@ TEST_F(ToolChanges, EveryEditIsRefused) {
   }
 }
 
+// The operator takes the tool off at the stop: its heat is off by then and stays off.
+TEST_F(ToolChanges, TheHeatOfARemovedToolIsOffBeforeTheStop) {
+  std::size_t languages = 0;
+  for (const std::string_view format : formats()) {
+    const test::ProgramText text = test::textOf(programFor(format));
+    if (std::ranges::find(text.lines, "G28") == text.lines.end())
+      continue;
+    SCOPED_TRACE(format);
+    ++languages;
+    EXPECT_TRUE(verify(read(text)).passed) << told(verify(read(text)));
+    for (const auto& [stop, off] :
+         {std::pair("M0 Fit tool 2", "M104 T0 S0"), std::pair("M0 Fit tool 1", "M104 T1 S0")}) {
+      const auto at = std::ranges::find_if(
+          text.lines, [&](const std::string& line) { return line.starts_with(stop); });
+      ASSERT_NE(at, text.lines.end());
+      const auto stopAt = at - text.lines.begin();
+      ASSERT_EQ(text.lines[static_cast<std::size_t>(stopAt) - 1], off);
+      const auto line = static_cast<std::size_t>(stopAt);
+
+      test::ProgramText missing = text;
+      missing.lines.erase(missing.lines.begin() + stopAt - 1);
+      expectAt(verify(read(missing)), line);
+
+      test::ProgramText late = text;
+      std::swap(late.lines[line - 1], late.lines[line]);
+      expectAt(verify(read(late)), line);
+
+      test::ProgramText again = text;
+      std::string heat = off;
+      heat.back() = '2';
+      again.lines.insert(again.lines.begin() + stopAt + 1, heat + "10");
+      expectAt(verify(read(again)), line + 2);
+    }
+  }
+  EXPECT_GE(languages, 1u);
+}
+
+// The plate is heated behind the question.
+TEST_F(ToolChanges, GcodeAsksForTheToolAndTheWayHome) {
+  const test::ProgramText text = test::textOf(programFor("gcode-extended"));
+  EXPECT_EQ(std::ranges::count_if(text.lines,
+                                  [](const std::string& line) {
+                                    return line.starts_with(
+                                               "M0 The machine drives home and then to its start. "
+                                               "Is tool 1 (fdm-1.0, ") &&
+                                           line.ends_with(") fitted and the way clear?");
+                                  }),
+            1);
+  EXPECT_TRUE(std::ranges::none_of(text.lines, [](const std::string& line) {
+    return line.starts_with("M0") && line.find("plate") != std::string::npos;
+  }));
+}
+
 // Outputs of two tools that are on at once are refused.
 TEST_F(ToolChanges, OutputsOfSeveralToolsAreRefused) {
   tooling_ = process::Tooling(

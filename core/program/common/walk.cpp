@@ -179,8 +179,10 @@ private:
 
   // `change`: for which the operator is awaited; nullptr: for none.
   void pause(const plan::TrajectoryEvent* change) {
-    if (change)
+    if (change) {
       returnDrawn();
+      emitter_.coolTool(tool_);
+    }
     emitter_.pause(change ? changeText(in_.tooling, change->tool) : std::string(kPauseText));
   }
 

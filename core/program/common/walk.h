@@ -39,6 +39,8 @@ public:
   virtual void selectTool(int /*tool*/) {}
   // Waits until the nozzle of a tool just selected is hot, for dialects that heat.
   virtual void awaitHeat(int /*tool*/) {}
+  // Turns off the heat of a tool before the operator takes it off, for dialects that heat.
+  virtual void coolTool(int /*tool*/) {}
   // Waits without time limit until an input has that value, the arm at rest. Marks set and await
   // the outputs and inputs kMarkOutput and the next.
   virtual void awaitInput(int /*input*/, bool /*on*/) {}

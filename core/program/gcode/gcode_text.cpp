@@ -43,6 +43,7 @@ private:
 
   void selectTool(int tool) override { text_.line(joined({"T", std::to_string(tool)})); }
   void awaitHeat(int tool) override { text_.awaitHeat(in_, tool); }
+  void coolTool(int tool) override { text_.cool(in_, tool); }
   void pause(std::string_view message) override { text_.stop(message); }
   void purge(double filamentMm, double seconds) override {
     text_.purge(filamentMm, filamentMm / seconds * 60.0);
@@ -196,6 +197,11 @@ void GcodeText::awaitHeat(const ProgramInput& input, int tool) {
     line(heating("M109", tool) + std::to_string(*celsius));
 }
 
+void GcodeText::cool(const ProgramInput& input, int tool) {
+  if (input.tooling.at(tool).process.material.nozzleC)
+    line(heating("M104", tool) + "0");
+}
+
 void GcodeText::stop(std::string_view message) {
   line(joined({"M0 ", gcodeStopText(message)}));
 }
@@ -215,7 +221,10 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   word("", kFilamentDiameterMm, 3, true);
   out += " mm\n";
   line(modes);
-  const std::string asked = input.selectsTool() ? startQuestion(input) : std::string(question);
+  // The plate is heated behind the question.
+  const std::string asked =
+      input.selectsTool() ? joined({kGcodeWay, " ", fittedQuestion(input), " and the way clear?"})
+                          : std::string(question);
   line("M117 " + asked);
   if (input.selectsTool()) {
     stop(asked);

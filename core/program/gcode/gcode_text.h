@@ -22,6 +22,7 @@ inline constexpr double kGcodeFullPin = 255.0;
 // Speed of retracting and returning filament.
 inline constexpr double kDrawnMmPerS = 30.0;
 inline constexpr std::string_view kGcodeEnd = "; end";
+inline constexpr std::string_view kGcodeWay = "The machine drives home and then to its start.";
 // Like kStartQuestion, for machines that are not arms.
 inline constexpr std::string_view kGcodeQuestion =
     "The machine drives home and then to its start. Is the way clear?";
@@ -44,6 +45,8 @@ public:
   void stop(std::string_view message);
   // Waits until the tool's nozzle is hot, if its temperature is known.
   void awaitHeat(const ProgramInput& input, int tool);
+  // Turns off the tool's heat, if its temperature is known.
+  void cool(const ProgramInput& input, int tool);
   void remark(std::string_view text);
 
   // Writes remarks, units, the question, the tool that the program begins with (if the job has
