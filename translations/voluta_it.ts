@@ -10340,6 +10340,22 @@ facce %</translation>
         <source>there is no curve for tapes</source>
         <translation>non ci sono curve per i nastri</translation>
     </message>
+    <message>
+        <source>this text goes nowhere: the connection &apos;{name}&apos; is not open</source>
+        <translation>questo testo non va da nessuna parte: la connessione &apos;{name}&apos; non è aperta</translation>
+    </message>
+    <message>
+        <source>a connection needs an address and a port</source>
+        <translation>una connessione richiede un indirizzo e una porta</translation>
+    </message>
+    <message>
+        <source>this file moves the arm before it states the payload</source>
+        <translation>questo file muove il braccio prima di dichiarare il carico utile</translation>
+    </message>
+    <message>
+        <source>this file sets the flow before it states the range of the output</source>
+        <translation>questo file imposta il flusso prima di dichiarare il campo dell&apos;uscita</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -3,6 +3,7 @@
 #include "program_fixture.h"
 
 #include "program/dialect.h"
+#include "program/extruder.h"
 
 #include <algorithm>
 #include <sstream>
@@ -111,6 +112,45 @@ TEST_F(PartText, OfUrscriptForAPortIsRefusedAtItsLine) {
   const std::size_t end = linesOf(program.files[1].text).size() + 1;
   for (const std::string added : {"movej([0,0,0,0,0,0])\n", "junk junk\n"})
     EXPECT_TRUE(isTold(read("urscript", with(program.files, 1, end, added)), 1, end)) << added;
+}
+
+// Each of them opens its own connection to the extruder, also in a file node: each part closes it.
+TEST_F(PartText, OfUrscriptSendsOnlyByAnOpenConnection) {
+  randomFor(findDialect("urscript"), 9, 300);
+  for (const char* form : {"port", "node"}) {
+    SCOPED_TRACE(form);
+    ProgramInput in = input();
+    in.options.motionsPerFile = 100;
+    in.options.own["urscriptForm"] = std::string(form);
+    in.options.own[std::string(kExtruderOption)] = std::string("castelli-serial");
+    const plan::Program program = writeProgram("urscript", in);
+    const plan::ReadProgram whole = read("urscript", program.files);
+    ASSERT_TRUE(whole.defects.empty() && whole.complete);
+    const auto last = program.files.size() - 1;
+    const std::vector<std::string> lines = linesOf(program.files[last].text);
+    const auto opens = std::ranges::find_if(lines, [](const std::string& line) {
+      return line.find("socket_open(") != std::string::npos;
+    });
+    ASSERT_NE(opens, lines.end());
+    const auto changed = [&](const std::string& by) {
+      std::vector<plan::ProgramFile> files = program.files;
+      std::string& text = files[last].text;
+      text.replace(text.find(*opens), opens->size(), by);
+      return read("urscript", files);
+    };
+    const auto at = static_cast<std::size_t>(opens - lines.begin()) + 1;
+    std::string name = *opens, address = *opens;
+    name.replace(name.find("\"extruder\""), 10, "\"other\"");
+    address.replace(address.find(",5000,"), 6, ",5001,");
+    for (const std::string& by : {std::string("  sync()\n"), name}) {
+      const plan::ReadProgram read = changed(by);
+      EXPECT_TRUE(isTold(read, last, at + 1)) << by;
+      // Nothing is deposited by it.
+      for (const plan::ProgramMotion& motion : read.motions)
+        EXPECT_FALSE(motion.file == last && motion.extruding) << by << motion.line;
+    }
+    EXPECT_TRUE(isTold(changed(address), last, at + 1));
+  }
 }
 
 // The first module stays loaded, and `main` is then ambiguous.

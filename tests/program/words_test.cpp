@@ -378,6 +378,8 @@ TEST(Words, AreAcceptedOnlyAtTheirPlaces) {
 // A port, a signal, a tool and an output's value are whole numbers: a controller refuses others, or
 // takes the next one.
 TEST(Words, NumbersOfPortsAreWhole) {
+  const std::string opened = "socket_open(\"192.168.0.30\",5000,\"extruder\")\n"
+                             "socket_send_string(\"G0n\",\"extruder\")\n";
   const struct {
     const char* format;
     std::string (*program)(const std::string&, const std::string&, const std::string&);
@@ -396,8 +398,15 @@ TEST(Words, NumbersOfPortsAreWhole) {
         "while (get_configurable_digital_in(0.5)!=True):\nsync()\nend\n"}},
       {"urscript",
        urscript,
-       "socket_send_string(\"G0n\",\"extruder\")\nsocket_send_string(\"G0n\",\"extruder\")\n",
-       {"socket_send_string(\"G0n\",\"extruder\")\nsocket_send_string(\"G0n\",\"other\")\n"}},
+       opened + "socket_send_string(\"G0n\",\"extruder\")\n",
+       {opened + "socket_send_string(\"G0n\",\"other\")\n",
+        "socket_send_string(\"G0n\",\"extruder\")\n",
+        opened + "socket_open(\"192.168.0.30\",5000,\"other\")\n" +
+            "socket_send_string(\"G0n\",\"other\")\n",
+        opened + "socket_open(\"192.168.0.31\",5000,\"extruder\")\n" +
+            "socket_send_string(\"G0n\",\"extruder\")\n",
+        opened + "socket_close(\"extruder\")\nsocket_send_string(\"G0n\",\"extruder\")\n",
+        "socket_open(5000,\"extruder\")\n", "socket_open(\"192.168.0.30\",5000.3)\n"}},
       {"rapid",
        rapid,
        "SetDO doMark1,1;\n",
@@ -410,8 +419,12 @@ TEST(Words, NumbersOfPortsAreWhole) {
       {"spel", spelplus, "  Wait Sw(6) = On\n", {}},
       {"spel",
        spelplus,
-       "  Write #201, \"G0n\"\n  Write #201, \"G0n\"\n",
-       {"  Write #201.3, \"G0n\"\n", "  Write #201, \"G0n\"\n  Write #202, \"G0n\"\n"}},
+       "  OpenNet #201 As Client\n  Write #201, \"G0n\"\n  Write #201, \"G0n\"\n",
+       {"  OpenNet #201 As Client\n  Write #201.3, \"G0n\"\n",
+        "  OpenNet #201 As Client\n  OpenNet #202 As Client\n"
+        "  Write #201, \"G0n\"\n  Write #202, \"G0n\"\n",
+        "  Write #201, \"G0n\"\n", "  OpenNet #202 As Client\n  Write #201, \"G0n\"\n",
+        "  OpenNet #201 As Client\n  CloseNet #201\n  Write #201, \"G0n\"\n"}},
       {"melfa", melfa, "M_Out(8)=1\n", {"M_Out(8.3)=1\n", "M_Out(8)=0.5\n", "M_Out(10.3)=0\n"}},
       {"melfa", melfa, "Wait M_In(8)=1\n", {"Wait M_In(8.3)=1\n", "Wait M_In(8)=0.5\n"}},
       {"melfa",

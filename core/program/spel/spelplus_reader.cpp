@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "program/common/open_connections.h"
 #include "program/common/procedures.h"
 #include "program/common/program_text.h"
 #include "program/program_builder.h"
@@ -115,6 +116,8 @@ private:
       return load(line);
     if (!out_.word(spelplusWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
+    if (word == "opennet" || word == "closenet")
+      return connection(word == "opennet", line);
     std::string_view text;
     if ((word == "print" || word == "msgbox") && line.takeText(text))
       out_.show(text);
@@ -197,6 +200,20 @@ private:
     out_.flow(volts / kVolts);
     return true;
   }
+  // OpenNet #201 As Client; CloseNet #201
+  bool connection(bool opens, LineCursor& line) {
+    double port = 0.0;
+    if (!line.takeMark('#') || !line.takeNumber(port))
+      return false;
+    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    if (!number)
+      return false;
+    if (opens)
+      ports_.open(joined({"#", std::to_string(*number)}), {});
+    else
+      ports_.close(joined({"#", std::to_string(*number)}));
+    return takeRest(line);
+  }
   // Write #201, "text"
   bool send(LineCursor& line) {
     double port = 0.0;
@@ -207,7 +224,10 @@ private:
     const std::optional<int> number = wholeNumber(port, 0, kMostPort);
     if (!number)
       return false;
-    out_.send(text, std::to_string(*number));
+    const std::string name = joined({"#", std::to_string(*number)});
+    if (!ports_.destination(name))
+      return fail(notOpen(name));
+    out_.send(text, name);
     return true;
   }
   // Sw(n) = On
@@ -414,6 +434,7 @@ private:
   bool missing_ = false; // file of a called function
   Procedures procedures_;
   SpelplusVariables variables_;
+  OpenConnections ports_;
   base::Message reason_;
   Frames tools_, locals_, points_; // points: external control points
   std::size_t tool_ = 0, ecp_ = 0;

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "program/common/arc_motion.h"
+#include "program/common/open_connections.h"
 #include "program/common/program_text.h"
 #include "program/common/rotation_vector.h"
 #include "program/full_flow.h"
@@ -14,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace voluta::program {
@@ -49,6 +51,18 @@ private:
     tcpSet_ = false;
     out_.beginOutputs();
   }
+  // Each file that is sent to a port runs by itself: whatever ran before it may have set the arm's
+  // payload and the outputs' range, and has closed its connections.
+  void beginProgram() {
+    sockets_.closeAll();
+    isFurther_ = programs_++ > 0;
+    loadStated_ = rangeStated_ = false;
+  }
+  // The first program's statements are judged by the replay, which knows what the plan needs.
+  void requireStated() {
+    if (isFurther_ && !std::exchange(loadStated_, true))
+      defect("this file moves the arm before it states the payload"_text);
+  }
   bool end() {
     const bool ended = out_.outputsEnded();
     if (!ended)
@@ -64,6 +78,7 @@ private:
     }
     variables_.clear();
     here().isRun = true;
+    beginProgram();
     begin();
     const bool ran = runTop();
     out_.line = here().last;
@@ -218,6 +233,10 @@ private:
       analogOut(call);
     else if (name == "socket_send_string")
       sendText(call);
+    else if (name == "socket_open")
+      openSocket(call);
+    else if (name == "socket_close")
+      closeSocket(call);
     else if (name == "set_tcp")
       setTcp(call);
     else if (name == "sleep")
@@ -233,6 +252,7 @@ private:
     const Value* first = call.count > 0 ? &call.arguments[0].value : nullptr;
     if (call.name == "set_payload" || call.name == "set_payload_mass" ||
         call.name == "set_target_payload") {
+      loadStated_ = true;
       if (!first || first->kind != ValueKind::Number || !(first->number >= 0.0))
         defect(base::message("'{name}' needs a mass"_text, call.name));
       else
@@ -255,9 +275,11 @@ private:
     } else if (call.name == "set_analog_outputdomain" ||
                call.name == "set_standard_analog_output_domain") {
       const Value* domain = call.find("domain", 1);
-      if (first && first->number == 0.0)
+      if (first && first->number == 0.0) {
+        rangeStated_ = true;
         out_.state(plan::FactKind::FlowOutputRange, 0.0,
                    domain && domain->number == 1.0 ? k0To10V : "4 to 20 mA");
+      }
     }
   }
 
@@ -317,6 +339,7 @@ private:
   }
 
   void motion(const Call& call) {
+    requireStated();
     plan::ProgramMotion m;
     if (call.count == 0 || !argumentsKnown(call)) {
       if (call.count == 0)
@@ -373,6 +396,7 @@ private:
 
   // movec(pose_via, pose_to, a, v, r, mode): mode 0 turns the tool evenly towards the target.
   void arc(const Call& call) {
+    requireStated();
     plan::ProgramMotion m;
     m.target = plan::TargetKind::FlangePose;
     Eigen::Isometry3d via;
@@ -460,16 +484,41 @@ private:
       defect("an analogue output outside 0..1"_text);
       return;
     }
-    if (value > 0.0)
+    if (value > 0.0) {
       out_.need(plan::FactKind::FlowOutputRange);
+      if (isFurther_ && !std::exchange(rangeStated_, true))
+        defect("this file sets the flow before it states the range of the output"_text);
+    }
     out_.flow(value);
+  }
+  // Returns the name of a socket at that place; without one, a controller takes socket_0.
+  static std::string_view socketOf(const Call& call, std::size_t position) {
+    const Value* name = call.find("socket_name", position);
+    return name && name->kind == ValueKind::Text ? name->text : "socket_0";
+  }
+  // socket_open(address, port, socket_name)
+  void openSocket(const Call& call) {
+    out_.word(urscriptWords(), call.name);
+    const Value *address = call.find("address", 0), *port = call.find("port", 1);
+    const auto number = port && port->kind == ValueKind::Number
+                            ? wholeNumber(port->number, 1, 65535)
+                            : std::nullopt;
+    if (!address || address->kind != ValueKind::Text || !number)
+      defect("a connection needs an address and a port"_text);
+    else
+      sockets_.open(socketOf(call, 2), joined({address->text, ":", std::to_string(*number)}));
+  }
+  void closeSocket(const Call& call) {
+    out_.word(urscriptWords(), call.name);
+    sockets_.close(socketOf(call, 0));
   }
   void sendText(const Call& call) {
     if (call.count == 0 || call.arguments[0].value.kind != ValueKind::Text)
       defect("a text to be sent is needed"_text);
+    else if (const auto to = sockets_.destination(socketOf(call, 1)))
+      out_.send(call.arguments[0].value.text, *to);
     else
-      out_.send(call.arguments[0].value.text,
-                call.count > 1 ? call.arguments[1].value.text : std::string_view());
+      defect(notOpen(socketOf(call, 1)));
   }
   void setTcp(const Call& call) {
     Eigen::Isometry3d tcp;
@@ -496,6 +545,10 @@ private:
   ProgramBuilder out_;
   UrscriptFunctions functions_{out_};
   UrscriptVariables variables_;
+  OpenConnections sockets_;
+  std::size_t programs_ = 0; // that began
+  bool isFurther_ = false;   // another program ran before this one
+  bool loadStated_ = false, rangeStated_ = false;
   std::vector<std::string> running_; // Functions, the innermost last
   bool tcpSet_ = false, everSet_ = false;
   std::optional<Eigen::Isometry3d> last_; // Target of the last motion if it was a pose
