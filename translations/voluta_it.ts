@@ -9254,10 +9254,6 @@ previsto</translation>
         <translation>un movimento prima di {word}</translation>
     </message>
     <message>
-        <source>a motion before X, Y and Z are all known</source>
-        <translation>un movimento prima che X, Y e Z siano tutti noti</translation>
-    </message>
-    <message>
         <source>G53 with another position than Z0 is not understood</source>
         <translation>G53 con una posizione diversa da Z0 non è comprensibile</translation>
     </message>
@@ -9326,48 +9322,12 @@ previsto</translation>
         <translation>il lavoro non ha movimento</translation>
     </message>
     <message>
-        <source>the job is the rest of a print</source>
-        <translation>il lavoro è il resto di una stampa</translation>
-    </message>
-    <message>
-        <source>use the whole job</source>
-        <translation>usare il lavoro intero</translation>
-    </message>
-    <message>
         <source>looking for an order of work</source>
         <translation>ricerca di un ordine di lavoro</translation>
     </message>
     <message>
-        <source>every two machines can work together, but no order of work was found for all: place the machines or the parts further apart</source>
-        <translation>ogni due macchine possono lavorare insieme, ma non si è trovato un ordine di lavoro per tutte: posizionare le macchine o i pezzi più distanti</translation>
-    </message>
-    <message>
-        <source>the part of machine {one} or {two} is inside the part, the plate or an obstacle of the other at {where}: place the machines or the parts further apart</source>
-        <translation>il pezzo della macchina {one} o {two} è dentro il pezzo, il piatto o un ostacolo dell&apos;altra in {where}: posizionare le macchine o i pezzi più distanti</translation>
-    </message>
-    <message>
-        <source>machines {one} and {two} are too close to each other before they move, at {where}: place them further apart, or give one another home</source>
-        <translation>le macchine {one} e {two} sono troppo vicine prima di muoversi, in {where}: posizionarle più distanti, o dare a una un&apos;altra posa di riposo</translation>
-    </message>
-    <message>
-        <source>{body} of machine {one} meets {obstacle} of machine {two} at {where} ({layer}): place the machines further apart, or the part further from the border</source>
-        <translation>{body} della macchina {one} urta {obstacle} della macchina {two} in {where} ({layer}): posizionare le macchine più distanti, o il pezzo più lontano dal confine</translation>
-    </message>
-    <message>
-        <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other at {where}: place the machines further apart, the parts further from the border, or the arms at rest further from it</source>
-        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina {one} e {second} della macchina {two} si ostacolano in {where}: posizionare le macchine più distanti, i pezzi più lontano dal confine, o i bracci a riposo più lontano da esso</translation>
-    </message>
-    <message>
         <source>{count} jobs: two to {most} machines can work together</source>
         <translation>{count} lavori: possono lavorare insieme da due a {most} macchine</translation>
-    </message>
-    <message>
-        <source>a finding of machine {machine} blocks (see its report.json)</source>
-        <translation>un rilievo della macchina {machine} blocca (vedere il suo report.json)</translation>
-    </message>
-    <message>
-        <source>a program was refused, or does not state the arm</source>
-        <translation>un programma è stato rifiutato, o non indica il braccio</translation>
     </message>
     <message>
         <source>machine {machine} waits in line {line} for a mark that the other does not reach</source>
@@ -9378,20 +9338,8 @@ previsto</translation>
         <translation>la macchina {machine} supera il segnale alla riga {line} prima che la macchina {other} lo raggiunga, se vi sono segnali ancora attivi o i programmi non partono insieme</translation>
     </message>
     <message>
-        <source>collisions of the machines: {count}, first at {time}</source>
-        <translation>urti delle macchine: {count}, il primo a {time}</translation>
-    </message>
-    <message>
         <source>machine {machine}: {reason}</source>
         <translation>macchina {machine}: {reason}</translation>
-    </message>
-    <message>
-        <source>machine {machine}: the program is refused</source>
-        <translation>macchina {machine}: il programma è rifiutato</translation>
-    </message>
-    <message>
-        <source>the file names no programs that work together</source>
-        <translation>il file non nomina programmi che lavorano insieme</translation>
     </message>
     <message>
         <source>name a folder that &apos;together&apos; wrote</source>
@@ -10355,6 +10303,130 @@ facce %</translation>
     <message>
         <source>this file sets the flow before it states the range of the output</source>
         <translation>questo file imposta il flusso prima di dichiarare il campo dell&apos;uscita</translation>
+    </message>
+    <message>
+        <source>G28 with a number goes to a place first: give letters alone, or none</source>
+        <translation>G28 con un numero va prima in un punto: dare solo le lettere, o niente</translation>
+    </message>
+    <message>
+        <source>G94 is missing before this motion: after a run that was stopped its F would be read as a time</source>
+        <translation>G94 manca prima di questo movimento: dopo un&apos;esecuzione interrotta la sua F sarebbe letta come tempo</translation>
+    </message>
+    <message>
+        <source>change the places of the machines in their table</source>
+        <translation>cambiare le posizioni delle macchine nella loro tabella</translation>
+    </message>
+    <message>
+        <source>every two machines can work together, but no order of work was found for all</source>
+        <translation>due macchine qualsiasi possono lavorare insieme, ma non è stato trovato un ordine di lavoro per tutte</translation>
+    </message>
+    <message>
+        <source>give a bead or a line for each machine, in their order</source>
+        <translation>dare un cordone o una riga per ogni macchina, nel loro ordine</translation>
+    </message>
+    <message>
+        <source>give it to &apos;together&apos;, or the job.voluta of one machine here</source>
+        <translation>darlo a &apos;together&apos;, oppure dare qui il job.voluta di una macchina</translation>
+    </message>
+    <message>
+        <source>increase the minimum distance of moving arms, or place the machines further apart</source>
+        <translation>aumentare la distanza minima dei bracci in movimento, o allontanare le macchine</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>è una cartella</translation>
+    </message>
+    <message>
+        <source>machines {one} and {two} are too close to each other before they move</source>
+        <translation>le macchine {one} e {two} sono troppo vicine già prima di muoversi</translation>
+    </message>
+    <message>
+        <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other</source>
+        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina {one} e {second} della macchina {two} si ostacolano</translation>
+    </message>
+    <message>
+        <source>no program of it passed that states the arm</source>
+        <translation>nessun suo programma che indichi il braccio è stato approvato</translation>
+    </message>
+    <message>
+        <source>not the project of a station</source>
+        <translation>non è il progetto di una stazione</translation>
+    </message>
+    <message>
+        <source>place the machines further apart if they stand at two plates</source>
+        <translation>allontanare le macchine se lavorano su due piani diversi</translation>
+    </message>
+    <message>
+        <source>place the machines further apart, or give one another home</source>
+        <translation>allontanare le macchine, o dare a una un&apos;altra posizione di riposo</translation>
+    </message>
+    <message>
+        <source>place the machines further apart, or the parts further from the border</source>
+        <translation>allontanare le macchine, o le parti dal confine</translation>
+    </message>
+    <message>
+        <source>place the machines further apart, the parts further from the border, or the arms at rest further from it</source>
+        <translation>allontanare le macchine, le parti dal confine o i bracci a riposo dal confine</translation>
+    </message>
+    <message>
+        <source>see the report of that machine</source>
+        <translation>vedere il rapporto di quella macchina</translation>
+    </message>
+    <message>
+        <source>the file of the station is truncated</source>
+        <translation>il file della stazione è troncato</translation>
+    </message>
+    <message>
+        <source>the folder holds no program of the station</source>
+        <translation>la cartella non contiene programmi della stazione</translation>
+    </message>
+    <message>
+        <source>the header of the station&apos;s file is damaged</source>
+        <translation>l&apos;intestazione del file della stazione è danneggiata</translation>
+    </message>
+    <message>
+        <source>the part of machine {one} or {two} is inside the part, the plate or an obstacle of the other</source>
+        <translation>la parte della macchina {one} o {two} è dentro la parte, il piano o un ostacolo dell&apos;altra</translation>
+    </message>
+    <message>
+        <source>the place of a machine is damaged</source>
+        <translation>la posizione di una macchina è danneggiata</translation>
+    </message>
+    <message>
+        <source>the program is refused</source>
+        <translation>il programma è respinto</translation>
+    </message>
+    <message>
+        <source>the project is not of machines that work together</source>
+        <translation>il progetto non è di macchine che lavorano insieme</translation>
+    </message>
+    <message>
+        <source>the project of a station of several machines, not of one job</source>
+        <translation>il progetto di una stazione di più macchine, non di un solo lavoro</translation>
+    </message>
+    <message>
+        <source>the rules of the station are damaged</source>
+        <translation>le regole della stazione sono danneggiate</translation>
+    </message>
+    <message>
+        <source>the station has no machines</source>
+        <translation>la stazione non ha macchine</translation>
+    </message>
+    <message>
+        <source>write the programs of all machines again</source>
+        <translation>scrivere di nuovo i programmi di tutte le macchine</translation>
+    </message>
+    <message>
+        <source>{body} of machine {one} meets {obstacle} of machine {two} ({layer})</source>
+        <translation>{body} della macchina {one} urta {obstacle} della macchina {two} ({layer})</translation>
+    </message>
+    <message>
+        <source>{body} of machine {one} meets {obstacle} of machine {two} after {time}; collisions of the machines: {collisions}</source>
+        <translation>{body} della macchina {one} urta {obstacle} della macchina {two} dopo {time}; collisioni delle macchine: {collisions}</translation>
+    </message>
+    <message>
+        <source>{places} places for {machines} machines</source>
+        <translation>{places} posizioni per {machines} macchine</translation>
     </message>
 </context>
 <context>
@@ -13765,10 +13837,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Salva i programmi…</translation>
     </message>
     <message>
-        <source>Least distance of moving arms</source>
-        <translation>Distanza minima dei bracci in moto</translation>
-    </message>
-    <message>
         <source>Waits, and what they keep apart</source>
         <translation>Attese, e che cosa tengono separato</translation>
     </message>
@@ -13809,10 +13877,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Macchina %1: segnali %2, attende %3, finisce dopo %4</translation>
     </message>
     <message>
-        <source>Least distance %1 mm; collisions: %2</source>
-        <translation>Distanza minima %1 mm; urti: %2</translation>
-    </message>
-    <message>
         <source>Collision: %1 of machine %2 with %3 of machine %4</source>
         <translation>Urto: %1 della macchina %2 con %3 della macchina %4</translation>
     </message>
@@ -13831,6 +13895,22 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Note: %1</source>
         <translation>Nota: %1</translation>
+    </message>
+    <message>
+        <source>Move %1 mm further apart</source>
+        <translation>Allontana di %1 mm</translation>
+    </message>
+    <message>
+        <source>Minimum distance of moving arms</source>
+        <translation>Distanza minima dei bracci in movimento</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Minimum distance %1 mm; collisions: %2</source>
+        <translation>Distanza minima %1 mm; collisioni: %2</translation>
     </message>
 </context>
 <context>
