@@ -339,6 +339,27 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     job.stages[0].findings = std::numeric_limits<std::size_t>::max();
     job.stages[1].findings = 2;
   });
+  refused("a path of a tool that is not there", [](Job& job) {
+    plan::ToolPlan p = *job.toolPlan;
+    p.paths[0].tool = 1;
+    job.toolPlan = std::make_shared<plan::ToolPlan>(p);
+  });
+  refused("a path of an item that is not there", [](Job& job) {
+    plan::ToolPlan p = *job.toolPlan;
+    p.paths[0].item = 1;
+    job.toolPlan = std::make_shared<plan::ToolPlan>(p);
+  });
+  refused("a motion that begins with a tool that is not there", [](Job& job) {
+    plan::Trajectory t = *job.trajectory;
+    t.firstTool = 1;
+    job.trajectory = std::make_shared<plan::Trajectory>(t);
+  });
+  refused("a change to a tool that is not there", [](Job& job) {
+    plan::Trajectory t = *job.trajectory;
+    t.events = {{.point = 1, .kind = plan::EventKind::ToolChange, .tool = 1}};
+    job.trajectory = std::make_shared<plan::Trajectory>(t);
+  });
+  refused("an item too few", [](Job& job) { job.choices.items.emplace_back(); });
   refused("scale", [](Job& job) { job.item().scale = 0.0; });
 }
 
