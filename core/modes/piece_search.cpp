@@ -1,6 +1,7 @@
 #include "modes/piece_search.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/number_list.h"
 #include "planar/published/greedy_decompose.h"
 #include "planar/search/beam_search.h"
@@ -47,6 +48,7 @@ std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
   if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
     throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is not a point"_text, text),
                       "pieceRoot"_name, "write x,y,z in mm, such as 10,0,5"_text);
+  base::refuseFar({root.data(), 3}, text, "pieceRoot"_name);
   return root;
 }
 

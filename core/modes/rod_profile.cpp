@@ -1,6 +1,7 @@
 #include "modes/rod_profile.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/filled_file.h"
 #include "base/number_list.h"
 
@@ -49,6 +50,7 @@ std::vector<Eigen::Vector2d> rodProfile(const std::string& text) {
                         word.substr(0, 40)),
           base::message("pair {number}"_text, points.size() + 1),
           "write pairs such as -20,2.5 0,2.5 0,3.5 20,3.5 in mm"_text);
+    base::refuseFar({pair.data(), 2}, word, "rodProfile"_name);
     points.push_back(pair);
   }
   return points;

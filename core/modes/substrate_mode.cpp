@@ -1,6 +1,7 @@
 #include "modes/substrate_mode.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/files.h"
 #include "base/number_list.h"
 #include "base/stopwatch.h"
@@ -95,10 +96,12 @@ substrate::EndSurface endSurface(const SurfacePlan& plan) {
   if (word == "flat" && colon != std::string::npos) {
     if (!base::readNumbers(rest, ',', {&number}))
       fail();
+    base::refuseFar({&number, 1}, text, "endSurface"_name);
     end.heightMm = number;
   } else if (word == "radius") {
     if (!base::readNumbers(rest, ',', {&number}) || !(number > 0.0))
       fail();
+    base::refuseFar({&number, 1}, text, "endSurface"_name);
     end.radiusMm = number;
   } else if (text.starts_with(kMeshPrefix) && !rest.empty()) {
     const auto file = project::loadPart(rest, true, {});
@@ -128,6 +131,7 @@ substrate::SubstrateOptions substrateOptions(const SurfacePlan& plan) {
           base::ErrorCode::Usage,
           base::message("`layerCentre` '{text}' is not a point"_text, text.substr(0, 40)), {},
           "write x,y,z in mm"_text);
+    base::refuseFar({c.data(), 3}, text, "layerCentre"_name);
   }
   options.end = endSurface(plan);
   return options;

@@ -185,7 +185,8 @@ std::optional<Vector3d> loadDirection(const std::string& text) {
   if (text.empty())
     return std::nullopt;
   Vector3d load;
-  if (!base::readNumbers(text, ',', {&load.x(), &load.y(), &load.z()}) || !(load.norm() > 0.0))
+  if (!base::readNumbers(text, ',', {&load.x(), &load.y(), &load.z()}) || !(load.norm() > 0.0) ||
+      !std::isfinite(load.norm()))
     throw base::Error(base::ErrorCode::Usage,
                       base::message("'{text}' is not a direction"_text, text), "loadDirection"_name,
                       "give x,y,z, for example 1,0,0"_text);

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "helpers/shapes.h"
+#include "modes/rod_profile.h"
 #include "pipeline/stage_options.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,8 @@ TEST(PieceRoot, IsAPointInWords) {
   EXPECT_EQ(pieceRoot("1,-2.5,3"), Vector3d(1, -2.5, 3));
   EXPECT_EQ(pieceRoot(" 1, -2.5 , 3e1 "), Vector3d(1, -2.5, 30));
   EXPECT_EQ(pieceRoot(pieceRootText({0.125, -40, 7})), Vector3d(0.125, -40, 7));
-  for (const char* wrong : {"1", "1,2", "1,2,", "1,2,3,4", "a,2,3", "1;2;3", "1,,3", "nan,0,0"})
+  for (const char* wrong : {"1", "1,2", "1,2,", "1,2,3,4", "a,2,3", "1;2;3", "1,,3", "nan,0,0",
+                            "1e9,0,0", "0,0,-1e300"})
     try {
       pieceRoot(wrong);
       ADD_FAILURE() << wrong;
@@ -36,6 +38,12 @@ TEST(PieceRoot, IsAPointInWords) {
       EXPECT_EQ(e.code(), base::ErrorCode::Usage);
       EXPECT_NE(std::string(e.what()).find(wrong), std::string::npos);
     }
+}
+
+TEST(RodProfile, RefusesPlacesBeyondAKilometre) {
+  EXPECT_EQ(rodProfile("-20,2.5 1e6,3").size(), 2u);
+  for (const char* wrong : {"-20,2.5 1e9,3", "-1e300,2 20,2", "-20,2.5 20,1e7"})
+    EXPECT_THROW(rodProfile(wrong), base::Error) << wrong;
 }
 
 TEST(SearchPieces, BothSchemesGiveThePartWhole) {
