@@ -60,6 +60,34 @@ TEST_F(Payload, IsNeededWhereALanguageStatesIt) {
   EXPECT_FALSE(verify(light).passed);
 }
 
+// A port starts its files one by one: whatever ran between them may have set another one.
+TEST_F(Payload, IsNeededInEachFileForAPort) {
+  program::ProgramInput input{scene_.plan, scene_.trajectory, scene_.cell,
+                              process::Tooling(scene_.process), "box"};
+  input.options.motionsPerFile = 25;
+  input.options.own["urscriptForm"] = std::string("port");
+  const std::vector<plan::ProgramFile> files = program::writeProgram("urscript", input).files;
+  ASSERT_GE(files.size(), 3u);
+  const auto verified = [&](const std::vector<plan::ProgramFile>& texts) {
+    return replayProgram({program::readProgram("urscript", texts, process::Tooling(scene_.process)),
+                          scene_.plan, scene_.trajectory, scene_.cell,
+                          process::Tooling(scene_.process), scene_.part, scene_.platform},
+                         ReplayThresholds{}, {});
+  };
+  EXPECT_TRUE(verified(files).passed) << told(verified(files));
+  for (const std::string statement : {"set_payload(", "set_analog_outputdomain("})
+    for (const std::size_t file : {std::size_t{1}, files.size() - 1}) {
+      std::vector<plan::ProgramFile> lost = files;
+      std::string& text = lost[file].text;
+      text.insert(text.find(statement), "# ");
+      const Verification v = verified(lost);
+      EXPECT_FALSE(v.passed) << statement << file;
+      EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
+        return place.file == file + 1;
+      })) << told(v);
+    }
+}
+
 TEST_F(Payload, HasItsCentreWhereItIsPlanned) {
   const struct {
     const char *format, *begin, *behind; // of the centre's z
