@@ -10428,6 +10428,18 @@ facce %</translation>
         <source>{places} places for {machines} machines</source>
         <translation>{places} posizioni per {machines} macchine</translation>
     </message>
+    <message>
+        <source>bead {bead} is printed: this rest begins with bead {first}</source>
+        <translation>il cordone {bead} è già stampato: questo resto comincia con il cordone {first}</translation>
+    </message>
+    <message>
+        <source>beads have the numbers of the whole print</source>
+        <translation>i cordoni hanno i numeri della stampa intera</translation>
+    </message>
+    <message>
+        <source>the place of a machine</source>
+        <translation>la posizione di una macchina</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -574,6 +574,7 @@ int run(int argc, char** argv) {
   std::reverse(words.begin(), words.end());
   try {
     app.parse(words);
+    requireFiniteNumbers(app);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0)
       return app.exit(e);

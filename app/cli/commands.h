@@ -18,7 +18,15 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace voluta::cli {
+
+// Throws Error{Usage} if a number of the parsed options is infinite or no number (nan), which
+// ranges let through.
+void requireFiniteNumbers(const CLI::App& app);
 
 // Returns "; 1 more finding", "; 3 more findings" or, for 0, nothing.
 std::string moreFindings(std::size_t more);

@@ -1,6 +1,7 @@
 // The folder into which a command writes its results.
 #pragma once
 
+#include "base/error.h"
 #include "base/staged_folder.h"
 #include "pipeline/own_folder.h"
 
@@ -8,6 +9,18 @@
 #include <utility>
 
 namespace voluta::cli {
+
+// Without `replace`, throws Error{CannotWrite} if the folder holds the file: the stopped print,
+// which its rest would replace.
+inline void keepStoppedPrint(const std::filesystem::path& file, const std::filesystem::path& folder,
+                             bool replace) {
+  std::error_code none;
+  if (!replace &&
+      std::filesystem::equivalent(std::filesystem::absolute(file).parent_path(), folder, none))
+    throw base::Error(base::ErrorCode::CannotWrite,
+                      "holds the stopped print, which its rest would replace"_text, folder.string(),
+                      "choose another folder, or give --replace"_text);
+}
 
 class ResultFolder {
 public:

@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "cli/result_folder.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
 #include "plan/tool_plan.h"
@@ -8,6 +9,7 @@
 namespace voluta::cli {
 
 ExitCode resumeCommand(const ResumeOptions& options) {
+  keepStoppedPrint(options.request.job, options.folder, options.replace);
   return reportingCommand(
       [request = options.request](const std::filesystem::path& folder,
                                   const base::RunContext& ctx) {

@@ -3,7 +3,11 @@
 #include "cli/together_options.h"
 #include "pipeline/station_check.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "plan/waypoints.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace voluta::cli {
@@ -23,6 +27,22 @@ void sayRun(const replay::SharedRun& run) {
                "{:.0f})\n",
                m.whenS, base::english(m.bodies[0]), m.machines[0] + 1, base::english(m.bodies[1]),
                m.machines[1] + 1, m.where.x(), m.where.y(), m.where.z());
+}
+
+void sayRests(const pipeline::StationResult& result) {
+  for (std::size_t k = 0; k < result.plans.size(); ++k) {
+    const project::Job& job = result.plans[k].job;
+    const auto begin =
+        job.trajectory->waypoint.begin() + static_cast<std::ptrdiff_t>(job.resumedAt);
+    const auto first = std::find_if(begin, job.trajectory->waypoint.end(),
+                                    [](std::size_t w) { return w != plan::kNoWaypoint; });
+    if (job.resumedAt == 0 || first == job.trajectory->waypoint.end())
+      continue;
+    const double printed = job.trajectory->extrudedMm3[job.resumedAt];
+    fmt::print("machine {}: from bead {} of {}; {:.0f} mm3 printed, {:.0f} mm3 left\n", k + 1,
+               plan::pathOf(*job.toolPlan, *first) - job.toolPlan->paths.data() + 1,
+               job.toolPlan->paths.size(), printed, job.trajectory->extrudedMm3.back() - printed);
+  }
 }
 
 void sayOrder(const together::Plan& work) {
@@ -107,6 +127,8 @@ pipeline::StationResult planned(const TogetherOptions& options, const base::RunC
 
 ExitCode togetherCommand(const TogetherOptions& options) {
   requireUsable(options);
+  if (!options.resumed.empty())
+    keepStoppedPrint(options.jobs.front(), options.folder, options.replace);
   ResultFolder staged(options.folder, pipeline::FolderKind::Together, options.replace);
   auto outcome = runInterruptibly(
       [options, inside = staged.path()](const base::RunContext& ctx) {
@@ -119,6 +141,7 @@ ExitCode togetherCommand(const TogetherOptions& options) {
   const auto result = settled(std::move(outcome), staged);
   if (!result)
     return kCancelled;
+  sayRests(*result);
   if (result->work.order)
     sayOrder(result->work);
   if (result->replay)

@@ -112,6 +112,25 @@ std::size_t pointOfLine(const ResumeRequest& request, const PlanResult& planned,
   return point == 0 ? 0 : point - 1;
 }
 
+// Throws Error{Usage} if the bead at a point was printed before the rest that the job is.
+void requireUnprinted(const project::Job& job, std::size_t point) {
+  if (job.resumedAt == 0)
+    return;
+  const auto beadOf = [&](std::size_t waypoint) {
+    return 1 + static_cast<std::size_t>(plan::pathOf(*job.toolPlan, waypoint) -
+                                        job.toolPlan->paths.data());
+  };
+  const auto begin = job.trajectory->waypoint.begin() + static_cast<std::ptrdiff_t>(job.resumedAt);
+  const auto first = std::find_if(begin, job.trajectory->waypoint.end(),
+                                  [](std::size_t w) { return w != plan::kNoWaypoint; });
+  const std::size_t bead = beadOf(job.trajectory->waypoint[point]);
+  if (first != job.trajectory->waypoint.end() && bead < beadOf(*first))
+    throw Error(ErrorCode::Usage,
+                base::message("bead {bead} is printed: this rest begins with bead {first}"_text,
+                              bead, beadOf(*first)),
+                {}, "beads have the numbers of the whole print"_text);
+}
+
 } // namespace
 
 std::size_t resumePointOf(const ResumeRequest& request, const PlanResult& planned,
@@ -130,6 +149,7 @@ std::size_t resumePointOf(const ResumeRequest& request, const PlanResult& planne
   if (!point)
     throw Error(ErrorCode::UnusableInput, "nothing is printed after that place"_text, {},
                 "choose an earlier place"_text);
+  requireUnprinted(job, *point);
   return *point;
 }
 

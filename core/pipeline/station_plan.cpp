@@ -1,6 +1,7 @@
 #include "pipeline/station_plan.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/files.h"
 #include "base/number_list.h"
 #include "base/staged_folder.h"
@@ -22,6 +23,7 @@
 #include "together/machine_marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
@@ -110,6 +112,7 @@ Eigen::Isometry3d parsedMachinePlace(const std::string& text) {
   if (!base::readNumbers(text, ',', {&x, &y, &z, &rotationDeg}))
     throw Error(ErrorCode::Usage, base::message("'{place}' is no place"_text, text.substr(0, 60)),
                 {}, "give X,Y,Z in mm and a rotation about z in degrees, as in 900,0,0,180"_text);
+  base::refuseFar(std::array{x, y, z}, text, "the place of a machine"_text);
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
   place.translation() = Eigen::Vector3d(x, y, z);
   place.rotate(Eigen::AngleAxisd(base::degreesToRadians(rotationDeg), Eigen::Vector3d::UnitZ()));

@@ -16,6 +16,18 @@ ResumeRequest requestOf(const ResumePlace& place, const project::Job& job,
     request.program = folder / job.report.programs.front().files.front();
   return request;
 }
+// Returns the job with the motion of its rest. Errors name the machine, counted from 0.
+project::Job restOf(project::Job job, const ResumeRequest& request, std::size_t machine,
+                    const base::RunContext& ctx) {
+  try {
+    const std::size_t point = resumePointOf(request, resultOf(job), ctx.sub(0.0, 0.3));
+    return restMotion(withoutMarks(std::move(job)), point, ctx.sub(0.3, 1.0));
+  } catch (const base::Error& error) {
+    if (!error.context().empty())
+      throw;
+    throw base::Error(error.code(), error.message(), machineFolder(machine), error.remedy());
+  }
+}
 } // namespace
 
 StationResult resumeStation(project::Station station, const std::vector<ResumePlace>& places,
@@ -33,9 +45,8 @@ StationResult resumeStation(project::Station station, const std::vector<ResumePl
     requireMotion(job, machineFolder(k));
     const base::RunContext own =
         ctx.sub(share * static_cast<double>(k), share * static_cast<double>(k + 1));
-    const std::size_t point =
-        resumePointOf(requestOf(places[k], job, folder / machineFolder(k)), job, own.sub(0.0, 0.3));
-    job = restMotion(withoutMarks(std::move(job)), point, own.sub(0.3, 1.0));
+    const ResumeRequest request = requestOf(places[k], job, folder / machineFolder(k));
+    job = restOf(std::move(job), request, k, own);
     if (const plan::Finding* finding = firstBlocking(job.report.findings))
       refused.push_back(machineFinding(k, plan::reasonOf(*finding)));
   }

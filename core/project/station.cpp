@@ -72,6 +72,8 @@ Station readMachines(std::string_view bytes, const std::string& where,
     machine.job = jobOf(rest.substr(0, length), where, table);
     rest.remove_prefix(length);
   }
+  if (!rest.empty())
+    throw base::Error(base::ErrorCode::UnreadableFile, kNames.damaged, where);
   if (station.machines.empty())
     throw base::Error(base::ErrorCode::UnreadableFile, "the station has no machines"_text, where);
   return station;

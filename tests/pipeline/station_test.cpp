@@ -311,6 +311,8 @@ TEST(Station, DamagedFilesAreRefused) {
     base::writeFile(file, damaged);
     EXPECT_THROW(plannedStation(file), base::Error) << at;
   }
+  base::writeFile(file, bytes + "x");
+  EXPECT_THROW(plannedStation(file), base::Error) << "longer";
   base::writeFile(file, bytes);
   EXPECT_EQ(plannedStation(file).machines.size(), 2u);
   EXPECT_THROW(project::readJob(file, allParameters()), base::Error) << "not of one job";
@@ -352,6 +354,9 @@ TEST_F(ResumedPair, BothGoOnTogether) {
       resumeStation(plannedStation(folder.path() / project::kStationFile),
                     {{.bead = beads(0) * 3 / 4}, {.bead = beads(1) * 3 / 4}}, folder.path(), kCtx);
   EXPECT_TRUE(passed(later)) << why(later);
+  // A bead that the rest found printed: beads keep the numbers of the whole print.
+  EXPECT_THROW(resumeStation(stationOf(result), {{.bead = 2}, {.bead = beads(1) / 2}}, {}, kCtx),
+               base::Error);
 }
 
 // Only boxes at the border: one machine works after the other, with a mark at the end of the first.
@@ -469,7 +474,7 @@ TEST(Together, FiveMachinesAreTooMany) {
 }
 
 TEST(Together, PlacesThatAreNoneAreRefused) {
-  for (const char* const text : {"", "1,2,3", "a,0,0,0", "1,2,3,4,5"})
+  for (const char* const text : {"", "1,2,3", "a,0,0,0", "1,2,3,4,5", "1e300,0,0,0", "nan,0,0,0"})
     EXPECT_THROW(parsedMachinePlace(text), base::Error) << text;
   EXPECT_NEAR(parsedMachinePlace("10,20,30,90").linear()(1, 0), 1.0, 1e-12);
 }
