@@ -48,7 +48,7 @@ struct Arm {
                 std::make_shared<collision::CellCollision>(*cell, process),
                 plan,
                 std::make_shared<plan::Trajectory>(randomMotion(seed)),
-                std::make_shared<collision::GrowingPart>(*plan, 0.6),
+                std::make_shared<collision::GrowingPart>(*plan, 0.6, base::RunContext()),
                 place} {
     for (std::size_t i = 0; i < machine.trajectory->pointCount(); ++i)
       rests.point.push_back(i);
