@@ -60,10 +60,12 @@ TEST_F(StartLock, IsBehindTheQuestionAndBeforeTheFirstMotion) {
     const auto stop = std::ranges::find(whole.facts, FactKind::OperatorStop, &StatedFact::kind);
     ASSERT_NE(stop, whole.facts.end());
     EXPECT_LT(stop->line, whole.facts[lock].line);
+    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    if (whole.format == "tmscript")
+      return; // its waits are points of a motion
     ASSERT_FALSE(whole.pauses.empty());
     EXPECT_EQ(whole.pauses[whole.facts[lock].beforePause].before, 0u);
     EXPECT_EQ(whole.pauses[whole.facts[lock].beforePause].durationS, robot::kChangerS);
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
   });
 }
 
@@ -99,9 +101,11 @@ TEST_F(StartLock, IsDemanded) {
 TEST_F(StartLock, ItsTimePassesAndItStays) {
   inEveryLanguage([&](const auto&, const plan::ReadProgram& whole, std::size_t lock) {
     const std::size_t line = whole.facts[lock].line;
-    plan::ReadProgram early = whole; // its wait comes before it
-    ++early.facts[lock].beforePause;
-    expectAt(verify(std::move(early)), line);
+    if (whole.format != "tmscript") {
+      plan::ReadProgram early = whole; // its wait comes before it
+      ++early.facts[lock].beforePause;
+      expectAt(verify(std::move(early)), line);
+    }
 
     plan::ReadProgram asked = whole; // behind it
     const auto stop = std::ranges::find(asked.facts, FactKind::OperatorStop, &StatedFact::kind);

@@ -98,7 +98,8 @@ private:
         selectTool();
       if (locks_) {
         emitter_.setOutput(kChangerOutput, true);
-        emitter_.wait(robot::kChangerS);
+        if (!walk_.waitsByMotion)
+          emitter_.wait(robot::kChangerS);
       }
     }
     if (!amidBead)

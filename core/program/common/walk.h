@@ -69,6 +69,7 @@ struct Walk {
   // amounts.
   const TcpMotions* outputs = nullptr;
   bool filesRunAlone = false; // each file is started by itself, when the one before has ended
+  bool waitsByMotion = false; // a wait is a point of the motion: none before the first motion
 };
 
 // Emits per point its remark, the outputs and the motion; at the first point also the prime. With

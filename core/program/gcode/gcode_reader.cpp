@@ -237,8 +237,9 @@ void GcodeReader::heat(double m, GcodeWords& w) {
   const process::Material& material = tooling_.at(*tool).process.material;
   const double celsius = w['S'] ? *w['S'] : w['R'].value_or(0.0);
   const std::string_view word = m == 104.0 ? "M104" : "M109";
+  // Of several tools, one that is taken off is turned off while another one prints.
   if (celsius == 0.0)
-    out_.wordAt(word, kBeforeMotion | kAtEnd);
+    out_.wordAt(word, nozzles_.size() > 1 ? kAtRest : kBeforeMotion | kAtEnd);
   else if (celsius != nozzle.celsius && !isJustSelected(*tool))
     out_.wordAt(word, kAside);
   if (celsius != 0.0 && !prints(material, celsius))
