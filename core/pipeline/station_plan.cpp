@@ -175,8 +175,8 @@ std::shared_ptr<const StationStage> stationStage(const StationResult& result,
 } // namespace
 
 std::string stationKey(const project::Station& station) {
-  std::string key = fmt::format("station: clearance {}, pause {}", station.rules.clearanceMm,
-                                station.rules.pauseInBeadsS);
+  std::string key =
+      fmt::format("station {} {}", station.rules.clearanceMm, station.rules.pauseInBeadsS);
   for (const project::Machine& machine : station.machines) {
     key += "\nmotion: " + machine.job.stages[project::indexOf(project::Stage::Motion)].key;
     for (const double value : std::span(machine.shared_T_world.data(), 16))

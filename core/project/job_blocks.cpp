@@ -1,6 +1,7 @@
 #include "project/job_blocks.h"
 
 #include "plan/marks.h"
+#include "project/named_tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -582,40 +583,17 @@ bool isSoundItem(const JobItem& item) {
     return soundMesh(patch.surface) && allFinite(patch.chart.at);
   });
 }
-
-// Whether all tools and items that the plan names are among the choices.
-bool namesKnownOnes(const Job& job) {
-  const std::size_t tools = job.choices.tools.size(), items = job.items.size();
-  const auto isTool = [&](int tool) { return tool >= 0 && static_cast<std::size_t>(tool) < tools; };
-  for (const JobItem& item : job.items)
-    if (item.layers && (!std::ranges::all_of(item.layers->patches, isTool, &layers::Patch::tool) ||
-                        !std::ranges::all_of(item.layers->pockets, isTool, &layers::Pocket::tool)))
-      return false;
-  if (job.toolPlan && !std::ranges::all_of(job.toolPlan->paths, [&](const plan::ToolPath& path) {
-        return isTool(path.tool) && static_cast<std::size_t>(path.item) < items;
-      }))
-    return false;
-  return !job.trajectory ||
-         (isTool(job.trajectory->firstTool) &&
-          std::ranges::all_of(job.trajectory->events, [&](const plan::TrajectoryEvent& event) {
-            return event.kind == plan::EventKind::Mark || isTool(event.tool);
-          }));
-}
 } // namespace
 
 bool isConsistent(const Job& job) {
   if (job.items.size() != job.choices.items.size() || job.items.size() != job.report.items.size() ||
-      !std::ranges::all_of(job.items, isSoundItem))
-    return false;
-  if (job.toolPlan && !isSound(*job.toolPlan))
+      !std::ranges::all_of(job.items, isSoundItem) || (job.toolPlan && !isSound(*job.toolPlan)))
     return false;
   if (job.trajectory && !soundTrajectory(*job.trajectory, job.toolPlan.get()))
     return false;
-  if (!namesKnownOnes(job))
-    return false;
   if (job.resumedAt > 0 && (!job.trajectory || job.resumedAt >= job.trajectory->pointCount()))
     return false;
-  return holdsWhatItReached(job);
+  return namesKnownOnes(job) && holdsWhatItReached(job);
 }
 
 } // namespace voluta::project

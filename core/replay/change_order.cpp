@@ -6,6 +6,7 @@
 #include "program/dialect.h"
 #include "program/job_head.h"
 #include "replay/planned_events.h"
+#include "replay/wait_tolerance.h"
 
 #include <algorithm>
 #include <map>

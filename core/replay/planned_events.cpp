@@ -5,6 +5,7 @@
 #include "program/dialect.h"
 #include "replay/change_order.h"
 #include "replay/start_lock.h"
+#include "replay/wait_tolerance.h"
 #include "robot/tool_changer.h"
 
 #include <algorithm>
@@ -258,11 +259,6 @@ private:
 };
 
 } // namespace
-
-double waitTolerance(double plannedS) {
-  constexpr double kShare = 0.02, kLeastS = 0.05;
-  return std::max(kLeastS, kShare * plannedS);
-}
 
 PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
                           const Alignment& alignment) {

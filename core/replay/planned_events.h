@@ -28,9 +28,6 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const Alignment& alignment, const process::Tooling& tooling,
                                        const robot::Cell& cell, std::size_t firstPoint = 0);
 
-// Returns how much the duration of a planned wait may differ [s].
-double waitTolerance(double plannedS);
-
 // What is planned while the arm is at rest before each motion; empty: nothing.
 struct PlannedStops {
   std::vector<double> seconds;  // of waits and purges

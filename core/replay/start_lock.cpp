@@ -2,7 +2,7 @@
 
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
-#include "replay/planned_events.h"
+#include "replay/wait_tolerance.h"
 #include "robot/tool_changer.h"
 
 #include <algorithm>

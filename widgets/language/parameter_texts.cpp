@@ -1,7 +1,7 @@
 #include "language/parameter_texts.h"
 
 #include "language/numbers.h"
-#include "language/words.h"
+#include "language/translated.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -32,13 +32,13 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
   const std::string& text = std::get<std::string>(value);
   for (const base::Choice& choice : spec.choices)
     if (choice.id == text)
-      return heading(choice.label);
+      return translatedHeading(choice.label);
   return QString::fromStdString(text);
 }
 
 QString parameterToolTip(const base::ParameterSpec& spec) {
   const auto line = [](const QString& text) { return QStringLiteral("<br>") + text; };
-  QString tip = heading(spec.help).toHtmlEscaped();
+  QString tip = translatedHeading(spec.help).toHtmlEscaped();
   tip += QStringLiteral("<br>");
   if (spec.type == base::ParameterType::Number)
     tip += line(QCoreApplication::translate("Parameters", "Range: %1 to %2")

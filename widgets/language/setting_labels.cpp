@@ -2,7 +2,7 @@
 
 #include "base/setting_marks.h"
 #include "language/parameter_texts.h"
-#include "language/words.h"
+#include "language/translated.h"
 #include "pipeline/stage_options.h"
 
 #include <QCoreApplication>
@@ -81,7 +81,7 @@ QString settingText(std::string_view setting) {
     return optionText(setting);
   const auto [key, value] = split(setting, '=');
   const base::ParameterSpec* spec = parameters().find(key);
-  return spec ? quoted(heading(spec->label), settingValue(*spec, value)) : shown(setting);
+  return spec ? quoted(translatedHeading(spec->label), settingValue(*spec, value)) : shown(setting);
 }
 
 std::string withSettingTexts(const std::string& sentence) {

@@ -2,28 +2,18 @@
 
 #include "language/numbers.h"
 #include "language/setting_labels.h"
+#include "language/translated.h"
 #include "language/window_language.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 namespace voluta::language {
 
 namespace {
-constexpr const char* kContext = "Core";
-
 class WindowLanguage : public base::Language {
 public:
   std::string sentence(base::Text text, std::optional<long long> count) const override {
-    if (text.empty())
-      return {};
-    const std::string english(text.english());
-    const QString translated = QCoreApplication::translate(kContext, english.c_str(), nullptr,
-                                                           count ? static_cast<int>(*count) : -1);
-    // English has no translation file: its singular forms are core's own.
-    const bool isEnglish = translated == QString::fromStdString(english);
-    const bool isOne = isEnglish && text.plural() && count == 1;
-    return withSettingTexts(isOne ? std::string(text.one()) : translated.toStdString());
+    return withSettingTexts(translated(text, count).toStdString());
   }
   std::string whole(long long number) const override {
     return QLocale().toString(static_cast<qlonglong>(number)).toStdString();

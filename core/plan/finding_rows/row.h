@@ -1,6 +1,6 @@
 // Makes the rows of the table of findings (finding_kinds.h), with defaults for the fields that most
 // rows share, and has the texts and remedies of several stages. The file of a stage has its rows,
-// in the order of FindingKind; finding_kinds.cpp joins them and sets FindingRow::stage.
+// in the order of FindingKind; finding_table.cpp joins them and sets FindingRow::stage.
 #pragma once
 
 #include "plan/finding_kinds.h"

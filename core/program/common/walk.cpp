@@ -5,7 +5,6 @@
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
-#include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/filament.h"
 #include "program/gcode/extruder_axis.h"
@@ -31,8 +30,7 @@ public:
   Walker(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
          const base::RunContext& ctx)
       : in_(input), walk_(walk), emitter_(emitter), ctx_(ctx), paths_(input.toolPlan),
-        extruder_(extruderOf(input)),
-        locks_(locksTool(input) && hasWordFor(findDialect(walk.format), plan::EventKind::Lock)) {
+        extruder_(extruderOf(input)), locks_(walk.locksTool && locksTool(input)) {
     if (byAxis())
       zeros_ = axisCount(input).zeros;
     for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)

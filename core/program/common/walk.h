@@ -69,6 +69,7 @@ struct Walk {
   // amounts.
   const TcpMotions* outputs = nullptr;
   bool filesRunAlone = false; // each file is started by itself, when the one before has ended
+  bool locksTool = false;     // the language has a word for the lock of a tool changer
   bool waitsByMotion = false; // a wait is a point of the motion: none before the first motion
 };
 

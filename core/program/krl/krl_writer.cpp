@@ -39,7 +39,7 @@ public:
   }
 
   plan::Program write() {
-    walkTrajectory(in_, {"krl", cuts_, &motions_.tcp()}, *this, ctx_);
+    walkTrajectory(in_, {"krl", cuts_, &motions_.tcp(), false, true}, *this, ctx_);
     program_.files.push_back({name_ + ".src", mainFile()});
     program_.files.push_back({name_ + ".dat", dataFile()});
     for (std::size_t part = 1; !oneFile() && part <= bodies_.size(); ++part)

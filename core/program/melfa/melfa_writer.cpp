@@ -37,7 +37,7 @@ public:
   plan::Program write() {
     if (cuts_.size() > 2)
       callParts();
-    walkTrajectory(in_, {"melfa", cuts_, &motions_.tcp()}, *this, ctx_);
+    walkTrajectory(in_, {"melfa", cuts_, &motions_.tcp(), false, true}, *this, ctx_);
     return std::move(program_);
   }
 

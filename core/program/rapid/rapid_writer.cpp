@@ -76,7 +76,7 @@ public:
       outputsOff();
       endModule(0);
     }
-    walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"rapid", cuts_, &motions_, false, true}, *this, ctx_);
     if (!byAxis_ || cutsTape(in_) || locksTool(in_))
       program_.files.push_back({name_ + "_EIO.cfg", signals()});
     program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});

@@ -44,7 +44,7 @@ public:
   plan::Program write() {
     // The nozzle's path on the part is straight and defines the speed.
     placeInWorkFrame(in_, kPositionDecimals, targets_);
-    walkTrajectory(in_, {"spel", cuts_, &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"spel", cuts_, &motions_, false, true}, *this, ctx_);
     if (!oneFile())
       program_.files.insert(program_.files.begin(), {fileName(0), callingFile()});
     return std::move(program_);

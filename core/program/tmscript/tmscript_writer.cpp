@@ -31,7 +31,7 @@ public:
 
   plan::Program write() {
     roundTargets();
-    walkTrajectory(in_, {"tmscript", cutsOf(in_, 0), &motions_, false, true}, *this, ctx_);
+    walkTrajectory(in_, {"tmscript", cutsOf(in_, 0), &motions_, false, true, true}, *this, ctx_);
     return std::move(program_);
   }
 

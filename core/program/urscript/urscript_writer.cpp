@@ -54,7 +54,7 @@ public:
   plan::Program write() {
     roundTargets();
     const Walk walk{"urscript", cutsOf(in_, motionsPerFile(in_.options, kMotionsPerScript)),
-                    &motions_, forPort_};
+                    &motions_, forPort_, true};
     parts_ = walk.cuts.size() - 1;
     walkTrajectory(in_, walk, *this, ctx_);
     if (parts_ > 1 && !forPort_)
