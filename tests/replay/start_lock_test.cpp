@@ -165,7 +165,7 @@ TEST_F(StartLock, RapidListsItsSignal) {
   for (const bool byAxis : {false, true}) {
     program::ProgramInput input{scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"};
     if (byAxis)
-      input.options.own["extruder"] = std::string("axis");
+      input.options.own["extruder"] = std::string("external-axis");
     const auto files = program::writeProgram("rapid", input).files;
     EXPECT_TRUE(std::ranges::any_of(files, [](const plan::ProgramFile& file) {
       return file.name.ends_with("_EIO.cfg") &&
