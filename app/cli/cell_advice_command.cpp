@@ -60,7 +60,7 @@ Json jsonOf(const Advised& advised) {
               {"uprightReach", row.uprightReach},
               {"flangeKg", row.load.kg},
               {"leverMm", row.load.leverMm},
-              {"payloadKg", orNull(row.load.mostKg)},
+              {"payloadKg", orNull(row.load.maxKg)},
               {"payloadByLever", row.load.byCurve},
               {"leanDeg", base::radiansToDegrees(row.leanRad)},
               {"out", row.out.empty() ? Json() : Json(base::english(row.out))}};
@@ -89,7 +89,7 @@ void say(const Advised& advised) {
         fmt::format("{:<20}{:<20}{:>7.1f}%{:>8.1f}%{:>11.2f}{:>9.0f}{:>11}{:>8.0f}", row.cell,
                     base::english(cells::traitsOf(row.form).name), 100.0 * row.reach,
                     100.0 * row.uprightReach, row.load.kg, row.load.leverMm,
-                    row.load.mostKg ? fmt::format("{:.2f}", *row.load.mostKg) : "-",
+                    row.load.maxKg ? fmt::format("{:.2f}", *row.load.maxKg) : "-",
                     base::radiansToDegrees(row.leanRad));
     if (planned) {
       const Planned& plan = advised.planned[i];

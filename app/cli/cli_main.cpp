@@ -97,8 +97,8 @@ void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
   command.add_option("--units", choices.item().units, "units of the mesh file: um, mm, cm, in, m");
   command.add_option_function<std::string>(
       "--turn",
-      [&choices](const std::string& turn) {
-        choices.item().placement.rotation = project::parsedTurn(turn);
+      [&choices](const std::string& rotation) {
+        choices.item().placement.rotation = project::parsedRotation(rotation);
       },
       "X,Y,Z: rotations in degrees about the fixed axes, in this order "
       "(see: orient)");

@@ -24,23 +24,23 @@ void sayFigures(const RunComparison& c) {
       c.beginS, c.endS, c.printedMm, c.beadsMm);
   fmt::print("path: mean {:.3f} mm, greatest {:.3f} mm\n", c.pathMeanMm, c.pathMaxMm);
   fmt::print("speed: mean {:+.2f} %, from {:+.2f} to {:+.2f} %\n", 100.0 * c.speedMean,
-             100.0 * c.speedMostSlow, 100.0 * c.speedMostFast);
+             100.0 * c.speedSlowest, 100.0 * c.speedFastest);
   fmt::print("flow ({}): mean {:+.2f} %, from {:+.2f} to {:+.2f} %\n",
              c.flowIsRecorded ? "recorded" : "planned rate at the recorded speed",
-             100.0 * c.flowMean, 100.0 * c.flowMostLess, 100.0 * c.flowMostMore);
+             100.0 * c.flowMean, 100.0 * c.flowLowest, 100.0 * c.flowHighest);
   if (c.missingMm > 0.0)
     fmt::print("passed over: {:.1f} mm of beads\n", c.missingMm);
 }
 
 // The worst places of each kind.
-void sayPlaces(const RunComparison& c, std::size_t most) {
+void sayPlaces(const RunComparison& c, std::size_t limit) {
   std::size_t ofKind = 0;
   for (std::size_t i = 0; i < c.places.size(); ++i) {
     const ErrorPlace& place = c.places[i];
     ofKind = i > 0 && c.places[i - 1].kind == place.kind ? ofKind + 1 : 0;
-    if (ofKind == most)
+    if (ofKind == limit)
       fmt::print("{}: further places\n", base::english(record::kindName(place.kind)));
-    if (ofKind >= most)
+    if (ofKind >= limit)
       continue;
     fmt::print("{}: {} at {:.2f} s of the plan, {:.2f} s of the record, over {:.1f} mm, at "
                "({:.2f}, {:.2f}, {:.2f})\n",

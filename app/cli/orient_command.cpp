@@ -18,15 +18,15 @@ using Json = nlohmann::ordered_json;
 
 struct Found {
   std::shared_ptr<const modes::LoadStage> placed;
-  std::vector<placement::Way> ways;
+  std::vector<placement::StandingOrientation> ways;
   std::vector<double> seconds; // of each, estimated
 
-  geometry::Placement placementOf(const placement::Way& way) const {
-    return pipeline::standing(way, placed->placement);
+  geometry::Placement placementOf(const placement::StandingOrientation& orientation) const {
+    return pipeline::standing(orientation, placed->placement);
   }
   // A pose in which the part does not stand is not in the list.
   bool liesBadly() const {
-    const auto now = std::ranges::find_if(ways, &placement::Way::now);
+    const auto now = std::ranges::find_if(ways, &placement::StandingOrientation::now);
     return !ways.empty() && (now == ways.end() || placement::liesBadly(*now, ways.front()));
   }
 };
@@ -40,27 +40,27 @@ Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) 
   Found found;
   found.placed = pipeline::loadStage(*loaded, own, ctx.sub(0.1, 0.2));
   found.ways = pipeline::partWays(*found.placed, own, ctx.sub(0.2, 1.0));
-  for (const placement::Way& way : found.ways)
-    found.seconds.push_back(pipeline::estimatedSeconds(way, own));
+  for (const placement::StandingOrientation& orientation : found.ways)
+    found.seconds.push_back(pipeline::estimatedSeconds(orientation, own));
   return found;
 }
 
 Json jsonOf(const Found& found, const std::string& part) {
   Json ways = Json::array();
   for (std::size_t n = 0; n < found.ways.size(); ++n) {
-    const placement::Way& way = found.ways[n];
-    const Eigen::Quaterniond turn = found.placementOf(way).rotation;
-    const Eigen::Vector3d degrees = project::turnDegrees(turn);
-    ways.push_back({{"now", way.now},
-                    {"turn", project::turnText(turn)},
+    const placement::StandingOrientation& orientation = found.ways[n];
+    const Eigen::Quaterniond rotation = found.placementOf(orientation).rotation;
+    const Eigen::Vector3d degrees = project::rotationDegrees(rotation);
+    ways.push_back({{"now", orientation.now},
+                    {"turn", project::rotationText(rotation)},
                     {"turnDeg", {degrees.x(), degrees.y(), degrees.z()}},
-                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
-                    {"contactMm2", way.score.contactMm2},
-                    {"overhangMm2", way.score.riskyMm2},
-                    {"heightMm", way.score.heightMm},
-                    {"voxelMm", way.voxelMm},
-                    {"voxels", way.voxels},
-                    {"missedVoxels", way.missed},
+                    {"quaternion", {rotation.w(), rotation.x(), rotation.y(), rotation.z()}},
+                    {"contactMm2", orientation.score.contactMm2},
+                    {"overhangMm2", orientation.score.riskyMm2},
+                    {"heightMm", orientation.score.heightMm},
+                    {"voxelMm", orientation.voxelMm},
+                    {"voxels", orientation.voxels},
+                    {"missedVoxels", orientation.missed},
                     {"estimatedS", found.seconds[n]}});
   }
   return {{"file", part},
@@ -77,16 +77,16 @@ void say(const Found& found) {
   fmt::print("{:<24}{:>13}{:>14}{:>11}{:>22}{:>12}\n", "turn", "contact mm2", "overhang mm2",
              "height mm", "missed of voxels", "about min");
   for (std::size_t n = 0; n < found.ways.size(); ++n) {
-    const placement::Way& way = found.ways[n];
+    const placement::StandingOrientation& orientation = found.ways[n];
     fmt::print("{:<24}{:>13.0f}{:>14.0f}{:>11.1f}{:>22}{:>12.0f}{}\n",
-               project::turnText(found.placementOf(way).rotation), way.score.contactMm2,
-               way.score.riskyMm2, way.score.heightMm,
-               fmt::format("{} of {}", way.missed, way.voxels), found.seconds[n] / 60.0,
-               way.now ? "  as it lies" : "");
+               project::rotationText(found.placementOf(orientation).rotation),
+               orientation.score.contactMm2, orientation.score.riskyMm2, orientation.score.heightMm,
+               fmt::format("{} of {}", orientation.missed, orientation.voxels),
+               found.seconds[n] / 60.0, orientation.now ? "  as it lies" : "");
   }
   if (found.liesBadly())
     fmt::print("poor orientation; to use the first one: plan PART --turn={}\n",
-               project::turnText(found.placementOf(found.ways.front()).rotation));
+               project::rotationText(found.placementOf(found.ways.front()).rotation));
 }
 
 } // namespace

@@ -46,7 +46,7 @@ ExitCode pithCommand(const PithOptions& options) {
   const double mm3 = geometry::volume(body.mesh);
   fmt::print("{} limbs, {:.1f} mm long, radius {:.2f} to {:.2f} mm, {:.0f} mm3 ({:.0f} % of the "
              "part)\n",
-             body.limbs, body.lengthMm, body.leastRadiusMm, body.greatestRadiusMm, mm3,
+             body.limbs, body.lengthMm, body.minRadiusMm, body.maxRadiusMm, mm3,
              100.0 * mm3 / made->partMm3);
   const std::string file = options.file.string();
   fmt::print("print the pith:        voluta-cli plan {}\n"
@@ -67,7 +67,7 @@ void addPith(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   pith->add_option("-o", options->file, "FILE.stl to write, in the part's coordinates")->required();
   pith->add_option("--share", rule.share, "radius as a share of the part's radius")
       ->check(CLI::Range(0.05, 0.9));
-  pith->add_option("--least", rule.leastRadiusMm, "least radius [mm]")
+  pith->add_option("--least", rule.minRadiusMm, "least radius [mm]")
       ->check(CLI::Range(0.1, 1000.0));
   pith->add_option("--branch", rule.branchGain, "share by which it is thicker where it branches")
       ->check(CLI::Range(0.0, 2.0));

@@ -120,11 +120,11 @@ ExitCode planCommand(const PlanOptions& options) {
       [options, trying](const std::filesystem::path& folder, const base::RunContext& ctx) {
         const pipeline::PlanRequest request =
             withParts(options.request, options.plate, ctx.sub(0.0, 0.01));
-        const auto onWay = [&](const pipeline::WayInTurn& way) {
-          *trying = pipeline::tryingText(way);
+        const auto onStrategy = [&](const pipeline::StrategyProgress& strategy) {
+          *trying = pipeline::tryingText(strategy);
         };
         pipeline::PlanResult result =
-            pipeline::planPart(request, ctx.sub(0.01, 0.97), nullptr, {.onWay = onWay});
+            pipeline::planPart(request, ctx.sub(0.01, 0.97), nullptr, {.onStrategy = onStrategy});
         *trying = {};
         pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0),
                                {.pictures = pictures::proofPictures});

@@ -38,9 +38,10 @@ std::pair<std::size_t, std::string> numbered(const std::string& option, const st
 
 void place(project::ItemChoices& item, const std::string& text, const std::string& rest) {
   constexpr const char* kForm = "NUMBER:X,Y, NUMBER:X,Y,TURN or NUMBER:X,Y,TURN,Z";
-  double x = 0.0, y = 0.0, turn = 0.0, z = item.placement.liftMm;
-  if (!base::readNumbers(rest, ',', {&x, &y}) && !base::readNumbers(rest, ',', {&x, &y, &turn}) &&
-      !base::readNumbers(rest, ',', {&x, &y, &turn, &z}))
+  double x = 0.0, y = 0.0, rotation = 0.0, z = item.placement.liftMm;
+  if (!base::readNumbers(rest, ',', {&x, &y}) &&
+      !base::readNumbers(rest, ',', {&x, &y, &rotation}) &&
+      !base::readNumbers(rest, ',', {&x, &y, &rotation, &z}))
     throw badText("--place", text, kForm);
   if (z < 0.0)
     throw base::Error(base::ErrorCode::Usage,
@@ -49,7 +50,7 @@ void place(project::ItemChoices& item, const std::string& text, const std::strin
   item.placement.centreMm = {x, y};
   item.placement.liftMm = z;
   item.placement.rotation =
-      Eigen::AngleAxisd(base::degreesToRadians(turn), Eigen::Vector3d::UnitZ()) *
+      Eigen::AngleAxisd(base::degreesToRadians(rotation), Eigen::Vector3d::UnitZ()) *
       item.placement.rotation;
 }
 

@@ -18,7 +18,7 @@ ExitCode resumeCommand(const ResumeOptions& options) {
                                {.pictures = pictures::proofPictures});
         fmt::print("from bead {} of {}, waypoint {}; {:.0f} mm3 printed, {:.0f} mm3 left\n",
                    resumed.bead, resumed.plan.job.toolPlan->paths.size(), resumed.waypoint,
-                   resumed.laidMm3, resumed.leftMm3);
+                   resumed.depositedMm3, resumed.leftMm3);
         return resumed.plan.job.report;
       },
       options.folder, options.replace, options.threads, options.progress);

@@ -16,7 +16,7 @@ namespace {
 void sayRun(const replay::SharedRun& run) {
   fmt::print("all programs in one time: {:.0f} s, {} collisions, least distance {:.1f} mm at "
              "{:.0f} s\n",
-             run.makespanS, run.collisions, run.leastDistanceMm, run.leastAtS);
+             run.makespanS, run.collisions, run.minDistanceMm, run.minDistanceAtS);
   for (std::size_t k = 0; k < run.clock.machines.size(); ++k) {
     const replay::MachineClock& clock = run.clock.machines[k];
     fmt::print("machine {}: ends at {:.0f} s, {} marks, waits {:.0f} s\n", k + 1, clock.totalS,

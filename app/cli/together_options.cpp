@@ -37,7 +37,7 @@ void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads) {
                        "minimum distance of moving bodies of two machines in mm (default: 10, or "
                        "that of the station)")
           ->check(CLI::Range(0.0, 500.0));
-  CLI::Option* amidBeads =
+  CLI::Option* insideBeads =
       together
           ->add_option("--pause-in-beads", values->options.pauseInBeadsS,
                        "lets a machine wait inside a bead, with the extruder off, where it has had "
@@ -65,7 +65,7 @@ void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads) {
       ->excludes(lines)
       ->excludes(places)
       ->excludes(clearance)
-      ->excludes(amidBeads)
+      ->excludes(insideBeads)
       ->excludes(folder);
   together->add_option("--threads", values->options.threads, "threads to use")
       ->check(CLI::Range(1, 256));

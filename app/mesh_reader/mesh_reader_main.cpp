@@ -24,8 +24,8 @@ bool endsWith(std::string text, const char* end) {
   return text.ends_with(end);
 }
 
-void limit(int what, rlim_t most) {
-  const rlimit limits{most, most};
+void limit(int what, rlim_t maximum) {
+  const rlimit limits{maximum, maximum};
   setrlimit(what, &limits);
 }
 

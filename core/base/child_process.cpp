@@ -17,7 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Reads until the output ends or a limit is reached.
-ChildResult::End readAll(int from, Clock::time_point until, std::size_t most, std::string& output) {
+ChildResult::End readAll(int from, Clock::time_point until, std::size_t maxBytes,
+                         std::string& output) {
   std::string buffer(1 << 16, '\0');
   while (true) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
@@ -34,7 +35,7 @@ ChildResult::End readAll(int from, Clock::time_point until, std::size_t most, st
       continue;
     if (n <= 0)
       return ChildResult::End::Exited;
-    if (output.size() + static_cast<std::size_t>(n) > most)
+    if (output.size() + static_cast<std::size_t>(n) > maxBytes)
       return ChildResult::End::TooMuchOutput;
     output.append(buffer.data(), static_cast<std::size_t>(n));
   }

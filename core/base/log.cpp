@@ -25,10 +25,10 @@ spdlog::level::level_enum toSpdlog(LogLevel level) {
 }
 } // namespace
 
-Log::Log(const std::filesystem::path& file, std::size_t mostBytes) {
+Log::Log(const std::filesystem::path& file, std::size_t maxBytes) {
   try {
     logger_ = std::make_shared<spdlog::logger>(
-        "voluta", std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), mostBytes,
+        "voluta", std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), maxBytes,
                                                                          kOlderFiles));
   } catch (const spdlog::spdlog_ex& e) {
     throw Error(ErrorCode::CannotWrite,

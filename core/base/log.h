@@ -18,9 +18,9 @@ class Log {
 public:
   // Writes nothing.
   Log() = default;
-  // Appends to the file; at `mostBytes` it becomes NAME.1.log, and that one NAME.2.log, so that
+  // Appends to the file; at `maxBytes` it becomes NAME.1.log, and that one NAME.2.log, so that
   // each of the three has at most that size. Creates the folder. Throws Error{CannotWrite}.
-  explicit Log(const std::filesystem::path& file, std::size_t mostBytes = 200000);
+  explicit Log(const std::filesystem::path& file, std::size_t maxBytes = 200000);
 
   // Writes one line, immediately; line breaks within the message become spaces. Write errors are
   // ignored, since logging must not stop the program.

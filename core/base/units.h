@@ -7,7 +7,7 @@
 namespace voluta::base {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kTurn = 2.0 * kPi; // A full turn
+inline constexpr double kTwoPi = 2.0 * kPi; // A full turn
 
 constexpr double degreesToRadians(double degrees) {
   return degrees * kPi / 180.0;

@@ -26,9 +26,9 @@ namespace {
 
 constexpr std::size_t kMaxWaypoints = 20'000'000;
 constexpr double kFarthestMm = 1e6;
-constexpr double kStepMm = 0.1;     // Length over which a stepwise change of section is spread
-constexpr double kSameShare = 1e-4; // Tolerance within which sections are the same
-constexpr double kMinWayMm = 1e-6;  // Shorter lines deposit nothing
+constexpr double kStepMm = 0.1;       // Length over which a stepwise change of section is spread
+constexpr double kSameShare = 1e-4;   // Tolerance within which sections are the same
+constexpr double kMinLengthMm = 1e-6; // Shorter lines deposit nothing
 
 // A point's values by factor, at the line's begin and end; NaN: not given.
 struct Factors {
@@ -104,7 +104,8 @@ double valueAt(const Profile& profile, std::size_t m, const Point& point, double
   const Modifier& modifier = profile.modifiers[m];
   if (!profile.modified[m] || std::isnan(point.factors.from[modifier.factor]))
     return profile.nominal[m];
-  return modifier.least + factorAt(point, modifier.factor, t) * (modifier.most - modifier.least);
+  return modifier.minimum +
+         factorAt(point, modifier.factor, t) * (modifier.maximum - modifier.minimum);
 }
 
 std::vector<Piece> piecesOf(const Profile& profile, const Point& point) {
@@ -142,7 +143,7 @@ public:
         last = &point;
         continue;
       }
-      if ((point.position - last->position).norm() < kMinWayMm)
+      if ((point.position - last->position).norm() < kMinLengthMm)
         continue;
       for (const Piece& piece : piecesOf(profile_, point))
         addPiece(*last, point, piece);
@@ -156,13 +157,13 @@ public:
 
 private:
   void addPiece(const Point& a, const Point& b, const Piece& piece) {
-    const double way = (b.position - a.position).norm();
+    const double distance = (b.position - a.position).norm();
     const double speed = 0.5 * (piece.begin[2] + piece.end[2]);
     if (into_.waypointCount() == first_) {
       add(a, b, piece.from, piece.begin[0], piece.begin[1], speed);
     } else if (!same(into_.widthMm.back(), piece.begin[0]) ||
                !same(into_.heightMm.back(), piece.begin[1])) {
-      const double within = std::min(kStepMm / way, 0.25 * (piece.to - piece.from));
+      const double within = std::min(kStepMm / distance, 0.25 * (piece.to - piece.from));
       add(a, b, piece.from + within, piece.begin[0], piece.begin[1], speed);
     }
     add(a, b, piece.to, piece.end[0], piece.end[1], speed);

@@ -85,8 +85,8 @@ void addModifier(Profile& profile, const XmlAttributes& attributes) {
   const Modifier modifier{typeOf(attributes.text("type")), attributes.number("minvalue"),
                           attributes.number("maxvalue"),
                           static_cast<std::size_t>(letter - kFactors.begin())};
-  if (letter == kFactors.end() || !(modifier.least > 0.0) || !(modifier.least < modifier.most) ||
-      modifier.most > kMaxValue)
+  if (letter == kFactors.end() || !(modifier.minimum > 0.0) ||
+      !(modifier.minimum < modifier.maximum) || modifier.maximum > kMaxValue)
     throw Error(ErrorCode::UnreadableFile,
                 base::message("a modifier of '{attribute}' without a range above 0 or without a "
                               "factor of e, f, g and h"_text,

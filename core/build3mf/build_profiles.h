@@ -19,7 +19,7 @@ enum class ModifierType : std::uint8_t { Constant, Linear, Nonlinear };
 
 struct Modifier {
   ModifierType type = ModifierType::Constant;
-  double least = 0.0, most = 0.0;
+  double minimum = 0.0, maximum = 0.0;
   std::size_t factor = 0; // Index in kFactors
 };
 

@@ -234,18 +234,18 @@ bool looksInward(const plan::ToolPlan& plan) {
         sum->direction += plan.direction[i];
         sum->count += 1.0;
       }
-  double along = 0.0, way = 0.0;
+  double along = 0.0, length = 0.0;
   const Sum* before = nullptr;
   for (const auto& [layer, sum] : layers) {
     if (before) {
       const Vector3d step = sum.place / sum.count - before->place / before->count;
       along += step.dot((sum.direction + before->direction).normalized());
-      way += step.norm();
+      length += step.norm();
     }
     before = &sum;
   }
   constexpr double kClear = 0.3; // Share of the path
-  if (std::abs(along) > kClear * way)
+  if (std::abs(along) > kClear * length)
     return along < 0.0;
   // Layers around one centre: outward is away from it.
   const Vector3d middle = all.place / std::max(all.count, 1.0);

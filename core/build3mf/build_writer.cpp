@@ -57,14 +57,14 @@ long long unitsOf(double mm) {
 }
 
 struct Range {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum;
   void take(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
+    minimum = std::min(minimum, value);
+    maximum = std::max(maximum, value);
   }
-  bool varies() const { return most > least; }
+  bool varies() const { return maximum > minimum; }
   double factorOf(double value) const {
-    return std::clamp((value - least) / (most - least), 0.0, 1.0);
+    return std::clamp((value - minimum) / (maximum - minimum), 0.0, 1.0);
   }
 };
 
@@ -223,15 +223,15 @@ void addProfiles(Text out, const Profiles& profiles) {
     fmt::format_to(out, "    <tp:toolpathprofile uuid=\"{}\" name=\"{}\"", profile.uuid,
                    kKindNames[k]);
     for (std::size_t m = 0; m < kModulatedNames.size(); ++m)
-      fmt::format_to(out, " {}=\"{}\"", kModulatedNames[m], profile.ranges[m].most);
+      fmt::format_to(out, " {}=\"{}\"", kModulatedNames[m], profile.ranges[m].maximum);
     fmt::format_to(out, " v:kind=\"{}\">\n", kKindNames[k]);
     for (std::size_t m = 0; m < kModulatedNames.size(); ++m)
       if (profile.ranges[m].varies())
         fmt::format_to(out,
                        "     <tp:modifier attribute=\"{}\" type=\"{}\" minvalue=\"{}\" "
                        "maxvalue=\"{}\" factor=\"{}\"/>\n",
-                       kModulatedNames[m], m == 2 ? "constant" : "linear", profile.ranges[m].least,
-                       profile.ranges[m].most, kFactors[m]);
+                       kModulatedNames[m], m == 2 ? "constant" : "linear",
+                       profile.ranges[m].minimum, profile.ranges[m].maximum, kFactors[m]);
     fmt::format_to(out, "    </tp:toolpathprofile>\n");
   }
   fmt::format_to(out, "   </tp:toolpathprofiles>\n");

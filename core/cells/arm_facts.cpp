@@ -25,12 +25,12 @@ struct Line {
   Vector3d point, direction;
 };
 Line axisOf(const robot::RobotModel& robot, JointVector q, int joint) {
-  constexpr double kTurn = 1.0;
+  constexpr double kTestRad = 1.0;
   const Isometry3d from = robot.kinematics->flange(q);
-  q[joint] += kTurn;
+  q[joint] += kTestRad;
   const Isometry3d move = robot.kinematics->flange(q) * from.inverse();
-  const Eigen::AngleAxisd turn(move.linear());
-  const Vector3d d = turn.angle() > 0.0 ? Vector3d(turn.axis()) : Vector3d::UnitZ();
+  const Eigen::AngleAxisd rotation(move.linear());
+  const Vector3d d = rotation.angle() > 0.0 ? Vector3d(rotation.axis()) : Vector3d::UnitZ();
   // (1 - R) p = t has a line of solutions; the least-squares solution is the one nearest to the
   // origin.
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - move.linear();
@@ -122,7 +122,7 @@ ArmFacts armFacts(const robot::RobotModel& robot) {
       const Vector3d before = links[links.size() - 3].translation();
       const double away = (flange.translation() - before).dot(axis.direction);
       facts.flange_R_outward =
-          geometry::leastTurn(Vector3d::UnitZ(), away < 0.0 ? Vector3d(-inFlange) : inFlange)
+          geometry::shortestRotation(Vector3d::UnitZ(), away < 0.0 ? Vector3d(-inFlange) : inFlange)
               .toRotationMatrix();
     }
   }

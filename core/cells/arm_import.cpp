@@ -68,7 +68,7 @@ ImportedFiles filesOf(const ArmImport& import, const fs::path& folder) {
 }
 } // namespace
 
-std::vector<fs::path> filesInTheWay(const ArmImport& import, const fs::path& folder) {
+std::vector<fs::path> conflictingFiles(const ArmImport& import, const fs::path& folder) {
   const ImportedFiles files = filesOf(import, folder);
   std::vector<fs::path> there;
   for (const fs::path& file : {files.robot, files.cell}) {
@@ -82,7 +82,7 @@ std::vector<fs::path> filesInTheWay(const ArmImport& import, const fs::path& fol
 ImportedFiles writeImport(const ArmImport& import, const fs::path& folder, Existing existing) {
   const robot::RobotModel& robot = import.arm.model;
   const ImportedFiles files = filesOf(import, folder);
-  const std::vector<fs::path> there = filesInTheWay(import, folder);
+  const std::vector<fs::path> there = conflictingFiles(import, folder);
   if (existing == Existing::Refuse && !there.empty())
     throw base::Error(
         base::ErrorCode::Usage, "exists, perhaps with measured frames and obstacles"_text,

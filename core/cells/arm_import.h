@@ -32,8 +32,8 @@ struct ImportedFiles {
   std::filesystem::path robot, cell;
 };
 // Returns the files of an earlier import, or of the user's, that writeImport() would replace.
-std::vector<std::filesystem::path> filesInTheWay(const ArmImport& import,
-                                                 const std::filesystem::path& folder);
+std::vector<std::filesystem::path> conflictingFiles(const ArmImport& import,
+                                                    const std::filesystem::path& folder);
 
 enum class Existing { Refuse, Replace };
 // Writes folder/robots/ID.json, its link meshes beside it, and folder/cells/CELL.json. Throws

@@ -30,10 +30,10 @@ Frames framesAtRest(const robot::Cell& cell) {
 }
 
 // Returns the pose with the nozzle's z against the plate's.
-Eigen::Isometry3d upright(const Eigen::Vector3d& tip, double turn) {
+Eigen::Isometry3d upright(const Eigen::Vector3d& tip, double rotation) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = tip;
-  pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+  pose.linear() = Eigen::AngleAxisd(rotation, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
                   Eigen::Vector3d(1, -1, -1).asDiagonal();
   return pose;
 }
@@ -96,27 +96,27 @@ ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process)
 // Returns the pair of bodies that collides most often where the arm reaches. At each place only the
 // solution with the smallest joint motion from home counts. Returns nullopt if the arm reaches no
 // place or nothing collides.
-std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& collision,
-                                const collision::Margins& margins, const ReachMap& map,
-                                const base::RunContext& ctx) {
+std::optional<Contact> commonestContact(const robot::Cell& cell, const CellCollision& collision,
+                                        const collision::Margins& margins, const ReachMap& map,
+                                        const base::RunContext& ctx) {
   std::map<std::pair<int, int>, int> times;
   std::vector<robot::JointVector> solutions;
   Frames frames;
   for (const Eigen::Vector2d& at : map.points()) {
     ctx.checkpoint();
-    double least = INFINITY;
+    double minimum = INFINITY;
     robot::JointVector nearest;
     for (const robot::JointVector& axes : axisPlaces(cell, map.grid().axisPlaces))
-      for (int turn = 0; turn < map.grid().turns; ++turn) {
+      for (int rotation = 0; rotation < map.grid().turns; ++rotation) {
         robot::JointVector near = cell.home();
         near.tail(axes.size()) = axes;
         cell.inverse(upright({at.x(), at.y(), map.grid().heightsMm.front()},
-                             base::kTurn * turn / map.grid().turns),
+                             base::kTwoPi * rotation / map.grid().turns),
                      near, solutions);
         for (const robot::JointVector& q : solutions)
-          if (const double turned = robot::asTurns(q - cell.home(), cell.limits()).norm();
-              turned < least) {
-            least = turned;
+          if (const double turned = robot::asAngles(q - cell.home(), cell.limits()).norm();
+              turned < minimum) {
+            minimum = turned;
             nearest = q;
           }
       }
@@ -128,9 +128,9 @@ std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& co
   }
   if (times.empty())
     return std::nullopt;
-  const auto most =
+  const auto maximum =
       std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });
-  return Contact{most->first.first, most->first.second};
+  return Contact{maximum->first.first, maximum->first.second};
 }
 
 void checkPlate(const robot::Cell& cell, const process::Process& process,
@@ -142,7 +142,7 @@ void checkPlate(const robot::Cell& cell, const process::Process& process,
   const ReachMap map = reachMap(cell, process, coarseGrid(*plate, process), margins, ctx);
   if (map.shareOfTilt(0) > 0.0)
     return;
-  if (const auto contact = inTheWay(cell, collision, margins, map, ctx))
+  if (const auto contact = commonestContact(cell, collision, margins, map, ctx))
     faults.push_back(
         {base::message("wherever the nozzle reaches the plate, {first} collides with "
                        "{second}"_text,
@@ -156,10 +156,10 @@ void checkPlate(const robot::Cell& cell, const process::Process& process,
 void checkLoad(const robot::Cell& cell, double partKg, std::vector<CellFault>& faults) {
   const double carried =
       cell.carriedKg() + (cell.nozzleMount() == robot::Mount::World ? partKg : 0.0);
-  if (const std::optional<double>& most = cell.robot().payloadKg; most && carried > *most)
+  if (const std::optional<double>& maximum = cell.robot().payloadKg; maximum && carried > *maximum)
     faults.push_back({base::message("payload {carried:.3g} kg exceeds the robot's rating of "
                                     "{most:.3g} kg"_text,
-                                    base::number(carried), base::number(*most)),
+                                    base::number(carried), base::number(*maximum)),
                       "reduce the payload, or use a stronger robot"_text});
 }
 
@@ -221,14 +221,14 @@ std::optional<robot::JointVector> clearestRest(const robot::Cell& cell,
   std::tuple<double, double, double> bestRank;
   robot::JointVector zero = robot::JointVector::Zero(cell.dof());
   for (double height = kHighestMm; height >= kLowestMm; height -= kStepMm)
-    for (int turn = 0; turn < kTurns; ++turn) {
-      cell.inverse(upright({0, 0, height}, base::kTurn * turn / kTurns), zero, solutions);
+    for (int rotation = 0; rotation < kTurns; ++rotation) {
+      cell.inverse(upright({0, 0, height}, base::kTwoPi * rotation / kTurns), zero, solutions);
       for (const robot::JointVector& q : solutions) {
         cell.framePoses(q, frames);
         if (collision.bodies(frames, margins))
           continue;
         const std::tuple rank(std::floor(collision.clearance(frames, kEnoughMm)), height,
-                              -robot::asTurns(q, cell.limits()).norm());
+                              -robot::asAngles(q, cell.limits()).norm());
         if (!best || rank > bestRank) {
           best = q;
           bestRank = rank;

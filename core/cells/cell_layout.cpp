@@ -171,8 +171,8 @@ std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
   Frames frames;
   std::map<std::pair<int, int>, int> blocking;
   const robot::NozzleTurns turns(cell, robot::leaningTool({0, 0, 100.0}, 0.0, 0.0), cell.home());
-  for (int turn = 0; turn < kTurns; ++turn) {
-    turns.at(base::kTurn * turn / kTurns, solutions);
+  for (int rotation = 0; rotation < kTurns; ++rotation) {
+    turns.at(base::kTwoPi * rotation / kTurns, solutions);
     for (const JointVector& q : solutions) {
       cell.framePoses(q, frames);
       const auto contact = bodies.bodies(frames, {kClearMm, kClearMm, 0.0});
@@ -183,12 +183,12 @@ std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
         ++blocking[{contact->first, contact->second}];
     }
   }
-  const auto most =
+  const auto maximum =
       std::max_element(blocking.begin(), blocking.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most == blocking.end())
+  if (maximum == blocking.end())
     return std::nullopt;
-  return most->first;
+  return maximum->first;
 }
 
 std::string noteOf(const CellLayout& layout, std::size_t places, const std::string& part) {

@@ -111,7 +111,7 @@ CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
         CellScore score{none, none, none};
         Clear clear(cell, bodies, kPartShare * pattern.radiusMm);
         std::vector<JointVector> solutions;
-        int lastTurn = 0; // a turn that was clear is likely to be clear at the next pose
+        int lastRotation = 0; // a turn that was clear is likely to be clear at the next pose
         for (std::size_t p = begin; p < end; ++p)
           for (std::size_t tilt = 0; tilt < tilts; ++tilt) {
             const double lean = base::degreesToRadians(pattern.tiltDeg[tilt]);
@@ -121,13 +121,13 @@ CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
                   cell.home());
               bool reached = false, isClear = false;
               for (int i = 0; i < pattern.turns && !isClear; ++i) {
-                const int turn = (lastTurn + i) % pattern.turns;
-                turns.at(2.0 * kPi * turn / pattern.turns, solutions);
+                const int rotation = (lastRotation + i) % pattern.turns;
+                turns.at(2.0 * kPi * rotation / pattern.turns, solutions);
                 reached = reached || !solutions.empty();
                 for (std::size_t s = 0; s < solutions.size() && !isClear; ++s)
                   isClear = clear(solutions[s]);
                 if (isClear)
-                  lastTurn = turn;
+                  lastRotation = rotation;
               }
               ++score.poses[tilt];
               score.reached[tilt] += reached ? 1 : 0;

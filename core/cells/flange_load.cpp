@@ -19,9 +19,9 @@ FlangeLoad flangeLoad(const robot::Cell& cell, const process::Process& process, 
     centre = cell.flange_T_moved() * Eigen::Vector3d(0, 0, -0.5 * head);
   }
   load.leverMm = centre.norm();
-  if (const auto most = robot::payloadAt(cell.robot(), load.leverMm)) {
-    load.mostKg = most->kg;
-    load.byCurve = most->byCurve;
+  if (const auto maximum = robot::payloadAt(cell.robot(), load.leverMm)) {
+    load.maxKg = maximum->kg;
+    load.byCurve = maximum->byCurve;
   }
   return load;
 }

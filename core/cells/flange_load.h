@@ -10,11 +10,11 @@ namespace voluta::cells {
 
 struct FlangeLoad {
   double kg = 0.0;
-  double leverMm = 0.0;         // distance of the load's centre from the flange
-  std::optional<double> mostKg; // that the robot carries at this lever; nullopt: unknown
-  bool byCurve = false;         // mostKg is from the robot's payload curve, not only its rating
+  double leverMm = 0.0;        // distance of the load's centre from the flange
+  std::optional<double> maxKg; // that the robot carries at this lever; nullopt: unknown
+  bool byCurve = false;        // maxKg is from the robot's payload curve, not only its rating
 
-  bool carried() const { return !mostKg || kg <= *mostKg; }
+  bool carried() const { return !maxKg || kg <= *maxKg; }
 };
 
 // Returns the load once everything is printed. A plate on the flange has its mass at its top and

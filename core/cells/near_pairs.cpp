@@ -56,12 +56,12 @@ double distanceOf(const robot::Shape& a, const Isometry3d& poseA, const robot::S
 } // namespace
 
 double distanceOf(const robot::Body& a, const robot::Body& b, const Frames& frames, double capMm) {
-  double least = capMm;
+  double minimum = capMm;
   for (const robot::Shape& one : a.shapes)
     for (const robot::Shape& other : b.shapes)
-      least = std::min(least, distanceOf(one, frames[static_cast<std::size_t>(a.frame)], other,
-                                         frames[static_cast<std::size_t>(b.frame)], least));
-  return least;
+      minimum = std::min(minimum, distanceOf(one, frames[static_cast<std::size_t>(a.frame)], other,
+                                             frames[static_cast<std::size_t>(b.frame)], minimum));
+  return minimum;
 }
 
 double nearShare(const robot::Body& a, const robot::Body& b, const std::vector<Frames>& poses,

@@ -61,10 +61,11 @@ public:
     const std::size_t turns = static_cast<std::size_t>(grid_.turns);
     const std::size_t ways = axes.size() * turns, from = last_;
     for (std::size_t n = 0; n < ways; ++n) {
-      const std::size_t way = (from + n) % ways;
-      if (!clear(poseOf(tip, direction, static_cast<int>(way % turns)), axes[way / turns]))
+      const std::size_t candidate = (from + n) % ways;
+      if (!clear(poseOf(tip, direction, static_cast<int>(candidate % turns)),
+                 axes[candidate / turns]))
         continue;
-      last_ = way;
+      last_ = candidate;
       return true;
     }
     return false;
@@ -89,10 +90,11 @@ private:
     return places;
   }
 
-  Eigen::Isometry3d poseOf(const Eigen::Vector3d& tip, const Direction& direction, int turn) const {
+  Eigen::Isometry3d poseOf(const Eigen::Vector3d& tip, const Direction& direction,
+                           int rotation) const {
     const Eigen::Isometry3d pose = robot::leaningTool(
-        tip, grid_.tiltsRad[direction.tilt], base::kTurn * direction.azimuth / grid_.azimuths,
-        base::kTurn * turn / grid_.turns);
+        tip, grid_.tiltsRad[direction.tilt], base::kTwoPi * direction.azimuth / grid_.azimuths,
+        base::kTwoPi * rotation / grid_.turns);
     base::require(pose.linear().col(2).dot(direction.build) < -0.999,
                   "a tool against its direction");
     return pose;
@@ -143,7 +145,7 @@ std::vector<Direction> directionsOf(const ReachGrid& grid) {
   std::vector<Direction> directions;
   for (std::size_t tilt = 0; tilt < grid.tiltsRad.size(); ++tilt)
     for (int side = 0; side < (tilt == 0 ? 1 : grid.azimuths); ++side) {
-      const double t = grid.tiltsRad[tilt], a = base::kTurn * side / grid.azimuths;
+      const double t = grid.tiltsRad[tilt], a = base::kTwoPi * side / grid.azimuths;
       directions.push_back(
           {tilt, side, {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)}});
     }
@@ -161,9 +163,9 @@ std::vector<JointVector> axisPlaces(const robot::Cell& cell, int places) {
   for (Eigen::Index k = 0; k < count; ++k) {
     const robot::JointLimits& limits = axes[static_cast<std::size_t>(k)].limits;
     const bool round =
-        limits.kind == robot::JointKind::Turning && limits.max - limits.min >= base::kTurn;
+        limits.kind == robot::JointKind::Turning && limits.max - limits.min >= base::kTwoPi;
     const double first = round ? std::max(limits.min, -kPi) : limits.min;
-    const double step = round         ? base::kTurn / places
+    const double step = round         ? base::kTwoPi / places
                         : places == 1 ? 0.0
                                       : (limits.max - limits.min) / (places - 1);
     std::vector<JointVector> next;

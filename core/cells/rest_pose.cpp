@@ -27,26 +27,27 @@ double fromSingular(const robot::Cell& cell, const JointVector& q, double reachM
   const Eigen::Isometry3d at = arm.flange(q);
   Eigen::Matrix<double, 6, Eigen::Dynamic> moves(6, cell.armDof());
   for (int i = 0; i < cell.armDof(); ++i) {
-    const double step = robot::fromTurn(arm.kindOf(i), kStep);
+    const double step = robot::fromAngle(arm.kindOf(i), kStep);
     JointVector next = q;
     next[i] += step;
     const Eigen::Isometry3d moved = arm.flange(next);
-    const Eigen::Matrix3d turn = moved.linear() * at.linear().transpose();
+    const Eigen::Matrix3d rotation = moved.linear() * at.linear().transpose();
     moves.col(i) << (moved.translation() - at.translation()) / (reachMm * kStep),
-        Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) /
+        Eigen::Vector3d(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
+                        rotation(1, 0) - rotation(0, 1)) /
             (2.0 * kStep);
   }
   return geometry::singularValues(Eigen::MatrixXd(moves)).minCoeff();
 }
 
 double fromLimits(const robot::Cell& cell, const JointVector& q) {
-  double least = base::kPi;
+  double minimum = base::kPi;
   for (int i = 0; i < cell.armDof(); ++i) {
     const robot::JointLimits& limit = cell.limits()[static_cast<std::size_t>(i)];
-    least =
-        std::min(least, robot::asTurn(limit.kind, std::min(q[i] - limit.min, limit.max - q[i])));
+    minimum =
+        std::min(minimum, robot::asAngle(limit.kind, std::min(q[i] - limit.min, limit.max - q[i])));
   }
-  return least;
+  return minimum;
 }
 
 JointVector onTenths(const robot::Cell& cell, JointVector q) {
@@ -74,8 +75,8 @@ std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process
   double bestWorth = -1.0, bestTurns = 0.0;
   for (double height = kHeightMm; height > 0.0 && bestWorth <= 0.0; height -= kStepMm) {
     const robot::NozzleTurns turns(cell, robot::leaningTool({0, 0, height}, 0.0, 0.0), zero);
-    for (int turn = 0; turn < kTurns; ++turn) {
-      turns.at(base::kTurn * turn / kTurns, solutions);
+    for (int rotation = 0; rotation < kTurns; ++rotation) {
+      turns.at(base::kTwoPi * rotation / kTurns, solutions);
       for (const JointVector& exact : solutions) {
         RestPose rest{onTenths(cell, exact), 0.0, height, 0.0};
         cell.framePoses(rest.q, frames);
@@ -90,7 +91,7 @@ std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process
                              (0.1 + 0.9 * share(fromLimits(cell, rest.q), kFromLimitsRad)) *
                              (0.1 + 0.9 * share(rest.fromSingular, enough));
         const double turned =
-            robot::asTurns(rest.q, cell.limits()).norm() + 3.0 * std::abs(rest.q[0]);
+            robot::asAngles(rest.q, cell.limits()).norm() + 3.0 * std::abs(rest.q[0]);
         constexpr double kSame = 1e-6;
         if (worth > bestWorth + kSame || (worth > bestWorth - kSame && turned < bestTurns)) {
           bestWorth = worth;

@@ -21,15 +21,15 @@ double pointDistance(const Disc& disc, const Vector3d& point) {
 // Returns the minimum of a convex function over [low, high], or the first value found at or below
 // `enough`.
 template <typename Value>
-double leastOf(const Value& value, double low, double high, double enough) {
+double minimumOf(const Value& value, double low, double high, double enough) {
   constexpr int kSteps = 20; // 7e-5 of the range
   geometry::GoldenSection search(value, low, high);
-  double least = std::min({search.atA, search.atB, value(low), value(high)});
-  for (int k = 0; k < kSteps && least > enough; ++k) {
+  double minimum = std::min({search.atA, search.atB, value(low), value(high)});
+  for (int k = 0; k < kSteps && minimum > enough; ++k) {
     search.step();
-    least = std::min({least, search.atA, search.atB});
+    minimum = std::min({minimum, search.atA, search.atB});
   }
-  return least;
+  return minimum;
 }
 
 Eigen::AlignedBox3d boxOf(const Disc& disc) {
@@ -72,18 +72,19 @@ BeadSection beadSection(const plan::ToolPlan& plan, std::size_t i) {
 }
 
 double discDistance(const Disc& disc, const BeadSection& bead) {
-  const double core = leastOf(
+  const double core = minimumOf(
       [&](double t) {
         const Vector3d at = bead.start + t * bead.along;
-        return leastOf([&](double aside) { return pointDistance(disc, at + aside * bead.side); },
-                       -bead.halfFlat, bead.halfFlat, bead.radius);
+        return minimumOf(
+            [&](double lateral) { return pointDistance(disc, at + lateral * bead.side); },
+            -bead.halfFlat, bead.halfFlat, bead.radius);
       },
       0.0, 1.0, bead.radius);
   return core - bead.radius;
 }
 
 BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::uint32_t>& segments)
-    : laidAt_(segments), places_(plan.waypointCount()) {
+    : printedAt_(segments), places_(plan.waypointCount()) {
   for (std::size_t p = 0; p < plan.paths.size(); ++p) {
     const plan::ToolPath& path = plan.paths[p];
     double mm = 0.0;
@@ -94,7 +95,7 @@ BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::ui
     }
   }
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (std::uint32_t& segment : laidAt_) {
+  for (std::uint32_t& segment : printedAt_) {
     beads_.push_back(beadSection(plan, segment));
     boxes.push_back(boxOf(beads_.back()));
     ++segment;
@@ -109,14 +110,14 @@ BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::ui
 bool BeadSections::isSoft(std::size_t waypoint, std::size_t printing) const {
   if (printing >= places_.size())
     return false;
-  const Place &laid = places_[waypoint], &now = places_[printing];
-  return laid.path == now.path && now.mm - laid.mm <= now.softMm;
+  const Place &printed = places_[waypoint], &now = places_[printing];
+  return printed.path == now.path && now.mm - printed.mm <= now.softMm;
 }
 
 bool BeadSections::reachedBy(const Disc& disc, std::size_t printing) const {
   return near_.any(boxOf(disc), [&](std::uint32_t b) {
-    return laidAt_[b] < printing && !isBeneath(beads_[b], disc) && !isSoft(laidAt_[b], printing) &&
-           discDistance(disc, beads_[b]) <= 0.0;
+    return printedAt_[b] < printing && !isBeneath(beads_[b], disc) &&
+           !isSoft(printedAt_[b], printing) && discDistance(disc, beads_[b]) <= 0.0;
   });
 }
 

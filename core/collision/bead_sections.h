@@ -45,8 +45,8 @@ private:
   bool isSoft(std::size_t waypoint, std::size_t printing) const;
 
   std::vector<BeadSection> beads_;
-  std::vector<std::uint32_t> laidAt_; // per bead: its end waypoint
-  std::vector<Place> places_;         // per waypoint
+  std::vector<std::uint32_t> printedAt_; // per bead: its end waypoint
+  std::vector<Place> places_;            // per waypoint
   geometry::BoxGrid near_;
 };
 

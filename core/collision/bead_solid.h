@@ -18,14 +18,14 @@ class BeadSolid {
 public:
   // Precondition: i + 1 < plan.waypointCount().
   BeadSolid(const plan::ToolPlan& plan, std::size_t i)
-      : direction0_(plan.direction[i]), turn_(plan.direction[i + 1] - plan.direction[i]),
+      : direction0_(plan.direction[i]), bend_(plan.direction[i + 1] - plan.direction[i]),
         width0_(plan.widthMm[i]), width1_(plan.widthMm[i + 1]), height0_(plan.heightMm[i]),
         height1_(plan.heightMm[i + 1]) {
     centre0_ = plan.position[i] - 0.5 * height0_ * direction0_;
     along_ = plan.position[i + 1] - 0.5 * height1_ * plan.direction[i + 1] - centre0_;
     const double squared = along_.squaredNorm();
     inverseSquared_ = squared > 0.0 ? 1.0 / squared : 0.0;
-    turns_ = !turn_.isZero(0.0);
+    turns_ = !bend_.isZero(0.0);
     if (!turns_)
       direction0_.normalize();
   }
@@ -40,7 +40,7 @@ public:
     const double width = width0_ + t * (width1_ - width0_);
     double up = r.dot(direction0_);
     if (turns_) {
-      const Eigen::Vector3d d = direction0_ + t * turn_;
+      const Eigen::Vector3d d = direction0_ + t * bend_;
       up = r.dot(d) / d.norm();
     }
     const double quarter = 0.25 * height * height;
@@ -65,20 +65,20 @@ private:
     // On the arc between two unit directions a component is at most the larger end's absolute value
     // divided by the cosine of half the arc, and, if both are on one side, at least the smaller
     // end's.
-    const Eigen::Array3d up0 = direction0_.normalized(), up1 = (direction0_ + turn_).normalized();
+    const Eigen::Array3d up0 = direction0_.normalized(), up1 = (direction0_ + bend_).normalized();
     const double cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + (up0 * up1).sum())));
     if (cosine < 0.5)
       return Eigen::Vector3d::Constant(reach());
-    const Eigen::Array3d most = (up0.abs().max(up1.abs()) / cosine).min(1.0);
-    const Eigen::Array3d least = (up0 * up1 > 0.0).select(up0.abs().min(up1.abs()), 0.0);
-    const Eigen::Array3d aside = (1.0 - least.square()).max(0.0).sqrt();
+    const Eigen::Array3d maximum = (up0.abs().max(up1.abs()) / cosine).min(1.0);
+    const Eigen::Array3d minimum = (up0 * up1 > 0.0).select(up0.abs().min(up1.abs()), 0.0);
+    const Eigen::Array3d lateral = (1.0 - minimum.square()).max(0.0).sqrt();
     const double height = std::max(height0_, height1_);
-    return (0.5 * (height * most + std::max({width0_, width1_, height}) * aside))
+    return (0.5 * (height * maximum + std::max({width0_, width1_, height}) * lateral))
         .min(reach())
         .matrix();
   }
 
-  Eigen::Vector3d centre0_, along_, direction0_, turn_;
+  Eigen::Vector3d centre0_, along_, direction0_, bend_;
   double inverseSquared_, width0_, width1_, height0_, height1_;
   bool turns_;
 };

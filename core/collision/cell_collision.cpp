@@ -173,9 +173,10 @@ double CellCollision::distance(const PosedSolid& a, const PosedSolid& b, double 
     return capsuleDistance({within(a, b.p0), within(a, b.p1), capsuleB->radius}, a.solid->placed,
                            enough);
 
-  const double aside = signedDistance(b.solid->placed, within(b, a.centre)) - a.solid->ball.radius;
-  if (aside > enough)
-    return aside;
+  const double lowerBound =
+      signedDistance(b.solid->placed, within(b, a.centre)) - a.solid->ball.radius;
+  if (lowerBound > enough)
+    return lowerBound;
   const Isometry3d &base_T_a = *a.base_T_solid, &base_T_b = *b.base_T_solid;
   const Vector3d between = b.centre - a.centre;
   const Vector3d axisA = base_T_a.linear() * axisOf(a.solid->shape);
@@ -194,11 +195,11 @@ double CellCollision::distance(const PosedSolid& a, const PosedSolid& b, double 
 
 double CellCollision::distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
                                double enough) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const PosedSolid& s : a)
     for (const PosedSolid& t : b)
-      least = std::min(least, distance(s, t, std::min(enough, least)));
-  return least;
+      minimum = std::min(minimum, distance(s, t, std::min(enough, minimum)));
+  return minimum;
 }
 
 void CellCollision::placeSolids(const Assembly& assembly, const Isometry3d& pose,
@@ -314,12 +315,13 @@ std::optional<Contact> CellCollision::any(const Frames& base_T_frame, const Grow
 double CellCollision::clearance(const Frames& base_T_frame, double capMm,
                                 std::size_t* nearest) const {
   const PosedBodies posed(*this, base_T_frame);
-  double least = capMm;
+  double minimum = capMm;
   const auto look = [&](std::size_t pair) {
-    const double distance = posed.distance(freePairs_[pair].first, freePairs_[pair].second, least);
-    if (distance < least && nearest)
+    const double distance =
+        posed.distance(freePairs_[pair].first, freePairs_[pair].second, minimum);
+    if (distance < minimum && nearest)
       *nearest = pair;
-    least = std::min(least, distance);
+    minimum = std::min(minimum, distance);
   };
   // Start with the nearest pair: its distance prunes most of the others.
   const std::size_t first = nearest && *nearest < freePairs_.size() ? *nearest : 0;
@@ -327,18 +329,18 @@ double CellCollision::clearance(const Frames& base_T_frame, double capMm,
     look(pair);
   for (std::size_t pair = 0; pair < first; ++pair)
     look(pair);
-  return least;
+  return minimum;
 }
 
 double CellCollision::clearanceToPart(const Frames& base_T_frame, const GrowingPart& part,
                                       std::size_t before, double capMm) const {
-  double least = capMm;
+  double minimum = capMm;
   forBodiesAgainstPart(base_T_frame, [&](const robot::Body& body, int, const Isometry3d& pose) {
     for (const robot::Shape& shape : body.shapes)
-      least = std::min(least, part.distance(shape, pose, least, before));
+      minimum = std::min(minimum, part.distance(shape, pose, minimum, before));
     return false;
   });
-  return least;
+  return minimum;
 }
 
 std::vector<Contact> CellCollision::clearancePairs() const {
@@ -377,10 +379,10 @@ double CellCollision::distanceOf(const Contact& pair, const Frames& base_T_frame
     const Isometry3d work_T_first =
         base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry) *
         base_T_first;
-    double least = capMm;
+    double minimum = capMm;
     for (const Solid& solid : first.solids)
-      least = std::min(least, part.distance(solid.shape, work_T_first, least, before));
-    return least;
+      minimum = std::min(minimum, part.distance(solid.shape, work_T_first, minimum, before));
+    return minimum;
   }
   return distanceBetween(first, base_T_first, assemblies_[static_cast<std::size_t>(pair.second)],
                          poseOf(pair.second), capMm);

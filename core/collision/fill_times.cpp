@@ -38,9 +38,9 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const ba
   while (belowSize.maxCoeff() > 1) {
     Level level;
     level.size = (belowSize.array() + 1) / 2;
-    level.most = ReversedTimes(static_cast<std::size_t>(level.size.x()) *
-                               static_cast<std::size_t>(level.size.y()) *
-                               static_cast<std::size_t>(level.size.z()));
+    level.maximum = ReversedTimes(static_cast<std::size_t>(level.size.x()) *
+                                  static_cast<std::size_t>(level.size.y()) *
+                                  static_cast<std::size_t>(level.size.z()));
     const auto nx = static_cast<std::size_t>(level.size.x());
     const auto ny = static_cast<std::size_t>(level.size.y());
     const auto mx = static_cast<std::size_t>(belowSize.x());
@@ -50,7 +50,7 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const ba
                          [&](std::size_t b, std::size_t e) {
                            for (std::size_t row = b; row < e; ++row) {
                              const std::size_t j = row % ny, k = row / ny;
-                             std::uint32_t* out = level.most.begin() + row * nx;
+                             std::uint32_t* out = level.maximum.begin() + row * nx;
                              for (std::size_t z = 2 * k; z < std::min(mz, 2 * k + 2); ++z)
                                for (std::size_t y = 2 * j; y < std::min(my, 2 * j + 2); ++y) {
                                  const std::uint32_t* in = below->begin() + mx * (y + my * z);
@@ -61,7 +61,7 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const ba
                            }
                          });
     pyramid_.push_back(std::move(level));
-    below = &pyramid_.back().most;
+    below = &pyramid_.back().maximum;
     belowSize = pyramid_.back().size;
   }
 }
@@ -70,11 +70,11 @@ namespace {
 
 // Traverses the octree of blocks that contain cells filled in time, nearest first. `signedDistance`
 // is that of a solid; the cell centres of a block are within `radius` of its middle.
-template <typename LeastAt, typename Distance> class Descent {
+template <typename EarliestAt, typename Distance> class Descent {
 public:
-  Descent(const voxel::VoxelGrid& grid, const LeastAt& leastAt, const Distance& signedDistance,
-          std::uint32_t before)
-      : grid_(grid), leastAt_(leastAt), signedDistance_(signedDistance), before_(before) {}
+  Descent(const voxel::VoxelGrid& grid, const EarliestAt& earliestAt,
+          const Distance& signedDistance, std::uint32_t before)
+      : grid_(grid), earliestAt_(earliestAt), signedDistance_(signedDistance), before_(before) {}
 
   // Returns whether the centre of a filled cell has a signed distance <= margin.
   bool touches(int level, const Vector3i& block, double margin) const {
@@ -86,7 +86,7 @@ public:
       return true;
     for (int c = 0; c < 8; ++c) {
       const Vector3i child = 2 * block + Vector3i(c & 1, c >> 1 & 1, c >> 2);
-      if (leastAt_(level - 1, child) < before_ && touches(level - 1, child, margin))
+      if (earliestAt_(level - 1, child) < before_ && touches(level - 1, child, margin))
         return true;
     }
     return false;
@@ -107,7 +107,7 @@ public:
     const double radius = radiusOf(level - 1);
     for (int c = 0; c < 8; ++c) {
       const Vector3i child = 2 * block + Vector3i(c & 1, c >> 1 & 1, c >> 2);
-      if (leastAt_(level - 1, child) >= before_)
+      if (earliestAt_(level - 1, child) >= before_)
         continue;
       const double distance = signedDistance_(middle(level - 1, child));
       if (distance - radius >= best)
@@ -134,27 +134,27 @@ private:
   }
 
   const voxel::VoxelGrid& grid_;
-  const LeastAt& leastAt_;
+  const EarliestAt& earliestAt_;
   const Distance& signedDistance_;
   std::uint32_t before_;
 };
 
 } // namespace
 
-std::uint32_t FillTimes::leastAt(int level, const Vector3i& block) const {
-  const auto at = [&](const Vector3i& size, const ReversedTimes& most) {
+std::uint32_t FillTimes::earliestAt(int level, const Vector3i& block) const {
+  const auto at = [&](const Vector3i& size, const ReversedTimes& maximum) {
     if (block.x() >= size.x() || block.y() >= size.y() || block.z() >= size.z())
       return kNever;
     return kNever -
-           most[static_cast<std::size_t>(block.x()) +
-                static_cast<std::size_t>(size.x()) *
-                    (static_cast<std::size_t>(block.y()) +
-                     static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(block.z()))];
+           maximum[static_cast<std::size_t>(block.x()) +
+                   static_cast<std::size_t>(size.x()) *
+                       (static_cast<std::size_t>(block.y()) +
+                        static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(block.z()))];
   };
   if (level == 0)
     return at(grid_.size, leads_);
   const Level& l = pyramid_[static_cast<std::size_t>(level) - 1];
-  return at(l.size, l.most);
+  return at(l.size, l.maximum);
 }
 
 bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const {
@@ -165,22 +165,22 @@ bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const 
 double FillTimes::topBefore(std::uint32_t before) const {
   // The times increase with height.
   const auto end = std::ranges::partition_point(
-      fromUp_, [before](std::uint32_t least) { return least < before; });
+      fromUp_, [before](std::uint32_t earliest) { return earliest < before; });
   return grid_.centre(0, 0, static_cast<int>(end - fromUp_.begin()) - 1).z();
 }
 
 template <typename Distance>
 bool FillTimes::touches(const Distance& signedDistance, double lowestMm, double marginMm,
                         std::uint32_t before) const {
-  const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
+  const auto earliestFilled = [this](int level, const Vector3i& b) { return earliestAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());
-  if (leastAt(top, Vector3i::Zero()) >= before)
+  if (earliestAt(top, Vector3i::Zero()) >= before)
     return false;
   // Cells below the lowest point of the grown solid cannot be inside it.
   constexpr double kRounding = 1e-6;
   if (topBefore(before) < lowestMm - marginMm - kRounding)
     return false;
-  return Descent(grid_, leastFilled, signedDistance, before)
+  return Descent(grid_, earliestFilled, signedDistance, before)
       .touches(top, Vector3i::Zero(), marginMm);
 }
 
@@ -217,16 +217,16 @@ double FillTimes::distance(const robot::Shape& shape, const Eigen::Isometry3d& w
                            double capMm, std::uint32_t before) const {
   if (leads_.empty())
     return capMm;
-  const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
+  const auto earliestFilled = [this](int level, const Vector3i& b) { return earliestAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());
-  if (leastAt(top, Vector3i::Zero()) >= before)
+  if (earliestAt(top, Vector3i::Zero()) >= before)
     return capMm;
   const PlacedShape placed = place(shape, work_T_shape);
   double best = capMm;
   std::visit(
       [&](const auto& s) {
         const auto signedDistanceTo = [&s](const Vector3d& p) { return s.signedDistance(p); };
-        const Descent descent(grid_, leastFilled, signedDistanceTo, before);
+        const Descent descent(grid_, earliestFilled, signedDistanceTo, before);
         descent.nearest(top, Vector3i::Zero(),
                         signedDistanceTo(descent.middle(top, Vector3i::Zero())), best);
       },

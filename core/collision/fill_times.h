@@ -53,7 +53,7 @@ public:
 
 private:
   // Returns the minimum time in a block of the pyramid (level 0: a cell); kNever outside the grid.
-  std::uint32_t leastAt(int level, const Eigen::Vector3i& block) const;
+  std::uint32_t earliestAt(int level, const Eigen::Vector3i& block) const;
   // touches() for a solid with that signed distance, whose lowest point is at lowestMm.
   template <typename Distance>
   bool touches(const Distance& signedDistance, double lowestMm, double marginMm,
@@ -67,7 +67,7 @@ private:
   std::vector<std::uint32_t> fromUp_; // per z: minimum time at this height or above
   struct Level {
     Eigen::Vector3i size;
-    ReversedTimes most; // per block of 2^level cells: that of the cell filled first
+    ReversedTimes maximum; // per block of 2^level cells: that of the cell filled first
   };
   std::vector<Level> pyramid_;
 };

@@ -73,16 +73,16 @@ double PlacedFrustum::signedDistance(const Vector3d& point) const {
 Revolved::Revolved(const std::vector<robot::Frustum>& frusta) {
   for (const robot::Frustum& f : frusta) {
     require(f.p0.head<2>().isZero(0.0) && f.p1.head<2>().isZero(0.0), "frusta about the z axis");
-    const double way = f.p1.z() - f.p0.z();
-    pieces_.push_back({f.p0.z(), way < 0.0 ? -1.0 : 1.0, {std::abs(way), f.r0, f.r1}});
+    const double delta = f.p1.z() - f.p0.z();
+    pieces_.push_back({f.p0.z(), delta < 0.0 ? -1.0 : 1.0, {std::abs(delta), f.r0, f.r1}});
   }
 }
 
 double Revolved::signedDistance(double rho, double z) const {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Piece& p : pieces_)
-    least = std::min(least, p.profile.signedDistance(rho, p.up * (z - p.from)));
-  return least;
+    minimum = std::min(minimum, p.profile.signedDistance(rho, p.up * (z - p.from)));
+  return minimum;
 }
 
 Disc Revolved::underside(const Eigen::Isometry3d& frame_T_solid, double marginMm) const {
@@ -251,10 +251,10 @@ double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex,
               f1 < f2 ? f1 - (f2 - f1) * left / between : f2 - (f1 - f2) * right / between;
           const double within =
               std::max(f1 + (f1 - atLow) * between / left, f2 + (f2 - atHigh) * between / right);
-          const double least = std::min({best, beyond, within});
-          if (least - radius > enough)
-            return least - radius;
-          if (best - least <= kExactMm)
+          const double minimum = std::min({best, beyond, within});
+          if (minimum - radius > enough)
+            return minimum - radius;
+          if (best - minimum <= kExactMm)
             break;
           if (search.dropsUpper())
             atHigh = f2;

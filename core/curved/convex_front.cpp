@@ -31,14 +31,14 @@ int ceiled(double x) {
 std::vector<Cell2> planarHull(const std::vector<Cell2>& sorted) {
   if (sorted.size() < 3)
     return sorted;
-  const auto turn = [](const Cell2& o, const Cell2& a, const Cell2& b) {
+  const auto orientation = [](const Cell2& o, const Cell2& a, const Cell2& b) {
     return static_cast<std::int64_t>(a[0] - o[0]) * (b[1] - o[1]) -
            static_cast<std::int64_t>(a[1] - o[1]) * (b[0] - o[0]);
   };
   std::vector<Cell2> hull;
   const auto chain = [&](auto first, auto last, std::size_t keep) {
     for (auto it = first; it != last; ++it) {
-      while (hull.size() >= keep + 2 && turn(hull[hull.size() - 2], hull.back(), *it) <= 0)
+      while (hull.size() >= keep + 2 && orientation(hull[hull.size() - 2], hull.back(), *it) <= 0)
         hull.pop_back();
       hull.push_back(*it);
     }
@@ -319,10 +319,10 @@ double ConvexFront::depth(std::size_t v) const {
   if (byCorners_.empty())
     return 0.0;
   const LatticePoint p = graph_.lattice(v);
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (std::size_t f = 0; f < nx_.size(); ++f)
-    least = std::min(least, below(f, p) * inverseLength_[f]);
-  return least;
+    minimum = std::min(minimum, below(f, p) * inverseLength_[f]);
+  return minimum;
 }
 
 double ConvexFront::facing(std::size_t slot, int axis) const {
@@ -521,19 +521,19 @@ std::array<Eigen::Vector3d, 3> ConvexFront::facetOver(std::size_t v) const {
 
 Eigen::Vector3d ConvexFront::clearNormal(std::size_t v, const Eigen::Vector3d& wish) const {
   const LatticePoint p = graph_.lattice(v);
-  double least = std::numeric_limits<double>::max(), bestTurn = -2.0;
+  double minimum = std::numeric_limits<double>::max(), bestAlignment = -2.0;
   std::size_t shallowest = facets_.size(), nearest = facets_.size();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const double below = offset_[f] - (nx_[f] * p.x() + ny_[f] * p.y() + nz_[f] * p.z());
-    if (below * inverseLength_[f] < least) {
-      least = below * inverseLength_[f];
+    if (below * inverseLength_[f] < minimum) {
+      minimum = below * inverseLength_[f];
       shallowest = f;
     }
     if (below > 0.0)
       continue;
-    const double turn = kLatticePerCell * inverseLength_[f] * facets_[f].normal.dot(wish);
-    if (turn > bestTurn) {
-      bestTurn = turn;
+    const double alignment = kLatticePerCell * inverseLength_[f] * facets_[f].normal.dot(wish);
+    if (alignment > bestAlignment) {
+      bestAlignment = alignment;
       nearest = f;
     }
   }

@@ -51,9 +51,9 @@ public:
   // Returns only those below facets with a corner for which goes(voxel) is true. Voxels below the
   // other facets, but not on them, stay inside the next hull as long as only voxels are removed. A
   // facet that repeatedly satisfies goes() but remains is skipped more and more often.
-  template <typename Goes>
-  void nearRemovable(double depth, Goes&& goes, std::vector<std::int32_t>& out) {
-    gatherWhere([&](const Facet& facet) { return anyVoxel(facet, goes); },
+  template <typename IsRemovable>
+  void nearRemovable(double depth, IsRemovable&& isRemovable, std::vector<std::int32_t>& out) {
+    gatherWhere([&](const Facet& facet) { return anyVoxel(facet, isRemovable); },
                 [](Facet& facet) { return rarer(++facet.asked); }, depth, out);
   }
   // Returns the voxels that the last nearRemovable() omitted below facets that have lost a corner

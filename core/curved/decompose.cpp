@@ -98,40 +98,41 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
               Decomposition& out, const DecompositionWatch& watch, const base::RunContext& ctx) {
   base::Stopwatch clock;
   std::optional<VoxelGraph> withoutMissed;
-  if (growth.laid < graph.size()) {
+  if (growth.printed < graph.size()) {
     std::vector<std::uint8_t> use(out.grid.cellCount(), 0);
     for (std::size_t v = 0; v < graph.size(); ++v)
       use[graph.cellOf(v)] = growth.rank[v] > 0;
     withoutMissed = voxelGraph(out.grid, use, graph.plateLayer, out.platform);
   }
-  const VoxelGraph& laid = withoutMissed ? *withoutMissed : graph;
+  const VoxelGraph& printed = withoutMissed ? *withoutMissed : graph;
   const LayerLimits limits{options.layerHeightMm, options.heightMinMm, options.heightMaxMm};
   const auto improved = [&](const std::vector<float>& field) {
     if (!watch)
       return;
-    storeField(laid, field, out);
+    storeField(printed, field, out);
     watch(out);
   };
-  std::vector<std::int32_t> plain(laid.size());
+  std::vector<std::int32_t> plain(printed.size());
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
-      plain[static_cast<std::size_t>(laid.voxelAt[graph.cellOf(v)])] = growth.rank[v];
+      plain[static_cast<std::size_t>(printed.voxelAt[graph.cellOf(v)])] = growth.rank[v];
   const process::HeadShape* const head = options.head.sections.empty() ? nullptr : &options.head;
-  const bool coarse = laid.size() > kFieldVoxels;
+  const bool coarse = printed.size() > kFieldVoxels;
   const std::vector<float> field =
-      coarse ? coarseField(laid, out.platform, limits, options.rounds, head, ctx.sub(0.0, 0.85))
-             : smoothField(laid, plain, limits, options.rounds, head, improved, ctx.sub(0.0, 0.85))
-                   .field;
+      coarse
+          ? coarseField(printed, out.platform, limits, options.rounds, head, ctx.sub(0.0, 0.85))
+          : smoothField(printed, plain, limits, options.rounds, head, improved, ctx.sub(0.0, 0.85))
+                .field;
 
   std::vector<std::int32_t> rank = std::move(plain);
   if (!coarse) {
-    std::vector<float> guide(laid.size());
-    for (std::size_t v = 0; v < laid.size(); ++v)
+    std::vector<float> guide(printed.size());
+    for (std::size_t v = 0; v < printed.size(); ++v)
       guide[v] = static_cast<float>(field[v] / out.grid.pitch);
     PeelOptions strict;
     strict.levelStep = 1.0;
     strict.sacrifice = false;
-    Peeling guided = peelGuided(laid, guide, rank, strict, ctx.sub(0.85, 0.95));
+    Peeling guided = peelGuided(printed, guide, rank, strict, ctx.sub(0.85, 0.95));
     if (guided.remaining == 0 && guided.relaxed <= growth.relaxed) {
       rank = std::move(guided.rank);
       out.layers = guided.ranks;
@@ -140,19 +141,19 @@ void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions
   }
 
   ctx.report(0.95, "front"_text);
-  std::vector<std::int32_t> level(laid.size());
-  for (std::size_t v = 0; v < laid.size(); ++v)
+  std::vector<std::int32_t> level(printed.size());
+  for (std::size_t v = 0; v < printed.size(); ++v)
     level[v] = static_cast<std::int32_t>(
         std::floor(static_cast<double>(field[v]) / options.layerHeightMm));
-  const std::vector<Eigen::Vector3f> wish = fieldGradient(laid, field, ctx);
+  const std::vector<Eigen::Vector3f> wish = fieldGradient(printed, field, ctx);
   std::vector<std::uint8_t> byHead;
-  store(laid, rank, frontNormals(laid, level, wish, head, byHead, ctx), out);
-  storeField(laid, field, out);
+  store(printed, rank, frontNormals(printed, level, wish, head, byHead, ctx), out);
+  storeField(printed, field, out);
   if (std::find(byHead.begin(), byHead.end(), 1) != byHead.end())
     out.byHead.resize(out.grid.cellCount(), 0);
-  for (std::size_t v = 0; v < laid.size(); ++v)
+  for (std::size_t v = 0; v < printed.size(); ++v)
     if (byHead[v])
-      out.byHead[laid.cellOf(v)] = 2;
+      out.byHead[printed.cellOf(v)] = 2;
   out.seconds.smooth = clock.seconds();
 }
 
@@ -224,7 +225,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
     watch(out);
   if (isRejected && isRejected(out.findings))
     return out;
-  if (fits && growth.laid > 0)
+  if (fits && growth.printed > 0)
     fitField(graph, growth, options, out, watch, ctx.sub(0.15, 1.0));
   else
     store(graph, growth.rank, normalsOfRanks(graph, growth.rank, ctx), out);

@@ -107,17 +107,17 @@ private:
     return static_cast<int>(out_.surface.vertices.size()) - 1;
   }
 
-  // Returns the distance along `way` at which the field has changed by `change` or ends; at most
-  // `most`.
-  double walk(const Eigen::Vector3d& p, const Eigen::Vector3d& way, double change,
-              double most) const {
+  // Returns the distance along `ray` at which the field has changed by `change` or ends; at most
+  // `limit`.
+  double walk(const Eigen::Vector3d& p, const Eigen::Vector3d& ray, double change,
+              double limit) const {
     const double step = 0.25 * field_.grid().pitch;
-    for (double s = step; s < most; s += step) {
-      const std::optional<double> v = field_.valueAt(p + s * way);
+    for (double s = step; s < limit; s += step) {
+      const std::optional<double> v = field_.valueAt(p + s * ray);
       if (!v || std::abs(*v - iso_) >= change)
         return s;
     }
-    return most;
+    return limit;
   }
 
   // Returns the distance from the mid-surface along sign * direction to the level half a spacing
@@ -260,8 +260,8 @@ RawLevel levelThrough(const LevelField& field, int level, double spacing,
 }
 
 // Removes the parts of a slab's surface that are not printed.
-void keepWhatIsLaid(RawLevel& level, const LevelField& field, const PartialLevels& partial,
-                    const Slab& slab) {
+void keepPrinted(RawLevel& level, const LevelField& field, const PartialLevels& partial,
+                 const Slab& slab) {
   const auto& vertices = level.surface.vertices;
   std::vector<double> margin(vertices.size());
   bool whole = true;
@@ -317,7 +317,7 @@ std::vector<RawSlab> extractSlabs(const LevelField& field, const PartialLevels& 
       RawLevel surface =
           levelThrough(field, slab.index, partial.widthMm(slab.scale), pieces[n].cells, ctx);
       if (partial.any())
-        keepWhatIsLaid(surface, field, partial, slab);
+        keepPrinted(surface, field, partial, slab);
       surface.level = PartialLevels::bottomOf(slab);
       slabs[n] = {slab, std::move(surface)};
     }

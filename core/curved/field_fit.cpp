@@ -20,7 +20,7 @@ void eachVoxel(const VoxelGraph& graph, const base::RunContext& ctx, Body&& body
 }
 
 // Rotates the unit vector d onto the cone d . n >= -limit, in the plane of d and n.
-Eigen::Vector3f turnOffOverhang(const Eigen::Vector3f& d, const Eigen::Vector3f& n, float limit) {
+Eigen::Vector3f tiltOffOverhang(const Eigen::Vector3f& d, const Eigen::Vector3f& n, float limit) {
   const float along = d.dot(n);
   if (along >= -limit)
     return d;
@@ -138,7 +138,7 @@ void FieldFit::fit(std::vector<float>& field, const std::vector<float>& target,
           sum += direction[static_cast<std::size_t>(w)];
       Eigen::Vector3f d = sum.squaredNorm() > 1e-6f ? sum.normalized() : direction[v];
       if (normals_[v] != Eigen::Vector3f::Zero())
-        d = turnOffOverhang(d, normals_[v], options.overhang);
+        d = tiltOffOverhang(d, normals_[v], options.overhang);
       wish[v] = d * std::clamp(gradient[v].norm(), options.slopeMin, options.slopeMax);
     });
     eachVoxel(graph_, ctx, [&](std::size_t v) {

@@ -63,11 +63,11 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
     return static_cast<double>(belowEdge(beyond(i)) - belowEdge(low(i))) /
            static_cast<double>(slope.size());
   };
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 0; i <= kSteps; ++i)
-    most = std::max(most, share(i));
+    maximum = std::max(maximum, share(i));
   int chosen = 0;
-  while (share(chosen) < most - kMinGain)
+  while (share(chosen) < maximum - kMinGain)
     ++chosen;
   if (within)
     *within = share(chosen);

@@ -35,11 +35,12 @@ public:
     if (layer_.empty())
       return std::move(out_);
     startFront();
-    std::size_t laid = 0;
+    std::size_t printed = 0;
     while (!layer_.empty()) {
       lay();
-      laid += layer_.size();
-      growing.report(static_cast<double>(laid) / static_cast<double>(graph_.size()), "growth"_text);
+      printed += layer_.size();
+      growing.report(static_cast<double>(printed) / static_cast<double>(graph_.size()),
+                     "growth"_text);
       advance();
     }
     return std::move(out_);
@@ -156,8 +157,8 @@ private:
     if (!waiting_.empty())
       return false;
     ++out_.sacrificed;
-    if (options_.sacrifice == Sacrifice::Least)
-      reduce(tried, leastLoss() + 1);
+    if (options_.sacrifice == Sacrifice::Fewest)
+      reduce(tried, minLoss() + 1);
     else
       layWhole();
     return true;
@@ -214,12 +215,12 @@ private:
   }
 
   // Returns the number of voxels shadowed by the voxel of the layer that shadows fewest.
-  std::size_t leastLoss() {
-    std::size_t least = shadowed_.size();
+  std::size_t minLoss() {
+    std::size_t minimum = shadowed_.size();
     guardShadowed();
     for (const std::int32_t v : layer_)
-      least = std::min(least, front_.wouldSwallow(v, least));
-    return least;
+      minimum = std::min(minimum, front_.wouldSwallow(v, minimum));
+    return minimum;
   }
 
   std::vector<std::int32_t> order() const {

@@ -26,7 +26,7 @@ enum class Sacrifice {
   Layer, // All that the whole layer shadows (as published)
   // At most as many as the layer's most harmless voxel shadows; the layer keeps as many voxels as
   // that allows
-  Least
+  Fewest
 };
 
 struct ForwardOptions {

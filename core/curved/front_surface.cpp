@@ -19,13 +19,13 @@ Corners sliceCorners(const Decomposition& d, std::int32_t rank, int k) {
   Corners ends;
   for (int j = 0; j < size.y(); ++j) {
     const std::int32_t* row = d.rank.data() + d.grid.index(0, j, k);
-    const auto laid = [&](int i) { return row[i] > 0 && row[i] <= rank; };
+    const auto isPrinted = [&](int i) { return row[i] > 0 && row[i] <= rank; };
     int low = 0, high = size.x() - 1;
-    while (low <= high && !laid(low))
+    while (low <= high && !isPrinted(low))
       ++low;
     if (low > high)
       continue;
-    while (!laid(high))
+    while (!isPrinted(high))
       --high;
     ends.emplace_back(low, j);
     if (high > low)

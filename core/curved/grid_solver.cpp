@@ -129,7 +129,7 @@ void GridSolver::sumUp(const Level& fine, const Neighbours& fineNeighbour, Level
 }
 
 void GridSolver::findRuns(const Cells& cells, Level& level) {
-  const auto goesOn = [&](const Run& run, std::size_t c) {
+  const auto continues = [&](const Run& run, std::size_t c) {
     if (run.count == kRun || c == cells.reds)
       return false;
     for (std::size_t s = 0; s < 6; ++s) {
@@ -141,7 +141,7 @@ void GridSolver::findRuns(const Cells& cells, Level& level) {
   };
   level.reds = cells.reds;
   for (std::size_t c = 0; c < cells.at.size(); ++c) {
-    if (level.runs.empty() || !goesOn(level.runs.back(), c)) {
+    if (level.runs.empty() || !continues(level.runs.back(), c)) {
       if (c == cells.reds)
         level.redRuns = level.runs.size();
       level.runs.push_back({static_cast<std::int32_t>(c), 0, cells.neighbour[c]});

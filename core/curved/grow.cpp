@@ -9,7 +9,7 @@ Growth grow(const VoxelGraph& graph, const GrowthScheme& scheme, const ForwardOp
   Growth out = scheme.row().grow({graph, forward, head}, ctx);
   if (out.scheme.empty())
     out.scheme = scheme.id();
-  out.laid = static_cast<std::size_t>(
+  out.printed = static_cast<std::size_t>(
       std::count_if(out.rank.begin(), out.rank.end(), [](std::int32_t r) { return r > 0; }));
   return out;
 }

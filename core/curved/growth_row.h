@@ -19,7 +19,7 @@ namespace voluta::curved {
 struct Growth {
   std::vector<std::int32_t> rank; // Per voxel: layer n >= 1; 0: not printed
   std::int32_t ranks = 0;
-  std::size_t laid = 0;
+  std::size_t printed = 0;
   // Maximum depth [cells] of a voxel's centre inside the hull of the platform and all lower ranks:
   // 0, or more for `relaxed` voxels.
   double epsilon = 0.0;
@@ -44,7 +44,7 @@ struct GrowthRow {
   base::Text help; // One sentence
   // Whether the scheme peels: it then ignores ForwardOptions, and a field is fitted to its ranks.
   bool peels = false;
-  // Fills in all members but `laid`. grow() documents the properties of the ranks. Throws
+  // Fills in all members but `printed`. grow() documents the properties of the ranks. Throws
   // Cancelled.
   Growth (*grow)(const GrowthInput& in, const base::RunContext& ctx) = nullptr;
 };

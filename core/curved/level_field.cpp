@@ -237,10 +237,10 @@ std::optional<LevelField::Cell> LevelField::cell(int i, int j, int k) const {
     return std::nullopt;
   Cell cell;
   int solid = -1;
-  const int least = dense(i, j, k);
+  const int minimum = dense(i, j, k);
   for (int c = 0; c < 8; ++c) {
     const int v =
-        least +
+        minimum +
         neighbour_[static_cast<std::size_t>(kCentre + (c & 1) + 3 * (c >> 1 & 1) + 9 * (c >> 2))];
     cell.nodes[static_cast<std::size_t>(c)] = v;
     if (solid < 0 && kind_[static_cast<std::size_t>(v)] == Kind::Printed)

@@ -50,12 +50,12 @@ private:
   std::int32_t supportedFrom(std::size_t v) const {
     if (graph_.onPlatform[v])
       return 1;
-    std::int32_t least = 0;
+    std::int32_t minimum = 0;
     for (const std::int32_t w : graph_.neighbour[v])
       if (w >= 0 && rank(static_cast<std::size_t>(w)) > 0 &&
-          (least == 0 || rank(static_cast<std::size_t>(w)) < least))
-        least = rank(static_cast<std::size_t>(w));
-    return least;
+          (minimum == 0 || rank(static_cast<std::size_t>(w)) < minimum))
+        minimum = rank(static_cast<std::size_t>(w));
+    return minimum;
   }
 
   void markLoss() {

@@ -20,10 +20,10 @@ const std::vector<Eigen::Vector3d>& directions() {
       for (int j = -2; j <= 2; ++j)
         for (int i = -2; i <= 2; ++i) {
           const Eigen::Vector3i step(i, j, k);
-          const int most = step.cwiseAbs().maxCoeff();
+          const int maximum = step.cwiseAbs().maxCoeff();
           const bool halved = i % 2 == 0 && j % 2 == 0 && k % 2 == 0;
           const int sum = step.cwiseAbs().sum();
-          if (most == 0 || (most == 2 && (halved || sum > 3 + (i && j && k))))
+          if (maximum == 0 || (maximum == 2 && (halved || sum > 3 + (i && j && k))))
             continue;
           out.push_back(step.cast<double>().normalized());
         }
@@ -64,7 +64,7 @@ double NozzleReach::radiusAt(double z) const {
 }
 
 double NozzleReach::radiusBetween(double low, double high) const {
-  double most = -1.0;
+  double maximum = -1.0;
   for (std::size_t s = 0; s + 1 < sections_.size(); ++s) {
     const process::HeadSection &a = sections_[s], &b = sections_[s + 1];
     if (b.zMm < low || a.zMm > high)
@@ -75,9 +75,9 @@ double NozzleReach::radiusBetween(double low, double high) const {
                          : a.radiusMm +
                                (b.radiusMm - a.radiusMm) * std::clamp((z - a.zMm) / rise, 0.0, 1.0);
     };
-    most = std::max({most, at(low), at(high)});
+    maximum = std::max({maximum, at(low), at(high)});
   }
-  return most;
+  return maximum;
 }
 
 bool NozzleReach::clear(std::size_t v, const Eigen::Vector3d& d) const {

@@ -34,15 +34,16 @@ template <typename F> void besideCell(const voxel::VoxelGrid& grid, std::size_t 
 PartialLevels::PartialLevels(const LevelField& field, const Options& options,
                              const base::RunContext& ctx)
     : field_(field), options_(options) {
-  const double least = options.heightMinMm, most = options.heightMaxMm;
-  base::require(options.spacingMm > 0.0 && least > 0.0 && least <= most,
+  const double minimum = options.heightMinMm, maximum = options.heightMaxMm;
+  base::require(options.spacingMm > 0.0 && minimum > 0.0 && minimum <= maximum,
                 "a positive spacing and height limits in order");
   // Halving and doubling keep thicknesses within the limits if these differ by a factor of two or
   // more. Otherwise a changed slab is as far beyond one limit as it was beyond the other.
-  const double even = 0.5 * std::log2(2.0 * least * most);
-  const bool wide = 2.0 * least <= most;
-  splitAt_ = wide ? std::max(std::log2((1.0 - kSlack) * most), std::log2(2.0 * least)) : even;
-  mergeAt_ = wide ? std::min(std::log2((1.0 + kSlack) * least), std::log2(0.5 * most)) : even - 1.0;
+  const double even = 0.5 * std::log2(2.0 * minimum * maximum);
+  const bool wide = 2.0 * minimum <= maximum;
+  splitAt_ = wide ? std::max(std::log2((1.0 - kSlack) * maximum), std::log2(2.0 * minimum)) : even;
+  mergeAt_ =
+      wide ? std::min(std::log2((1.0 + kSlack) * minimum), std::log2(0.5 * maximum)) : even - 1.0;
   measure(ctx);
   leaveSmallPlaces(ctx);
   markBlocks();
@@ -117,7 +118,7 @@ void PartialLevels::leaveSmallPlaces(const base::RunContext& ctx) {
           }
         });
       }
-      if (static_cast<double>(past) * cell >= options_.leastVolumeMm3)
+      if (static_cast<double>(past) * cell >= options_.minVolumeMm3)
         continue;
       for (std::size_t c : place)
         thickness_[c] = changeAt;

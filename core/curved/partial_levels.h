@@ -28,7 +28,7 @@ public:
   struct Options {
     double spacingMm = 0.8; // of whole levels, in the field
     double heightMinMm = 0.4, heightMaxMm = 1.0;
-    double leastVolumeMm3 = 4.0; // minimum volume beyond the limits for a place to be changed
+    double minVolumeMm3 = 4.0; // minimum volume beyond the limits for a place to be changed
   };
   // Preconditions: 0 < heightMinMm <= heightMaxMm, spacingMm > 0. Throws Cancelled.
   PartialLevels(const LevelField& field, const Options& options, const base::RunContext& ctx);

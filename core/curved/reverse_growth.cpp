@@ -16,7 +16,7 @@ namespace {
 
 // Guided: a voxel that has waited for more than kLate levels is late; cells by which it may be
 // deeper for each further level, and the maximum.
-constexpr double kLate = 1.0, kEasedPerCell = 0.25, kEasedMost = 0.75;
+constexpr double kLate = 1.0, kEasedPerCell = 0.25, kMaxEased = 0.75;
 
 // If peeling is stuck: distances are recomputed once this share of the voxels was removed since the
 // last time; otherwise at most kRerouted voxels get new distances.
@@ -56,7 +56,7 @@ public:
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (removedIn_[v] > 0 && !out_.given[v] && !present_[v])
         out_.rank[v] = removedIn_[v];
-    turnRound();
+    reverseOrder();
     return std::move(out_);
   }
 
@@ -109,7 +109,7 @@ private:
     const double late = static_cast<double>(guide_[v] - level_) - kLate;
     if (!options_.eases || late <= 0.0)
       return allowed;
-    return std::max(allowed, std::min(tolerance + kEasedPerCell * late, kEasedMost));
+    return std::max(allowed, std::min(tolerance + kEasedPerCell * late, kMaxEased));
   }
 
   bool allowed(std::size_t v) const {
@@ -119,11 +119,11 @@ private:
   // Guided: depth below the front to which voxels are searched: a sheet, or deeper for voxels that
   // are late or have an allowance.
   static double lookedFor(const PeelOptions& options) {
-    double most = std::max(options.sheet, options.eases ? kEasedMost : 0.0);
+    double maximum = std::max(options.sheet, options.eases ? kMaxEased : 0.0);
     for (const float allowed : options.allowance)
       if (allowed > 0.0f)
-        most = std::max(most, options.tolerance + allowed);
-    return most;
+        maximum = std::max(maximum, options.tolerance + allowed);
+    return maximum;
   }
 
   // Returns whether anything was peeled.
@@ -444,7 +444,7 @@ private:
   }
 
   // Reverses the order: ranks count from the platform, without gaps for rounds that peeled nothing.
-  void turnRound() {
+  void reverseOrder() {
     std::vector<std::int32_t> rankOf(static_cast<std::size_t>(round_) + 1, 0);
     for (const std::int32_t r : out_.rank)
       if (r > 0)

@@ -72,8 +72,8 @@ std::vector<float> roofAllowance(const std::vector<Eigen::Vector3f>& normals, fl
 struct Front {
   const process::HeadShape* head; // null: flat
   float roofCells;                // allowed lag of roofs
-  bool givesWay;                  // relax the overhang while too much stays inaccessible,
-  double roofsMost;               // but not once it produces more than this share of roofs
+  bool relaxes;                   // relax the overhang while too much stays inaccessible,
+  double maxRoofs;                // but not once it produces more than this share of roofs
 };
 
 class Rounds {
@@ -119,9 +119,9 @@ public:
       const auto judge = [&] {
         score = scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
         const bool good = score.inaccessible <= kAccessible && score.within >= kWithin &&
-                          score.deepest <= kDeepest && (front.givesWay || score.roofs <= kRoofs);
+                          score.deepest <= kDeepest && (front.relaxes || score.roofs <= kRoofs);
         if (good || round + 1 == rounds_ ||
-            (fitOptions.overhang > kOverhangFirst && score.roofs > front.roofsMost))
+            (fitOptions.overhang > kOverhangFirst && score.roofs > front.maxRoofs))
           ends.cancel();
       };
       const auto grow = [&] {
@@ -140,7 +140,7 @@ public:
       keepIfBetter(field, score);
       if (ends.cancelled())
         break;
-      if (stalled && front.givesWay)
+      if (stalled && front.relaxes)
         fitOptions.overhang += kOverhangStep;
       std::vector<float> target(graph_.size());
       for (std::size_t v = 0; v < graph_.size(); ++v)

@@ -76,13 +76,13 @@ void SupportOrder::count(std::size_t v) {
   supports_[v] = graph_.onPlatform[v] ? kFree : supports;
 }
 
-bool SupportOrder::reroute(std::size_t v, std::size_t most) {
+bool SupportOrder::reroute(std::size_t v, std::size_t limit) {
   mark_.resize(graph_.size(), 0);
   ++marked_;
   uprooted_.clear();
   lessened_.clear();
   was_.clear();
-  if (!uprootAll(v, most) || !findOtherWays()) {
+  if (!uprootAll(v, limit) || !findOtherWays()) {
     for (const std::int32_t w : lessened_)
       ++supports_[static_cast<std::size_t>(w)];
     for (std::size_t i = 0; i < was_.size(); ++i)
@@ -99,10 +99,10 @@ bool SupportOrder::reroute(std::size_t v, std::size_t most) {
   return true;
 }
 
-bool SupportOrder::uprootAll(std::size_t from, std::size_t most) {
+bool SupportOrder::uprootAll(std::size_t from, std::size_t limit) {
   uproot(from);
   for (std::size_t i = 0; i < uprooted_.size(); ++i) {
-    if (uprooted_.size() > most)
+    if (uprooted_.size() > limit)
       return false;
     uproot(static_cast<std::size_t>(uprooted_[i]));
   }

@@ -25,11 +25,11 @@ public:
   // Recomputes the distances of the present voxels; the cost depends on their number only.
   void flood(const base::RunContext& ctx);
   // Removes v, which the caller has taken out of `present`; call drop() afterwards. Voxels that
-  // rested on nothing else, at most `most`, get new distances over other ways: those that a flood
+  // rested on nothing else, at most `limit`, get new distances over other ways: those that a flood
   // would find from the surrounding distances (Ramalingam and Reps 1996, for increases only).
   // Returns false and changes nothing if there are more or they have no other way. Precondition: no
   // voxel is lifted.
-  bool reroute(std::size_t v, std::size_t most);
+  bool reroute(std::size_t v, std::size_t limit);
   // The present voxels, in the order of voxels, as of the last flood().
   const std::vector<std::int32_t>& remaining() const { return remaining_; }
 
@@ -50,7 +50,7 @@ private:
   // More supports than a voxel has neighbours: it never loses the last one.
   static constexpr std::uint8_t kFree = 64;
 
-  bool uprootAll(std::size_t from, std::size_t most);
+  bool uprootAll(std::size_t from, std::size_t limit);
   void uproot(std::size_t from);
   bool findOtherWays();
   bool rests(std::size_t on, std::size_t v) const {

@@ -5,7 +5,7 @@
 namespace voluta::geometry {
 
 // Implemented here because Eigen's version pulls a singular value decomposition into every build.
-Eigen::Quaterniond leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Eigen::Quaterniond shortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();
   const double cosine = a.dot(b);
   constexpr double kOpposite = -1.0 + 1e-12; // their cross product gives no axis

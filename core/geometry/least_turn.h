@@ -6,6 +6,6 @@
 namespace voluta::geometry {
 
 // For opposite directions the axis is any perpendicular one. Precondition: neither is zero.
-Eigen::Quaterniond leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+Eigen::Quaterniond shortestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 } // namespace voluta::geometry

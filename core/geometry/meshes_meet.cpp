@@ -67,15 +67,15 @@ std::optional<Vector3d> deepPoint(const TriangleMesh& mesh, const MeshQuery& oth
   return std::nullopt;
 }
 
-double leastDistance(const TriangleMesh& from, const MeshQuery& to) {
-  double least = std::numeric_limits<double>::infinity();
+double minDistance(const TriangleMesh& from, const MeshQuery& to) {
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < from.triangles.size(); ++t)
     for (int c = 0; c < 3; ++c) {
       const Vector3d corner = from.corner(t, c), next = from.corner(t, (c + 1) % 3);
-      least = std::min(least, to.closest(corner, least).distance);
-      least = std::min(least, to.closest(0.5 * (corner + next), least).distance);
+      minimum = std::min(minimum, to.closest(corner, minimum).distance);
+      minimum = std::min(minimum, to.closest(0.5 * (corner + next), minimum).distance);
     }
-  return least;
+  return minimum;
 }
 } // namespace
 
@@ -98,8 +98,8 @@ std::optional<Vector3d> sharedPoint(const TriangleMesh& a, const TriangleMesh& b
 }
 
 double distanceBetween(const TriangleMesh& a, const TriangleMesh& b) {
-  return std::min(leastDistance(a, MeshQuery(b, MeshQuery::Of::Surface)),
-                  leastDistance(b, MeshQuery(a, MeshQuery::Of::Surface)));
+  return std::min(minDistance(a, MeshQuery(b, MeshQuery::Of::Surface)),
+                  minDistance(b, MeshQuery(a, MeshQuery::Of::Surface)));
 }
 
 } // namespace voluta::geometry

@@ -32,10 +32,10 @@ TriangleMesh place(const TriangleMesh& mesh, double scale, const Placement& plac
   if (q.head<3>().isZero(0.0)) {
     placed = placeOnPlate(mesh, scale);
   } else {
-    const Eigen::Matrix3d turn = placement.rotation.normalized().toRotationMatrix();
+    const Eigen::Matrix3d rotation = placement.rotation.normalized().toRotationMatrix();
     TriangleMesh turned = mesh;
     for (Vector3d& v : turned.vertices)
-      v = turn * v;
+      v = rotation * v;
     placed = placeOnPlate(turned, scale);
   }
   const Vector3d shift(placement.centreMm.x(), placement.centreMm.y(), placement.liftMm);
@@ -51,7 +51,7 @@ Eigen::Quaterniond rotationLayingFlat(const Vector3d& normal) {
   // For the opposite direction the shortest rotation is not unique: rotate about x.
   if (n.z() > 1.0 - 1e-12)
     return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
-  return leastTurn(n, -Vector3d::UnitZ()).normalized();
+  return shortestRotation(n, -Vector3d::UnitZ()).normalized();
 }
 
 UnitGuess guessUnits(const TriangleMesh& mesh) {

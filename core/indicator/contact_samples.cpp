@@ -46,23 +46,24 @@ public:
       add(f);
   }
 
-  // One round over pairs that are further apart than `least` and not yet halved; `ofBorder`: over
-  // pairs of which exactly one collides. Returns false if there are none, or no room.
-  bool round(double least, bool ofBorder, std::size_t most) {
-    if (samples_.size() >= most)
+  // One round over pairs that are further apart than `minDistance` and not yet halved; `ofBorder`:
+  // over pairs of which exactly one collides. Returns false if there are none, or no room.
+  bool round(double minDistance, bool ofBorder, std::size_t maxCount) {
+    if (samples_.size() >= maxCount)
       return false;
-    std::vector<Pair> pairs = pairsApart(least, ofBorder);
+    std::vector<Pair> pairs = pairsApart(minDistance, ofBorder);
     std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
       return std::tie(y.apart, x.a, x.b) < std::tie(x.apart, y.a, y.b);
     });
-    const std::size_t room = std::min(most - samples_.size(), samples_.size() / kRoundShare + 1);
+    const std::size_t room =
+        std::min(maxCount - samples_.size(), samples_.size() / kRoundShare + 1);
     // Some will be too near to others; the rest beyond this number waits for the next round.
     pairs.resize(std::min(pairs.size(), 2 * room));
     std::bernoulli_distribution half(0.5);
     std::vector<Fresh> fresh;
     for (const Pair& pair : pairs)
       fresh.push_back(
-          {halfWay(samples_[pair.a].q, samples_[pair.b].q, limits_), half(engine_), false});
+          {jointMidpoint(samples_[pair.a].q, samples_[pair.b].q, limits_), half(engine_), false});
     base::parallelChunks(ctx_, fresh.size(), kChunk, [&](std::size_t b, std::size_t e) {
       for (std::size_t i = b; i < e; ++i)
         if (fresh[i].onContact) {
@@ -75,7 +76,7 @@ public:
     std::vector<Fresh> kept;
     for (std::size_t i = 0; i < fresh.size() && kept.size() < room; ++i) {
       halved_[ofBorder].emplace(pairs[i].a, pairs[i].b);
-      if (isApart(fresh[i].q, kept, 0.5 * least))
+      if (isApart(fresh[i].q, kept, 0.5 * minDistance))
         kept.push_back(fresh[i]);
     }
     judge(kept);
@@ -114,17 +115,17 @@ private:
         .squaredNorm();
   }
 
-  bool isApart(const JointVector& q, const std::vector<Fresh>& others, double least) const {
+  bool isApart(const JointVector& q, const std::vector<Fresh>& others, double minDistance) const {
     const Eigen::VectorXd point = onCircle(q, limits_);
-    return distances(point).minCoeff() >= least * least &&
+    return distances(point).minCoeff() >= minDistance * minDistance &&
            std::none_of(others.begin(), others.end(), [&](const Fresh& o) {
-             return (onCircle(o.q, limits_) - point).squaredNorm() < least * least;
+             return (onCircle(o.q, limits_) - point).squaredNorm() < minDistance * minDistance;
            });
   }
 
   // Returns the pairs of a sample on the contact space and one of its nearest neighbours that are
-  // further apart than `least`.
-  std::vector<Pair> pairsApart(double least, bool ofBorder) const {
+  // further apart than `minDistance`.
+  std::vector<Pair> pairsApart(double minDistance, bool ofBorder) const {
     std::vector<std::vector<Pair>> found(samples_.size());
     base::parallelChunks(ctx_, samples_.size(), kChunk, [&](std::size_t b, std::size_t e) {
       std::vector<std::pair<double, std::size_t>> near;
@@ -141,7 +142,7 @@ private:
         for (std::size_t n = 0; n < k; ++n) {
           const auto& [squared, o] = near[n];
           const bool wanted = !ofBorder || samples_[i].collides != samples_[o].collides;
-          if (wanted && squared > least * least &&
+          if (wanted && squared > minDistance * minDistance &&
               !halved_[ofBorder].contains({std::min(i, o), std::max(i, o)}))
             found[i].push_back({std::sqrt(squared), std::min(i, o), std::max(i, o)});
         }

@@ -30,14 +30,15 @@ ContactSpace::ContactSpace(const robot::Cell& cell, const plan::ToolPlan& plan, 
 std::vector<JointVector> ContactSpace::random(std::size_t count, std::uint64_t seed) const {
   std::mt19937_64 engine(seed);
   std::uniform_int_distribution<std::size_t> waypoint(first_, first_ + count_ - 1);
-  std::uniform_real_distribution<double> turn(-base::kPi, base::kPi);
+  std::uniform_real_distribution<double> rotation(-base::kPi, base::kPi);
   std::vector<JointVector> samples, solutions;
   for (std::size_t tries = 0; samples.size() < count && tries < kTriesASample * count; ++tries) {
     const std::size_t w = waypoint(engine);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = plan_.position[w];
-    pose.linear() = geometry::leastTurn(Vector3d::UnitZ(), -plan_.direction[w]).toRotationMatrix();
-    robot::NozzleTurns(cell_, pose, cell_.home()).at(turn(engine), solutions);
+    pose.linear() =
+        geometry::shortestRotation(Vector3d::UnitZ(), -plan_.direction[w]).toRotationMatrix();
+    robot::NozzleTurns(cell_, pose, cell_.home()).at(rotation(engine), solutions);
     samples.insert(samples.end(), solutions.begin(), solutions.end());
   }
   return samples;
@@ -45,10 +46,10 @@ std::vector<JointVector> ContactSpace::random(std::size_t count, std::uint64_t s
 
 Vector3d ContactSpace::missing(const Vector3d& tip) const {
   std::size_t nearest = first_;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t w = first_; w < first_ + count_; ++w)
-    if (const double d = (plan_.position[w] - tip).squaredNorm(); d < least) {
-      least = d;
+    if (const double d = (plan_.position[w] - tip).squaredNorm(); d < minimum) {
+      minimum = d;
       nearest = w;
     }
   const Vector3d& n = plan_.direction[nearest];
@@ -82,16 +83,16 @@ std::optional<JointVector> ContactSpace::project(const JointVector& from) const 
     const Vector3d lever = tip - base_T_flange.translation();
     JointVector rate = JointVector::Zero(q.size()); // mm per rad
     for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-      const Vector3d velocity = jacobian.col(j).head<3>(), turn = jacobian.col(j).tail<3>();
-      rate[j] = robot::fromTurn(limits[static_cast<std::size_t>(j)].kind,
-                                wanted.dot(velocity + turn.cross(lever)));
+      const Vector3d velocity = jacobian.col(j).head<3>(), rotation = jacobian.col(j).tail<3>();
+      rate[j] = robot::fromAngle(limits[static_cast<std::size_t>(j)].kind,
+                                 wanted.dot(velocity + rotation.cross(lever)));
     }
     const double all = rate.squaredNorm();
     // The arm cannot approach: a whole radian would move the tip by less than a millimetre
     if (all < 1.0)
       return std::nullopt;
     for (Eigen::Index j = 0; j < rate.size(); ++j)
-      q[j] += robot::fromTurn(limits[static_cast<std::size_t>(j)].kind, distance * rate[j] / all);
+      q[j] += robot::fromAngle(limits[static_cast<std::size_t>(j)].kind, distance * rate[j] / all);
   }
   return std::nullopt;
 }

@@ -27,14 +27,14 @@ Eigen::VectorXd onCircle(const JointVector& q, const std::vector<robot::JointLim
       point[k++] = std::cos(q[j]);
       point[k++] = std::sin(q[j]);
     } else {
-      point[k++] = robot::asTurn(kind, q[j]);
+      point[k++] = robot::asAngle(kind, q[j]);
     }
   }
   return point;
 }
 
-JointVector halfWay(const JointVector& a, const JointVector& b,
-                    const std::vector<robot::JointLimits>& limits) {
+JointVector jointMidpoint(const JointVector& a, const JointVector& b,
+                          const std::vector<robot::JointLimits>& limits) {
   JointVector q = a;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double step = b[j] - a[j];

@@ -12,11 +12,11 @@ namespace voluta::indicator {
 // Returns the number of coordinates of such a point.
 Eigen::Index circleSize(const std::vector<robot::JointLimits>& limits);
 // q: one joint per limit. The length of a small step is that of its rotations [rad] (sliding joints
-// by robot::asTurn); half a turn has length 2.
+// by robot::asAngle); half a turn has length 2.
 Eigen::VectorXd onCircle(const robot::JointVector& q,
                          const std::vector<robot::JointLimits>& limits);
 // Returns the joints half way from a to b, turning ones the shorter way round, within (-pi, pi].
-robot::JointVector halfWay(const robot::JointVector& a, const robot::JointVector& b,
-                           const std::vector<robot::JointLimits>& limits);
+robot::JointVector jointMidpoint(const robot::JointVector& a, const robot::JointVector& b,
+                                 const std::vector<robot::JointLimits>& limits);
 
 } // namespace voluta::indicator

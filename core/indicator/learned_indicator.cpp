@@ -111,7 +111,7 @@ JointVector LearnedIndicator::gradient(const JointVector& q) const {
       gradient[j] = point[k] * byPoint[k + 1] - point[k + 1] * byPoint[k];
       k += 2;
     } else {
-      gradient[j] = robot::asTurn(kind, byPoint[k++]);
+      gradient[j] = robot::asAngle(kind, byPoint[k++]);
     }
   }
   return gradient;
@@ -124,8 +124,8 @@ LearnedIndicator LearnedIndicator::withBias(double more) const {
 }
 
 double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoints>& heldOut,
-                   double mostMissed) {
-  base::require(0.0 <= mostMissed && mostMissed < 1.0, "a share of samples");
+                   double maxMissed) {
+  base::require(0.0 <= maxMissed && maxMissed < 1.0, "a share of samples");
   std::vector<double> values;
   for (const JudgedJoints& s : heldOut)
     if (s.collides)
@@ -133,7 +133,7 @@ double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoin
   if (values.empty())
     return 0.0;
   // Below 0 is free: the bias moves the first value that must not be missed to 0.
-  const auto missed = static_cast<std::ptrdiff_t>(mostMissed * static_cast<double>(values.size()));
+  const auto missed = static_cast<std::ptrdiff_t>(maxMissed * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + missed, values.end());
   return -values[static_cast<std::size_t>(missed)];
 }

@@ -53,11 +53,11 @@ private:
   Eigen::VectorXd weights_;
 };
 
-// Returns the bias to add so that at most the share `mostMissed` of the colliding samples is called
+// Returns the bias to add so that at most the share `maxMissed` of the colliding samples is called
 // free. `heldOut`: samples it was not trained on, distributed like later queries; on its own
 // training samples it performs better than in use. Returns 0 if none collides. Precondition: 0 <=
-// mostMissed < 1.
+// maxMissed < 1.
 double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoints>& heldOut,
-                   double mostMissed);
+                   double maxMissed);
 
 } // namespace voluta::indicator

@@ -118,7 +118,7 @@ Absorbed absorbSlivers(std::vector<Patch>& patches, const std::vector<Patch>& sl
         roomFor += host.area[v] * room;
       }
     }
-    if (roomFor < options.leastShare * sliver.volume) {
+    if (roomFor < options.minShare * sliver.volume) {
       ++result.refused;
       continue;
     }

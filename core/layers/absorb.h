@@ -11,7 +11,7 @@ struct AbsorbOptions {
   double heightMaxMm = 1.0; // maximum thickness of a thickened patch
   double beadWidthMm = 1.2; // the patch takes part up to about this far around a sliver
   // share of a sliver's volume for which there must be room; otherwise it is left unchanged
-  double leastShare = 0.0;
+  double minShare = 0.0;
 };
 
 // A piece, or the rest of it, that is not printed.
@@ -24,7 +24,7 @@ struct DroppedPiece {
 struct Absorbed {
   std::size_t merged = 0; // slivers of which at most 5 % are left
   double mergedVolumeMm3 = 0.0;
-  std::size_t refused = 0; // slivers with room for less than leastShare
+  std::size_t refused = 0; // slivers with room for less than minShare
   std::vector<DroppedPiece> dropped;
 };
 

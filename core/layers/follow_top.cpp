@@ -20,7 +20,7 @@ namespace voluta::layers {
 namespace {
 
 // Cosines of 25 and 40 degrees.
-constexpr double kAlong = 0.9063, kAside = 0.7660;
+constexpr double kAlong = 0.9063, kLateral = 0.7660;
 constexpr double kOnSurface = 1e-3; // mm
 // [mm] offset from the boundary; small enough that with a rim on a top inclined by 25 degrees the
 // point is still within kOnSurface.
@@ -137,10 +137,10 @@ private:
       if (c.entering)
         continue;
       const double along = part_.normal(c.triangle).dot(d);
-      if (along <= kAside)
+      if (along <= kLateral)
         return std::nullopt;
       return Over{std::max(0.0, c.t * (before + reach) - before),
-                  std::min(1.0, (along - kAside) / (kAlong - kAside))};
+                  std::min(1.0, (along - kLateral) / (kAlong - kLateral))};
     }
     return std::nullopt;
   }
@@ -155,10 +155,10 @@ private:
     hits_.clear();
     if (over->farMm > kOnSurface)
       query_->hits(later_, place(v), place(v) + (over->farMm + kOnSurface) * d, hits_);
-    const double most = std::max(options_.heightMaxMm, own),
-                 least = std::min(options_.heightMinMm, own);
+    const double maximum = std::max(options_.heightMaxMm, own),
+                 minimum = std::min(options_.heightMinMm, own);
     const bool isLast = hits_.empty();
-    if (!isLast && (hits_.size() > 1 || own >= most))
+    if (!isLast && (hits_.size() > 1 || own >= maximum))
       return aim;
     // The last patch gets its height to the surface; the patch below takes the excess.
     const double last = isLast ? own : thicknessAt(*patches_, hits_.front());
@@ -169,10 +169,10 @@ private:
     if (excess > 0.5 * last)
       return aim;
     if (!isLast) {
-      aim.heightMm = own + over->share * std::clamp(excess, 0.0, most - own);
+      aim.heightMm = own + over->share * std::clamp(excess, 0.0, maximum - own);
       return aim;
     }
-    aim.heightMm = own + over->share * (std::clamp(wanted, least, most) - own);
+    aim.heightMm = own + over->share * (std::clamp(wanted, minimum, maximum) - own);
     if (excess > 0.0) {
       query_->hits(earlier_, place(v), place(v) - options_.heightMaxMm * d, hits_);
       if (!hits_.empty())

@@ -42,7 +42,7 @@ AbsorbedIslands absorbIslands(LayerStack& stack, const IslandOptions& options,
       ctx.checkpoint();
       AbsorbOptions with = absorb;
       if (geometry::area(stack.patches[p].surface) > options.dropMm2)
-        with.leastShare = std::max(absorb.leastShare, options.leastMerged);
+        with.minShare = std::max(absorb.minShare, options.minMergedShare);
       // Patches of the same layer do not absorb, so the patch may stay in the stack meanwhile.
       Absorbed one = absorbSlivers(stack.patches, {stack.patches[p]}, with);
       if (one.refused > 0)

@@ -15,7 +15,7 @@ struct IslandOptions {
   double supportReach = 1.25;
   double supportedShare = 0.02; // a patch with a smaller supported share of its area is an island
   // share of its volume that neighbours must have room for, so that it may be removed
-  double leastMerged = 0.5;
+  double minMergedShare = 0.5;
   double dropMm2 = 20.0; // smaller ones are removed in any case
 };
 

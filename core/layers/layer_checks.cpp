@@ -26,22 +26,22 @@ double halfThickness(const Patch& patch, std::size_t triangle) {
          6.0;
 }
 
-double mostThickness(const LayerStack& stack) {
-  double most = 0.0;
+double maxThickness(const LayerStack& stack) {
+  double maximum = 0.0;
   for (const Patch& patch : stack.patches)
     for (double t : patch.thicknessMm)
-      most = std::max(most, t);
-  return most;
+      maximum = std::max(maximum, t);
+  return maximum;
 }
 
 // Returns the search radius for the support of a point: from its mid-surface to that of the patch
 // below.
-double reachOf(double mostThicknessMm, double reachShare) {
-  return (1.0 + reachShare) * mostThicknessMm;
+double reachOf(double maxThicknessMm, double reachShare) {
+  return (1.0 + reachShare) * maxThicknessMm;
 }
 
 SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery& query,
-                       double mostThicknessMm, double reachShare, const Ground& ground) {
+                       double maxThicknessMm, double reachShare, const Ground& ground) {
   const Patch& patch = stack.patches[p];
   const std::size_t n = patch.surface.triangles.size();
   const std::size_t step = std::max<std::size_t>(1, n / kMaxSamples);
@@ -49,8 +49,8 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
   std::map<int, int> met;
   std::vector<StackQuery::Place> hits;
   Eigen::AlignedBox3d box = geometry::bounds(patch.surface);
-  box.min().array() -= reachOf(mostThicknessMm, reachShare);
-  box.max().array() += reachOf(mostThicknessMm, reachShare);
+  box.min().array() -= reachOf(maxThicknessMm, reachShare);
+  box.max().array() += reachOf(maxThicknessMm, reachShare);
   const std::vector<int> earlier = query.near(box, 0, static_cast<int>(p));
   SupportCheck check;
   for (std::size_t t = 0; t < n; t += step) {
@@ -84,7 +84,7 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
     if (carries(found)) {
       lower = found.patch;
     } else {
-      const double reach = reachShare * (half + 0.5 * mostThicknessMm);
+      const double reach = reachShare * (half + 0.5 * maxThicknessMm);
       query.hits(earlier, centre + 0.1 * half * down, centre + reach * down, hits);
       const auto hit = std::find_if(hits.begin(), hits.end(), carries);
       if (hit != hits.end())
@@ -98,10 +98,10 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
     }
   }
   check.supportedFraction = whole > 0.0 ? supported / whole : 1.0;
-  int most = 0;
+  int maximum = 0;
   for (const auto& [lower, count] : met)
-    if (count > most) {
-      most = count;
+    if (count > maximum) {
+      maximum = count;
       check.lower = lower;
     }
   return check;
@@ -197,14 +197,15 @@ std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShar
                                        const std::vector<std::size_t>& which,
                                        const Ground& ground) {
   std::vector<SupportCheck> checks(which.empty() ? stack.patches.size() : which.size());
-  const double most = mostThickness(stack);
+  const double maximum = maxThickness(stack);
   std::vector<Eigen::AlignedBox3d> around;
   for (std::size_t n = 0; n < checks.size(); ++n)
     around.push_back(geometry::bounds(stack.patches[which.empty() ? n : which[n]].surface));
-  const StackQuery query(stack.patches, around, reachOf(most, reachShare), ctx);
+  const StackQuery query(stack.patches, around, reachOf(maximum, reachShare), ctx);
   base::parallelChunks(ctx, checks.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
-      checks[n] = supportOf(stack, which.empty() ? n : which[n], query, most, reachShare, ground);
+      checks[n] =
+          supportOf(stack, which.empty() ? n : which[n], query, maximum, reachShare, ground);
   });
   return checks;
 }

@@ -4,12 +4,12 @@
 
 namespace voluta::layers {
 
-NotLaid notLaid(const std::vector<DroppedPiece>& dropped) {
-  NotLaid sum;
-  double most = 0.0;
+NotPrinted notPrinted(const std::vector<DroppedPiece>& dropped) {
+  NotPrinted sum;
+  double maximum = 0.0;
   for (const DroppedPiece& piece : dropped) {
-    if (sum.pieces == 0 || piece.volumeMm3 > most) {
-      most = piece.volumeMm3;
+    if (sum.pieces == 0 || piece.volumeMm3 > maximum) {
+      maximum = piece.volumeMm3;
       sum.largestAt = piece.centre;
     }
     ++sum.pieces;
@@ -18,11 +18,11 @@ NotLaid notLaid(const std::vector<DroppedPiece>& dropped) {
   return sum;
 }
 
-std::optional<plan::Finding> sliversFinding(const NotLaid& slivers, double laidMm3,
+std::optional<plan::Finding> sliversFinding(const NotPrinted& slivers, double depositedMm3,
                                             double blockingShare) {
   if (slivers.pieces == 0)
     return std::nullopt;
-  const double whole = laidMm3 + slivers.volumeMm3;
+  const double whole = depositedMm3 + slivers.volumeMm3;
   plan::Finding finding = plan::makeFinding(plan::FindingKind::Slivers,
                                             {{"pieces", slivers.pieces},
                                              {"volume", base::mm3(slivers.volumeMm3)},

@@ -13,15 +13,15 @@
 namespace voluta::layers {
 
 // Pieces of layers that are not printed.
-struct NotLaid {
+struct NotPrinted {
   std::size_t pieces = 0;
   double volumeMm3 = 0.0;
   Eigen::Vector3d largestAt = Eigen::Vector3d::Zero();
 };
-NotLaid notLaid(const std::vector<DroppedPiece>& dropped);
+NotPrinted notPrinted(const std::vector<DroppedPiece>& dropped);
 
 // Returns the finding "slivers" if there are any; it blocks from this share of the whole volume on.
-std::optional<plan::Finding> sliversFinding(const NotLaid& slivers, double laidMm3,
+std::optional<plan::Finding> sliversFinding(const NotPrinted& slivers, double depositedMm3,
                                             double blockingShare);
 
 // Unsupported patches (IslandOptions::supportedShare).

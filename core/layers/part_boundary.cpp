@@ -80,9 +80,10 @@ bool PartBoundary::mayCross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) 
   }
   Eigen::Vector3i from, to;
   for (int axis = 0; axis < 3; ++axis) {
-    const double least = std::min(a[axis], b[axis]), most = std::max(a[axis], b[axis]);
-    from[axis] = std::max(0, static_cast<int>(std::floor((least - low_[axis]) / cell_)));
-    to[axis] = std::min(size_[axis] - 1, static_cast<int>(std::floor((most - low_[axis]) / cell_)));
+    const double minimum = std::min(a[axis], b[axis]), maximum = std::max(a[axis], b[axis]);
+    from[axis] = std::max(0, static_cast<int>(std::floor((minimum - low_[axis]) / cell_)));
+    to[axis] =
+        std::min(size_[axis] - 1, static_cast<int>(std::floor((maximum - low_[axis]) / cell_)));
   }
   for (int k = from.z(); k <= to.z(); ++k)
     for (int j = from.y(); j <= to.y(); ++j)
@@ -105,12 +106,12 @@ void PartBoundary::crossings(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const Eigen::Vector3d step = b - a;
   const auto enters = [&](int triangle) { return normal(triangle).dot(step) < 0.0; };
   // The number of shells that contain the start: as many as are left before they are entered.
-  int depth = 0, least = 0;
+  int depth = 0, minimum = 0;
   for (const auto& hit : hits) {
     depth += enters(hit.triangle) ? 1 : -1;
-    least = std::min(least, depth);
+    minimum = std::min(minimum, depth);
   }
-  depth = -least;
+  depth = -minimum;
   const double length = step.norm();
   for (const auto& hit : hits) {
     const bool wasInside = depth > 0;

@@ -102,7 +102,7 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
   std::vector<std::vector<std::size_t>> trianglesOf(at(components.count));
   for (std::size_t t = 0; t < s.surface.triangles.size(); ++t)
     trianglesOf[at(components.ofTriangle[t])].push_back(t);
-  const double leastArea = base::kPi / 4.0 * options.beadWidthMm * options.beadWidthMm;
+  const double minArea = base::kPi / 4.0 * options.beadWidthMm * options.beadWidthMm;
 
   std::vector<int> index(s.surface.vertices.size(), -1);
   for (const std::vector<std::size_t>& piece : trianglesOf) {
@@ -135,7 +135,7 @@ PatchesOfLevel makePatches(const LevelSurface& level, const PatchOptions& option
       patch.direction.push_back(s.direction[at(v)]);
       patch.clearDirection.push_back(s.clearDirection[at(v)]);
     }
-    if (area < leastArea || narrower(patch.surface, 0.25 * options.beadWidthMm)) {
+    if (area < minArea || narrower(patch.surface, 0.25 * options.beadWidthMm)) {
       if (area > 0.0)
         result.slivers.push_back(std::move(patch));
       continue;

@@ -21,7 +21,7 @@ struct Sums {
 void addEdge(const Patch& patch, int from, int to, const geometry::TriangleMesh& part,
              const geometry::MeshQuery& surface, Sums& sums) {
   // Flatter surfaces have wider steps than a layer has room for.
-  constexpr double kLeastSine = 0.05;
+  constexpr double kMinSine = 0.05;
   const auto a = static_cast<std::size_t>(from), b = static_cast<std::size_t>(to);
   if (!patch.innerRim.empty() && patch.innerRim[a] != 0 && patch.innerRim[b] != 0)
     return;
@@ -33,7 +33,7 @@ void addEdge(const Patch& patch, int from, int to, const geometry::TriangleMesh&
   const Vector3d direction = (patch.direction[a] + patch.direction[b]).normalized();
   const double cosine = std::abs(
       direction.dot(geometry::triangleNormal(part, static_cast<std::size_t>(nearest.triangle))));
-  const double sine = std::max(kLeastSine, std::sqrt(std::max(0.0, 1.0 - cosine * cosine)));
+  const double sine = std::max(kMinSine, std::sqrt(std::max(0.0, 1.0 - cosine * cosine)));
   const double stepMm = thickness * cosine;
   sums.stepTimesArea += stepMm * (q - p).norm() * thickness / sine;
   sums.maxMm = std::max(sums.maxMm, stepMm);

@@ -10,7 +10,7 @@ namespace voluta::layers {
 namespace {
 constexpr const char *kTool = "tool", *kSupportTool = "supportTool", *kInfillTool = "infillTool",
                      *kPieceTools = "pieceTools";
-constexpr auto kMost = static_cast<long long>(kMostTools);
+constexpr auto kMaxTool = static_cast<long long>(kMaxTools);
 
 // Returns the number of the text without spaces around it; 0 if it is none.
 int numberOf(std::string_view text) {
@@ -44,15 +44,15 @@ std::vector<int> ToolAssignment::used() const {
 base::ParameterTable toolParameters() {
   return base::ParameterTable({
       base::integerParameter(
-          kTool, 1, 1, kMost, "Tools"_text, "tool"_text,
+          kTool, 1, 1, kMaxTool, "Tools"_text, "tool"_text,
           "Number of the tool that prints the part. The tips of all tools are in one "
           "place, that of the cell's nozzle."_text,
           true),
-      base::integerParameter(kSupportTool, 0, 0, kMost, "Tools"_text, "tool of supports"_text,
+      base::integerParameter(kSupportTool, 0, 0, kMaxTool, "Tools"_text, "tool of supports"_text,
                              "Number of the tool that prints supports; 0: that of the part."_text,
                              true),
       base::integerParameter(
-          kInfillTool, 0, 0, kMost, "Tools"_text, "tool of the interior"_text,
+          kInfillTool, 0, 0, kMaxTool, "Tools"_text, "tool of the interior"_text,
           "Number of the tool that fills the interior within walls and skins; 0: that of "
           "the part."_text,
           true),

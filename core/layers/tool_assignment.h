@@ -11,8 +11,7 @@
 
 namespace voluta::layers {
 
-inline constexpr std::size_t kMostTools =
-    4; // outputs of controllers select three besides the first
+inline constexpr std::size_t kMaxTools = 4; // outputs of controllers select three besides the first
 
 // Indices in the job's tooling.
 struct ToolAssignment {

@@ -43,7 +43,8 @@ Eigen::Vector3d shiftOf(std::size_t index) {
 }
 
 // Returns the distance of x from the line through p and q.
-double aside(const Eigen::Vector3d& x, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+double lateralDistance(const Eigen::Vector3d& x, const Eigen::Vector3d& p,
+                       const Eigen::Vector3d& q) {
   return (x - p).cross(q - p).norm() / (q - p).norm();
 }
 
@@ -281,7 +282,7 @@ private:
     // A corner close to one end of the chord leaves the chord's midpoint near the surface;
     // therefore search for corners first.
     if (!(cornerBetween(t, plane, from, to, x, weights) && (x - p).norm() < 2.0 * length &&
-          (x - q).norm() < 2.0 * length && aside(x, p, q) > kShortChord)) {
+          (x - q).norm() < 2.0 * length && lateralDistance(x, p, q) > kShortChord)) {
       if (length < 2.0 * options_.chordMm ||
           part_.query().closest(middle, kOnSurface).triangle >= 0)
         return;

@@ -55,7 +55,7 @@ std::optional<plan::Finding> walledSupport(const LayerStack& stack,
                                            const geometry::TriangleMesh& part) {
   if (std::ranges::none_of(stack.patches, [](const Patch& p) { return p.group == kSupportGroup; }))
     return std::nullopt;
-  double whole = 0.0, most = 0.0;
+  double whole = 0.0, maximum = 0.0;
   Vector3d at = Vector3d::Zero();
   for (const geometry::TriangleMesh& hollow : hollowsOf(part)) {
     const geometry::MeshQuery query(hollow);
@@ -64,8 +64,8 @@ std::optional<plan::Finding> walledSupport(const LayerStack& stack,
       if (patch.group == kSupportGroup)
         volume += volumeWithin(patch, query);
     whole += volume;
-    if (volume > most) {
-      most = volume;
+    if (volume > maximum) {
+      maximum = volume;
       at = geometry::bounds(hollow).center();
     }
   }

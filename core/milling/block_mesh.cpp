@@ -73,8 +73,8 @@ private:
 
 } // namespace
 
-geometry::TriangleMesh meshOf(const Stock& stock, std::size_t mostColumns) {
-  const double share = static_cast<double>(stock.grid().size()) / static_cast<double>(mostColumns);
+geometry::TriangleMesh meshOf(const Stock& stock, std::size_t maxColumns) {
+  const double share = static_cast<double>(stock.grid().size()) / static_cast<double>(maxColumns);
   const int stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
   return Columns(stock, stride).mesh();
 }

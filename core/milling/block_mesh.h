@@ -9,8 +9,8 @@
 namespace voluta::milling {
 
 // Returns the surface through the middles of the block's columns, facing outward. Takes every
-// second, third, ... column of a block with more than `mostColumns`. Columns without three
-// neighbours of a square are left out. Precondition: mostColumns >= 4.
-geometry::TriangleMesh meshOf(const Stock& stock, std::size_t mostColumns);
+// second, third, ... column of a block with more than `maxColumns`. Columns without three
+// neighbours of a square are left out. Precondition: maxColumns >= 4.
+geometry::TriangleMesh meshOf(const Stock& stock, std::size_t maxColumns);
 
 } // namespace voluta::milling

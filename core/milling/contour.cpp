@@ -14,9 +14,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Returns the distance of each cell's middle from the nearest cell of the part, up to `mostMm`.
-std::vector<double> distances(const HeightMap& part, double mostMm) {
-  std::vector<double> out(part.grid.size(), mostMm);
+// Returns the distance of each cell's middle from the nearest cell of the part, up to `maxMm`.
+std::vector<double> distances(const HeightMap& part, double maxMm) {
+  std::vector<double> out(part.grid.size(), maxMm);
   const CellGrid& grid = part.grid;
   for (int j = 0; j < grid.countY; ++j)
     for (int i = 0; i < grid.countX; ++i) {
@@ -28,7 +28,7 @@ std::vector<double> distances(const HeightMap& part, double mostMm) {
                          !part.isPart(cell - 1) || !part.isPart(cell + 1) ||
                          !part.isPart(grid.index(i, j - 1)) || !part.isPart(grid.index(i, j + 1));
       if (isRim)
-        visitAround(grid, grid.middle(i, j), mostMm, [&](std::size_t other, double squared) {
+        visitAround(grid, grid.middle(i, j), maxMm, [&](std::size_t other, double squared) {
           out[other] = std::min(out[other], std::sqrt(squared));
         });
     }
@@ -61,7 +61,7 @@ public:
 
 private:
   // Edges from a cell to the one on its right (0) or above it (1).
-  std::uint64_t edgeOf(int i, int j, int way) const { return 2 * grid_.index(i, j) + way; }
+  std::uint64_t edgeOf(int i, int j, int axis) const { return 2 * grid_.index(i, j) + axis; }
   bool isLow(int i, int j) const { return value_[grid_.index(i, j)] < level_; }
 
   Vector2d crossing(std::uint64_t edge) const {

@@ -41,10 +41,10 @@ double ridgeOnPlaneMm(double radiusMm, double distanceMm) {
 
 double ridgeOnSphereMm(double radiusMm, double sphereMm, double atMm, double distanceMm) {
   const double reach = sphereMm + radiusMm;
-  const double turn = std::asin((atMm + distanceMm) / reach) - std::asin(atMm / reach);
-  const double aside = reach * std::sin(0.5 * turn);
-  return reach * std::cos(0.5 * turn) -
-         std::sqrt(std::max(0.0, radiusMm * radiusMm - aside * aside)) - sphereMm;
+  const double angle = std::asin((atMm + distanceMm) / reach) - std::asin(atMm / reach);
+  const double lateral = reach * std::sin(0.5 * angle);
+  return reach * std::cos(0.5 * angle) -
+         std::sqrt(std::max(0.0, radiusMm * radiusMm - lateral * lateral)) - sphereMm;
 }
 
 } // namespace voluta::milling

@@ -82,16 +82,16 @@ void visitAlong(const CellGrid& grid, const Eigen::Vector2d& from, const Eigen::
     return static_cast<int>(std::clamp(value / grid.pitchMm, 0.0, static_cast<double>(count)));
   };
   const Eigen::Vector2d low = (from.cwiseMin(to) - grid.low).array() - radiusMm,
-                        high = (from.cwiseMax(to) - grid.low).array() + radiusMm, way = to - from;
-  const double length = way.norm();
+                        high = (from.cwiseMax(to) - grid.low).array() + radiusMm, step = to - from;
+  const double length = step.norm();
   const int j0 = bound(low.y(), grid.countY), j1 = bound(high.y() + grid.pitchMm, grid.countY);
   for (int j = j0; j < j1; ++j) {
     double left = low.x(), right = high.x();
-    if (std::abs(way.y()) > kAlongX * length) {
+    if (std::abs(step.y()) > kAlongX * length) {
       // The strip of that half width about the endless line.
       const double aboveMm = grid.middle(0, j).y() - from.y(),
-                   middle = from.x() - grid.low.x() + aboveMm * way.x() / way.y(),
-                   half = radiusMm * length / std::abs(way.y());
+                   middle = from.x() - grid.low.x() + aboveMm * step.x() / step.y(),
+                   half = radiusMm * length / std::abs(step.y());
       left = std::max(left, middle - half);
       right = std::min(right, middle + half);
     }

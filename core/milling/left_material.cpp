@@ -103,8 +103,8 @@ double levelness(const HeightMap& part, int i, int j) {
   const double top = part.top[grid.index(i, j)];
   const auto slope = [&](int di, int dj) {
     double gentlest = INFINITY;
-    for (const int way : {-1, 1}) {
-      const int x = i + way * di, y = j + way * dj;
+    for (const int sign : {-1, 1}) {
+      const int x = i + sign * di, y = j + sign * dj;
       if (x >= 0 && y >= 0 && x < grid.countX && y < grid.countY && part.isPart(grid.index(x, y)))
         gentlest = std::min(gentlest, std::abs(part.top[grid.index(x, y)] - top) / grid.pitchMm);
     }
@@ -165,13 +165,13 @@ public:
   double heightAt(std::size_t cell) {
     const CellGrid& grid = part_.grid;
     const double r = cutter_.radiusMm();
-    double least = INFINITY;
+    double minimum = INFINITY;
     visitAround(grid, middle(cell), reach_, [&](std::size_t other, double squared) {
       if (std::isnan(tip_[other]))
         tip_[other] = dropHeight(part_, cutter_, middle(other));
-      least = std::min(least, tip_[other] + r - std::sqrt(r * r - squared));
+      minimum = std::min(minimum, tip_[other] + r - std::sqrt(r * r - squared));
     });
-    return least;
+    return minimum;
   }
 
 private:
@@ -188,7 +188,7 @@ private:
 // Marks the cells of the part with more material than a round cutter leaves everywhere.
 std::vector<char> leftOnPart(const HeightMap& part, const Stock& stock, const MillRule& rule) {
   const CellGrid& grid = part.grid;
-  const double radius = rule.cutter.radiusMm(), most = radius + grid.pitchMm;
+  const double radius = rule.cutter.radiusMm(), limit = radius + grid.pitchMm;
   const double thin =
       std::max(kGroove * radius, ridgeOnPlaneMm(radius, rule.distanceMm())) + grid.pitchMm;
   const std::vector<double> depth = depthsOnPart(part, stock, thin);
@@ -198,8 +198,8 @@ std::vector<char> leftOnPart(const HeightMap& part, const Stock& stock, const Mi
     for (int i = 0; i < grid.countX; ++i)
       if (const std::size_t c = grid.index(i, j); depth[c] > 0.0) {
         const double level = levelness(part, i, j);
-        isLeft[c] = depth[c] > most || ((stock.highAt(c) - part.top[c]) * level > most &&
-                                        (stock.highAt(c) - clearable.heightAt(c)) * level > most);
+        isLeft[c] = depth[c] > limit || ((stock.highAt(c) - part.top[c]) * level > limit &&
+                                         (stock.highAt(c) - clearable.heightAt(c)) * level > limit);
       }
   return isLeft;
 }
@@ -231,7 +231,7 @@ LeftMaterial leftMaterial(const Stock& rest, const MillPlan& plan, const MillRul
   LeftMaterial left;
   const HeightMap &above = plan.above, &below = plan.below;
   const CellGrid& grid = above.grid;
-  const double radius = rule.cutter.radiusMm(), most = radius + grid.pitchMm;
+  const double radius = rule.cutter.radiusMm(), limit = radius + grid.pitchMm;
   const std::vector<double> beside = depthsBesidePart(above, radius);
   const std::vector<char> on = leftOnPart(above, rest, rule),
                           under = leftOnPart(below, rest.turned(), rule);
@@ -242,7 +242,7 @@ LeftMaterial leftMaterial(const Stock& rest, const MillPlan& plan, const MillRul
       const Vector2d at = grid.middle(i, j);
       const double high = rest.highAt(c), low = rest.lowAt(c);
       if (!above.isPart(c)) {
-        if (beside[c] > most && high > low)
+        if (beside[c] > limit && high > low)
           sum.add(at, low, high);
         continue;
       }
@@ -265,7 +265,7 @@ LeftMaterial leftMaterial(const Stock& rest, const MillPlan& plan, const MillRul
         sum.add(at, middle - 0.5 * hidden, middle + 0.5 * hidden);
       }
     }
-  if (left.volumeMm3 < kLeastLeftMm3)
+  if (left.volumeMm3 < kMinLeftMm3)
     return {.cornersMm3 = left.cornersMm3};
   return left;
 }

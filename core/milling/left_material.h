@@ -16,7 +16,7 @@ struct LeftMaterial {
 };
 
 // Least volume that is reported [mm3]: below it are single cells.
-inline constexpr double kLeastLeftMm3 = 1.0;
+inline constexpr double kMinLeftMm3 = 1.0;
 
 // Returns the material above and below the part, in its undercuts and hollows, in holes through it,
 // and in gaps of its silhouette that are narrower than the cutter. `corners` are what a round

@@ -34,16 +34,16 @@ void check(const MillRule& rule) {
 
 // A map of more cells takes gigabytes of memory.
 void checkCells(const Eigen::AlignedBox3d& block, double pitchMm) {
-  constexpr double kMostCells = 4e7;
+  constexpr double kMaxCells = 4e7;
   const Vector3d size = block.sizes();
-  if (size.x() / pitchMm * size.y() / pitchMm > kMostCells)
+  if (size.x() / pitchMm * size.y() / pitchMm > kMaxCells)
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("cells of {pitch} are too fine for a block of {along} by {across}"_text,
                       base::mm(pitchMm), base::mm(size.x()), base::mm(size.y())),
         {},
         base::message("give --pitch of {least} or more"_text,
-                      base::mm(std::sqrt(size.x() * size.y() / kMostCells))));
+                      base::mm(std::sqrt(size.x() * size.y() / kMaxCells))));
 }
 
 geometry::TriangleMesh turned(const geometry::TriangleMesh& part) {
@@ -192,10 +192,10 @@ private:
   // Appends a point, and points before it where a straight line could cut into the part. The tip's
   // height jumps where the ball meets a wall: there the cutter goes straight up or down beside it.
   void refine(const Vector3d& to, std::vector<Vector3d>& points) const {
-    constexpr double kLeastMm = 0.004, kJumpMm = 0.05, kSteep = 2.0;
+    constexpr double kMinMm = 0.004, kJumpMm = 0.05, kSteep = 2.0;
     const Vector3d from = points.back();
     const double width = to.x() - from.x(), rise = to.z() - from.z(), x = 0.5 * (from.x() + to.x());
-    if (width > kLeastMm) {
+    if (width > kMinMm) {
       const double z = heightAt(x, to.y());
       if (std::abs(rise) > kSteep * width || z > 0.5 * (from.z() + to.z()) + kSameMm) {
         refine({x, to.y(), z}, points);

@@ -16,10 +16,10 @@ class Sweep {
 public:
   Sweep(double radiusMm, const Vector3d& from, const Vector3d& to) : radius_(radiusMm) {
     constexpr double kStraightDownMm = 1e-9;
-    const Vector2d way = (to - from).head<2>();
-    const double length = way.norm();
+    const Vector2d step = (to - from).head<2>();
+    const double length = step.norm();
     if (length > kStraightDownMm) {
-      along_ = way / length;
+      along_ = step / length;
       length_ = length;
       slope_ = (to.z() - from.z()) / length;
       startZ_ = from.z();

@@ -66,7 +66,7 @@ std::optional<plan::Finding> pedestalGains(const voxel::SolidVoxels& part, const
   const curved::CurvedOptions& o = plan.growth;
   const curved::Growth growth =
       curved::grow(graph, o.growth, o.forward, ctx, curved::headForLosses(o));
-  const std::size_t there = part.count - std::min(part.count, growth.laid);
+  const std::size_t there = part.count - std::min(part.count, growth.printed);
   if (2 * there > missedHere)
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::PedestalGains,
@@ -111,7 +111,7 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   stage->timings.peel = d.seconds.peel;
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;
-  tellSupports(supports, *stage);
+  reportSupports(supports, *stage);
   const bool rejected = input.isRejected && input.isRejected(d.findings);
   if (const auto gains =
           rejected ? std::nullopt : pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))

@@ -30,7 +30,7 @@ void markSupports(const support::Supports& supports, curved::Decomposition& deco
   decomposition.voxels = supports.solid.count - supports.voxels;
 }
 
-void tellSupports(const support::Supports& supports, DecomposeStage& stage) {
+void reportSupports(const support::Supports& supports, DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
   const double pitch = r.voxelMm;
   r.missedAfterSupports = r.missedVoxels;

@@ -28,7 +28,7 @@ void markSupports(const support::Supports& supports, curved::Decomposition& deco
 
 // Adds the supports' results to the stage: missed voxels before and after, volume, findings,
 // seconds.
-void tellSupports(const support::Supports& supports, DecomposeStage& stage);
+void reportSupports(const support::Supports& supports, DecomposeStage& stage);
 
 // Returns slices of the support with the process's layer heights; empty if there is no support.
 std::vector<curved::SupportPatch> supportPatches(const curved::Decomposition& decomposition,

@@ -188,9 +188,9 @@ std::shared_ptr<const DecomposeStage> decompose(const LathePlan& plan, const Dec
   ctx.checkpoint();
   const substrate::LatheOptions options = plan.options();
   const substrate::Overhang overhang = substrate::latheOverhang(*left, rod, options, plan.overhang);
-  tellLevels(plan.overhang,
-             static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
-             substrate::GroundKind::Rod, *stage);
+  reportLevels(plan.overhang,
+               static_cast<int>(substrate::latheBounds(*left, rod, options).size()) - 1, overhang,
+               substrate::GroundKind::Rod, *stage);
   if (auto finding = tooFarOut(*left, plan.rod.printableRadiusMm))
     stage->findings.push_back(std::move(*finding));
   stage->timings.decompose = watch.seconds();

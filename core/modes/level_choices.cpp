@@ -34,9 +34,9 @@ substrate::OverhangRule overhangRule(const ModeChoices& in) {
           in.process.beadWidthMm};
 }
 
-void tellLevels(const substrate::OverhangRule& rule, int layers,
-                const substrate::Overhang& overhang, substrate::GroundKind ground,
-                DecomposeStage& stage) {
+void reportLevels(const substrate::OverhangRule& rule, int layers,
+                  const substrate::Overhang& overhang, substrate::GroundKind ground,
+                  DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
   r.pieces = 1;
   r.layers = layers;

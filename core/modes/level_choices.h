@@ -21,9 +21,9 @@ substrate::OverhangRule overhangRule(const ModeChoices& in);
 
 // Adds the number of layers and the part's overhang over the ground to the stage's report and
 // findings.
-void tellLevels(const substrate::OverhangRule& rule, int layers,
-                const substrate::Overhang& overhang, substrate::GroundKind ground,
-                DecomposeStage& stage);
+void reportLevels(const substrate::OverhangRule& rule, int layers,
+                  const substrate::Overhang& overhang, substrate::GroundKind ground,
+                  DecomposeStage& stage);
 
 std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked, double seconds);
 

@@ -55,7 +55,7 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
     findings.push_back(thinFinding(plan::FindingKind::ThinWall, plan::FindingKind::WallTooThin,
                                    places[p].usualMm,
                                    {{"usual", base::mm(places[p].usualMm)},
-                                    {"thinnest", base::mm(places[p].leastMm)},
+                                    {"thinnest", base::mm(places[p].minMm)},
                                     {"voxel", base::mm(voxelMm)}},
                                    places[p], places[p].facets));
   if (places.size() <= kMaxListed)

@@ -95,8 +95,8 @@ std::vector<std::string> materialsOf(const ModeChoices& in) {
   return materials;
 }
 
-void tellPieces(const planar::PlanarDecomposition& d, const planar::RiskRule& rule,
-                const std::vector<std::string>& materials, DecomposeStage& stage) {
+void reportPieces(const planar::PlanarDecomposition& d, const planar::RiskRule& rule,
+                  const std::vector<std::string>& materials, DecomposeStage& stage) {
   project::DecompositionReport& r = stage.report;
   r.pieces = static_cast<int>(d.pieces.size());
   r.riskyAreaMm2 = d.riskyMm2;
@@ -182,7 +182,7 @@ decomposePlanar(const PiecesPlan& plan, const DecomposeInput& input, const base:
   if (stage->platform.polygon.size() < 3)
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                       "drop it to the plate"_text);
-  tellPieces(*pieces, plan.rule, plan.materials, *stage);
+  reportPieces(*pieces, plan.rule, plan.materials, *stage);
   const plan::Findings left =
       planar::overhangFindings(pieces->pieces, options.rule, planar::Overhangs::Pieces);
   stage->findings.insert(stage->findings.end(), left.begin(), left.end());
@@ -234,7 +234,7 @@ decomposeFlat(const FlatPlan& plan, const DecomposeInput& input, const base::Run
   const base::Stopwatch watch;
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
       planar::flatDecomposition(*input.placed.part, plan.rule));
-  tellPieces(*pieces, plan.rule, plan.materials, *stage);
+  reportPieces(*pieces, plan.rule, plan.materials, *stage);
   const planar::UniformMisses misses = planar::uniformMisses(solid);
   project::DecompositionReport& r = stage->report;
   r.voxelMm = solid.grid.pitch;

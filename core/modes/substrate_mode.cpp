@@ -217,7 +217,7 @@ decompose(const SurfacePlan& plan, const DecomposeInput& input, const base::RunC
       substrate::substrateLevels(part, groundOf(stage->platform), options, ctx);
   const substrate::Overhang overhang =
       substrate::findOverhang(part, family.ground, family.outward, plan.overhang);
-  tellLevels(plan.overhang, family.count, overhang, substrate::GroundKind::Surface, *stage);
+  reportLevels(plan.overhang, family.count, overhang, substrate::GroundKind::Surface, *stage);
   stage->timings.decompose = watch.seconds();
   return stage;
 }

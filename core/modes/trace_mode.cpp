@@ -29,7 +29,7 @@ struct TracePlan {
 };
 
 TracePlan tracePlan(const ModeChoices& in) {
-  constexpr double kContactShare = 0.5, kLeastWidths = 4.0;
+  constexpr double kContactShare = 0.5, kMinWidths = 4.0;
   const process::Process& p = in.process;
   TracePlan plan{in.choices.item().platform, kContactShare * p.layerHeightMm, {}, {}};
   plan.rule.steepRad = base::degreesToRadians(in.values.number("traceAngle"));
@@ -44,7 +44,7 @@ TracePlan tracePlan(const ModeChoices& in) {
   plan.rule.fillLines = static_cast<int>(in.values.integer("traceFillLines"));
   plan.rule.fillRad = base::degreesToRadians(in.values.number("traceFillAngle"));
   plan.rule.stepMm = p.stepMm;
-  plan.rule.leastMm = kLeastWidths * p.beadWidthMm;
+  plan.rule.minMm = kMinWidths * p.beadWidthMm;
   // The width at which beads fill a layer, so that the strip has the volume of one bead.
   plan.strip = {process::hatchOf(p.beadWidthMm, p.layerHeightMm), p.layerHeightMm};
   return plan;

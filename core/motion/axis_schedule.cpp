@@ -29,11 +29,12 @@ constexpr double kStep = base::degreesToRadians(15.0);
 constexpr double kFreeLean = base::degreesToRadians(20.0);
 // Cost of a rung's tilt from upright: small for any tilt, larger beyond kFreeLean.
 constexpr double kLeanScale = base::degreesToRadians(30.0), kAnyLean = 0.001, kMuchLean = 0.2;
-constexpr double kFreeAsideMm = 100.0, kAsideScaleMm = 100.0; // The same for the offset by slides
+constexpr double kFreeSlideOffsetMm = 100.0,
+                 kSlideOffsetScaleMm = 100.0; // The same for the offset by slides
 constexpr double kStartTravel = 0.3; // Per radian, with the nozzle lifted; 1 while printing
 constexpr double kBlocked = 20.0;    // Of a position that the arm cannot reach
 constexpr int kSearches = 6;
-constexpr int kTurnStride = 2;       // Only every kTurnStride-th nozzle rotation is tried
+constexpr int kRotationStride = 2;   // Only every kRotationStride-th nozzle rotation is tried
 constexpr double kSmoothing = 200.0; // Removes waves shorter than about 24 waypoints
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -45,9 +46,9 @@ public:
         cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ();
     for (const robot::ExternalAxis& axis : cell.externalAxes()) {
       // A continuous axis needs at most one turn either way.
-      const double low = axis.runsOn ? -base::kTurn : axis.limits.min;
-      const double high = axis.runsOn ? base::kTurn : axis.limits.max;
-      steps_.push_back(robot::fromTurn(axis.limits.kind, kStep));
+      const double low = axis.runsOn ? -base::kTwoPi : axis.limits.min;
+      const double high = axis.runsOn ? base::kTwoPi : axis.limits.max;
+      steps_.push_back(robot::fromAngle(axis.limits.kind, kStep));
       first_.push_back(static_cast<int>(std::ceil(low / steps_.back() - 1e-9)));
       counts_.push_back(static_cast<int>(std::floor(high / steps_.back() + 1e-9)) - first_.back() +
                         1);
@@ -55,7 +56,7 @@ public:
       nodes_ *= counts_.back();
     }
     for (int n = 0; n < nodes_; ++n)
-      up_.push_back(axesTurn(cell, at(n)).conjugate() * up);
+      up_.push_back(axesRotation(cell, at(n)).conjugate() * up);
     findSlides();
     addMoves(0, 0, 0.0, {});
   }
@@ -69,13 +70,13 @@ public:
   }
   // Returns how far [mm] slides move a point of the work frame away from the arm at home; the
   // maximum over the slides.
-  double asideMm(int node, const Vector3d& point) const {
-    double aside = 0.0;
+  double slideOffsetMm(int node, const Vector3d& point) const {
+    double offset = 0.0;
     for (const Slide& slide : slides_) {
       const auto n = static_cast<std::size_t>(node);
-      aside = std::max(aside, std::abs(slide.along[n].dot(point) + slide.offsetMm[n]));
+      offset = std::max(offset, std::abs(slide.along[n].dot(point) + slide.offsetMm[n]));
     }
-    return aside;
+    return offset;
   }
   // Returns the direction of the work frame that points up in this position.
   const Vector3d& upAt(int node) const { return up_[static_cast<std::size_t>(node)]; }
@@ -119,9 +120,10 @@ private:
         const int other = place(n, k) > 0 ? n - strides_[k] : n + strides_[k];
         if (counts_[k] < 2)
           break;
-        const Vector3d way = (inBase(at(other)).translation() - pose.translation()).normalized();
-        slide.along.push_back(pose.linear().transpose() * way);
-        slide.offsetMm.push_back(way.dot(pose.translation() - tip));
+        const Vector3d toOther =
+            (inBase(at(other)).translation() - pose.translation()).normalized();
+        slide.along.push_back(pose.linear().transpose() * toOther);
+        slide.offsetMm.push_back(toOther.dot(pose.translation() - tip));
       }
       if (!slide.along.empty())
         slides_.push_back(std::move(slide));
@@ -153,8 +155,9 @@ double leanOf(const Vector3d& direction, const Vector3d& up) {
 }
 
 // A part that a slide holds off to the side of the arm will get out of reach.
-double asideCost(double mm) {
-  const double all = mm / kAsideScaleMm, much = std::max(0.0, mm - kFreeAsideMm) / kAsideScaleMm;
+double slideOffsetCost(double mm) {
+  const double all = mm / kSlideOffsetScaleMm,
+               much = std::max(0.0, mm - kFreeSlideOffsetMm) / kSlideOffsetScaleMm;
   return kAnyLean * all * all + kMuchLean * much * much;
 }
 
@@ -169,14 +172,14 @@ public:
            const base::RunContext& ctx)
       : scene_(scene), ctx_(ctx), first_(first), count_(count), from_(from) {
     rungs_ = {first_};
-    double way = 0.0, turn = 0.0;
+    double distance = 0.0, angle = 0.0;
     for (std::size_t i = first_ + 1; i < first_ + count_; ++i) {
-      way += (scene_.plan.position[i] - scene_.plan.position[i - 1]).norm();
-      turn += leanOf(scene_.plan.direction[i], scene_.plan.direction[i - 1]);
-      if (way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
+      distance += (scene_.plan.position[i] - scene_.plan.position[i - 1]).norm();
+      angle += leanOf(scene_.plan.direction[i], scene_.plan.direction[i - 1]);
+      if (distance > scene_.options.rungMm || angle > scene_.options.rungRotationRad ||
           i + 1 == first_ + count_) {
         rungs_.push_back(i);
-        way = turn = 0.0;
+        distance = angle = 0.0;
       }
     }
   }
@@ -185,20 +188,20 @@ public:
     if (stays())
       return std::vector<JointVector>(count_, from_.axes);
     const Grid grid(scene_.cell);
-    std::vector<int> way;
+    std::vector<int> path;
     for (int search = 0; search < kSearches; ++search) {
       ctx_.checkpoint();
-      way = cheapest(grid);
-      if (!lookAt(grid, way))
+      path = cheapest(grid);
+      if (!lookAt(grid, path))
         break;
     }
-    return along(grid, way);
+    return along(grid, path);
   }
 
 private:
   bool stays() const {
     const Vector3d up =
-        axesTurn(scene_.cell, from_.axes).conjugate() *
+        axesRotation(scene_.cell, from_.axes).conjugate() *
         (scene_.cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ());
     for (const std::size_t w : rungs_)
       if (leanOf(scene_.plan.direction[w], up) > kFreeLean)
@@ -216,9 +219,9 @@ private:
     const Eigen::Quaterniond tool = carried(from_.tool, scene_.plan.direction[waypoint]);
     std::vector<JointVector> solutions;
     collision::CellCollision::Frames frames;
-    for (int k = 0; k < scene_.options.samples; k += kTurnStride) {
+    for (int k = 0; k < scene_.options.samples; k += kRotationStride) {
       scene_.cell.inverse(toolPose(scene_.plan.position[waypoint],
-                                   turned(tool, base::kTurn * k / scene_.options.samples)),
+                                   turned(tool, base::kTwoPi * k / scene_.options.samples)),
                           near, solutions);
       for (const JointVector& q : solutions) {
         scene_.cell.framePoses(q, frames);
@@ -230,13 +233,13 @@ private:
     return false;
   }
 
-  // Returns the travel [rad]; slides count by robot::asTurn.
+  // Returns the travel [rad]; slides count by robot::asAngle.
   double travelTo(const JointVector& axes) const {
     double travel = 0.0;
     for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
       travel += std::abs(
-          robot::asTurn(scene_.cell.externalAxes()[k].limits.kind, axes[axis] - from_.axes[axis]));
+          robot::asAngle(scene_.cell.externalAxes()[k].limits.kind, axes[axis] - from_.axes[axis]));
     }
     return travel;
   }
@@ -267,46 +270,46 @@ private:
             }
           }
         cost[n] = best + leanCost(leanOf(direction, grid.upAt(node))) +
-                  asideCost(grid.asideMm(node, scene_.plan.position[rungs_[r]]));
+                  slideOffsetCost(grid.slideOffsetMm(node, scene_.plan.position[rungs_[r]]));
         if (const auto known = reached_.find({r, node}); known != reached_.end() && !known->second)
           cost[n] += kBlocked;
       }
       before.swap(cost);
     }
-    std::vector<int> way(rungs_.size());
+    std::vector<int> path(rungs_.size());
     int node = static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
     for (std::size_t r = rungs_.size(); r-- > 0;) {
-      way[r] = node;
+      path[r] = node;
       node += grid.moves()[came[r][static_cast<std::size_t>(node)]].by;
     }
-    return way;
+    return path;
   }
 
   // Tests whether the arm reaches the untested positions along the path. Returns whether one of
   // them is blocked.
-  bool lookAt(const Grid& grid, const std::vector<int>& way) {
+  bool lookAt(const Grid& grid, const std::vector<int>& path) {
     std::vector<std::size_t> todo;
-    for (std::size_t r = 0; r < way.size(); ++r)
-      if (!reached_.contains({r, way[r]}))
+    for (std::size_t r = 0; r < path.size(); ++r)
+      if (!reached_.contains({r, path[r]}))
         todo.push_back(r);
     std::vector<char> reached(todo.size(), 0);
     base::parallelChunks(ctx_, todo.size(), 2, [&](std::size_t b, std::size_t e) {
       for (std::size_t t = b; t < e; ++t)
-        reached[t] = getsThere(rungs_[todo[t]], grid.at(way[todo[t]]));
+        reached[t] = getsThere(rungs_[todo[t]], grid.at(path[todo[t]]));
     });
     bool blocked = false;
     for (std::size_t t = 0; t < todo.size(); ++t) {
-      reached_[{todo[t], way[todo[t]]}] = reached[t] != 0;
+      reached_[{todo[t], path[todo[t]]}] = reached[t] != 0;
       blocked = blocked || reached[t] == 0;
     }
     return blocked;
   }
 
   // Returns the axes at each waypoint: linear between rungs, then smoothed.
-  std::vector<JointVector> along(const Grid& grid, const std::vector<int>& way) const {
-    std::vector<JointVector> axes{grid.at(way.front())};
+  std::vector<JointVector> along(const Grid& grid, const std::vector<int>& path) const {
+    std::vector<JointVector> axes{grid.at(path.front())};
     for (std::size_t r = 1; r < rungs_.size(); ++r) {
-      const JointVector from = grid.at(way[r - 1]), to = grid.at(way[r]);
+      const JointVector from = grid.at(path[r - 1]), to = grid.at(path[r]);
       const std::size_t b = rungs_[r - 1], e = rungs_[r];
       for (std::size_t i = b + 1; i <= e; ++i)
         axes.push_back(from +

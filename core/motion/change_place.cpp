@@ -23,7 +23,7 @@ using robot::JointVector;
 
 constexpr double kSpareMm = 30.0;                                         // of drops from the part
 constexpr double kWipeMm = 15.0;                                          // beside the place
-constexpr std::size_t kMostPlaces = 12;                                   // places
+constexpr std::size_t kMaxPlaces = 12;                                    // places
 constexpr double kStepRad = base::degreesToRadians(10.0), kStepMm = 20.0; // of the first joints
 constexpr int kSteps = 18;                                                // to each side
 
@@ -82,8 +82,8 @@ public:
 
 private:
   struct Candidate {
-    int tier;       // lower is better
-    double turnRad; // of the joint that moves most from home
+    int tier;        // lower is better
+    double angleRad; // of the joint that moves most from home
     PurgePlace place;
   };
 
@@ -91,12 +91,12 @@ private:
     cell_.framePoses(q, frames_);
     return !scene_.collision.bodies(frames_, scene_.options.travelling);
   }
-  double turnOf(const JointVector& q) const {
-    double most = 0.0;
+  double largestAngleOf(const JointVector& q) const {
+    double maximum = 0.0;
     for (Eigen::Index k = 0; k < q.size(); ++k)
-      most = std::max(most, robot::asTurn(cell_.limits()[static_cast<std::size_t>(k)].kind,
-                                          std::abs(q[k] - home_[k])));
-    return most;
+      maximum = std::max(maximum, robot::asAngle(cell_.limits()[static_cast<std::size_t>(k)].kind,
+                                                 std::abs(q[k] - home_[k])));
+    return maximum;
   }
 
   // Points around the plate and around the print, in the base.
@@ -107,17 +107,17 @@ private:
     both.extend(plate);
     const double floor = plate.isEmpty() ? print.min().z() : plate.max().z();
     int tier = 0;
-    for (const auto& [box, asideMm] :
+    for (const auto& [box, lateralMm] :
          {std::pair(both, kSpareMm + 10.0), std::pair(both, 3.0 * kSpareMm),
           std::pair(print, kSpareMm + 10.0)})
       for (const double upMm : {10.0, 40.0, 100.0}) {
-        for (const Vector3d& point : around(box, asideMm, floor + upMm))
+        for (const Vector3d& point : around(box, lateralMm, floor + upMm))
           tryPoint(point, tier);
         ++tier;
       }
   }
-  static std::vector<Vector3d> around(const AlignedBox3d& box, double asideMm, double z) {
-    const Vector3d middle = box.center(), half = 0.5 * box.sizes() + Vector3d::Constant(asideMm);
+  static std::vector<Vector3d> around(const AlignedBox3d& box, double lateralMm, double z) {
+    const Vector3d middle = box.center(), half = 0.5 * box.sizes() + Vector3d::Constant(lateralMm);
     std::vector<Vector3d> points;
     for (const double a : {-1.0, -0.5, 0.0, 0.5, 1.0})
       for (const double b : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -132,14 +132,14 @@ private:
                             geometry::widened(part_, kSpareMm)))
       return;
     for (const JointVector& q : robot::pointingDownAt(cell_, tip, home_))
-      candidates_.push_back({tier, turnOf(q), {q, q}});
+      candidates_.push_back({tier, largestAngleOf(q), {q, q}});
   }
 
   void keepFree() {
     std::ranges::stable_sort(candidates_, {},
-                             [](const Candidate& c) { return std::tuple(c.tier, c.turnRad); });
+                             [](const Candidate& c) { return std::tuple(c.tier, c.angleRad); });
     for (Candidate& c : candidates_) {
-      if (places_.size() == kMostPlaces)
+      if (places_.size() == kMaxPlaces)
         break;
       if (!isFree(c.place.at))
         continue;
@@ -159,9 +159,9 @@ private:
     base_T_tool.translation() += kWipeMm * away.normalized();
     JointVector to;
     const Isometry3d work_T_tool = base_T_work.inverse() * base_T_tool;
-    constexpr double kMostRad = base::degreesToRadians(30.0);
+    constexpr double kMaxRad = base::degreesToRadians(30.0);
     if (!solveNear(cell_, work_T_tool.translation(), Eigen::Quaterniond(work_T_tool.linear()), q,
-                   kMostRad, solutions_, to) ||
+                   kMaxRad, solutions_, to) ||
         !isFree(to))
       return q;
     return to;
@@ -196,7 +196,7 @@ private:
 void appendBackwards(const std::vector<TransferPoint>& points, const RobotState& first,
                      std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
-    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].most});
+    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].peakDisplacement});
 }
 } // namespace
 

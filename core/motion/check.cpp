@@ -64,23 +64,23 @@ bool isStraight(plan::MoveKind move) {
   return move == plan::MoveKind::Linear || move == plan::MoveKind::Wipe;
 }
 
-// Returns `leastMm`, or the clearance along one motion if that is smaller. In a straight move of
+// Returns `minMm`, or the clearance along one motion if that is smaller. In a straight move of
 // the nozzle the joints move nearly linearly only from step to step.
-double clearanceOnWay(const MotionScene& scene, const collision::WayClearance& ways,
-                      plan::MoveKind move, const JointVector& from, const JointVector& to,
-                      std::size_t before, double leastMm) {
+double clearanceOnMotion(const MotionScene& scene, const collision::MotionClearance& ways,
+                         plan::MoveKind move, const JointVector& from, const JointVector& to,
+                         std::size_t before, double minMm) {
   constexpr double kDetour = 1.05;
   if (!isStraight(move))
-    return ways.along(from, to, before, leastMm);
+    return ways.along(from, to, before, minMm);
   const int pieces = std::max(1, static_cast<int>(std::ceil(scene.span(from, to) / kStraightStep)));
   Between between(scene.cell, from, to, true);
   JointVector last = from;
   for (int k = 1; k <= pieces; ++k) {
     const JointVector next = k == pieces ? to : between.at(static_cast<double>(k) / pieces);
-    leastMm = ways.along(last, next, before, leastMm, kDetour);
+    minMm = ways.along(last, next, before, minMm, kDetour);
     last = next;
   }
-  return leastMm;
+  return minMm;
 }
 
 // The waypoint of each point, or the waypoint it leads to; after the last one the whole part is
@@ -107,7 +107,7 @@ public:
         margins_(scene.options.printing), next_(nextWaypoints(trajectory)),
         chunks_((trajectory.pointCount() + kChunk - 1) / kChunk) {
     for (Chunk& chunk : chunks_)
-      chunk.leastMm = capMm;
+      chunk.minMm = capMm;
     check_.minClearanceMm = capMm;
   }
 
@@ -115,9 +115,9 @@ public:
     inChunks([this](Chunk& chunk, std::size_t b, std::size_t e) { points(chunk, b, e); });
     for (const Chunk& chunk : chunks_)
       check_.collisions.insert(check_.collisions.end(), chunk.found.begin(), chunk.found.end());
-    takeLeast();
+    takeMinimum();
     inChunks([this](Chunk& chunk, std::size_t b, std::size_t e) { ways(chunk, b, e); });
-    takeLeast();
+    takeMinimum();
     return std::move(check_);
   }
 
@@ -126,7 +126,7 @@ private:
 
   struct Chunk {
     std::vector<TrajectoryCollision> found;
-    double leastMm = 0.0;    // clearance
+    double minMm = 0.0;      // clearance
     std::size_t closest = 0; // point that has it
   };
 
@@ -135,10 +135,10 @@ private:
                          [&](std::size_t b, std::size_t e) { visit(chunks_[b / kChunk], b, e); });
     ctx_.checkpoint();
   }
-  void takeLeast() {
+  void takeMinimum() {
     for (const Chunk& chunk : chunks_)
-      if (chunk.leastMm < check_.minClearanceMm) {
-        check_.minClearanceMm = chunk.leastMm;
+      if (chunk.minMm < check_.minClearanceMm) {
+        check_.minClearanceMm = chunk.minMm;
         check_.closestPoint = chunk.closest;
       }
   }
@@ -180,16 +180,16 @@ private:
       std::optional<collision::Contact> contact;
       if (!isAtWaypoint(i) || scene_.options.leans() > 0.0)
         contact = headInPart(frames, i, isPrinting(i) || isAtWaypoint(i));
-      const double bodies = scene_.collision.clearance(frames, chunk.leastMm, &nearest);
+      const double bodies = scene_.collision.clearance(frames, chunk.minMm, &nearest);
       const double all = scene_.collision.clearanceToPart(frames, scene_.part, next_[i], bodies);
       const bool roomy = bodies > margins_.bodiesMm && all > margins_.partMm &&
                          !scene_.collision.headTouchesPlatform(toolOf(frames), margins_.headMm);
       if (!contact && !roomy)
         contact = bodiesOf(frames, i);
       if (!contact) {
-        if (all < chunk.leastMm)
+        if (all < chunk.minMm)
           chunk.closest = i;
-        chunk.leastMm = all;
+        chunk.minMm = all;
         contact = contactBefore(i, frames);
       }
       if (contact)
@@ -230,18 +230,18 @@ private:
 
   // The clearance on the ways to points [b, e), but for those on which a collision was found.
   void ways(Chunk& chunk, std::size_t b, std::size_t e) const {
-    chunk.leastMm = check_.minClearanceMm;
+    chunk.minMm = check_.minClearanceMm;
     auto met = chunk.found.begin();
     for (std::size_t i = std::max<std::size_t>(b, 1); i < e && !ctx_.cancelled(); ++i) {
       while (met != chunk.found.end() && met->point < i)
         ++met;
       if (met != chunk.found.end() && met->point == i)
         continue;
-      const double all = clearanceOnWay(scene_, ways_, trajectory_.move[i], jointsAt(i - 1),
-                                        jointsAt(i), next_[i], chunk.leastMm);
-      if (all < chunk.leastMm)
+      const double all = clearanceOnMotion(scene_, ways_, trajectory_.move[i], jointsAt(i - 1),
+                                           jointsAt(i), next_[i], chunk.minMm);
+      if (all < chunk.minMm)
         chunk.closest = i;
-      chunk.leastMm = all;
+      chunk.minMm = all;
     }
   }
 
@@ -250,7 +250,7 @@ private:
   const std::vector<std::size_t>& headBefore_;
   const base::RunContext& ctx_;
   const collision::Margins& margins_;
-  const collision::WayClearance ways_{scene_.collision, scene_.part};
+  const collision::MotionClearance ways_{scene_.collision, scene_.part};
   const std::vector<std::size_t> next_;
   std::vector<Chunk> chunks_;
   TrajectoryCheck check_;

@@ -23,7 +23,7 @@ struct TrajectoryCollision {
 struct TrajectoryCheck {
   std::vector<TrajectoryCollision> collisions; // Ascending; at most one per point
   // Minimum clearance of all motions without collision; at most capMm. May be up to
-  // collision::kWayExactMm less than the exact value.
+  // collision::kMotionExactMm less than the exact value.
   double minClearanceMm = 0.0;
   std::size_t closestPoint = 0; // At this point, or on the motion to it
 };

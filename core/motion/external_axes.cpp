@@ -49,15 +49,15 @@ JointVector withAxes(const robot::Cell& cell, JointVector q, const JointVector& 
   return q;
 }
 
-Eigen::Quaterniond axesTurn(const robot::Cell& cell, const JointVector& axes) {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+Eigen::Quaterniond axesRotation(const robot::Cell& cell, const JointVector& axes) {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   for (std::size_t k = 0; k < cell.externalAxes().size(); ++k) {
     const double half = 0.5 * axes[static_cast<Eigen::Index>(k)];
     if (cell.externalAxes()[k].limits.kind == robot::JointKind::Turning)
-      turn = turn * Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
-    turn = turn * Eigen::Quaterniond(behind(cell, k).linear());
+      rotation = rotation * Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);
+    rotation = rotation * Eigen::Quaterniond(behind(cell, k).linear());
   }
-  return turn;
+  return rotation;
 }
 
 Vector3d turnedByAxes(const robot::Cell& cell, const Vector3d& direction, const JointVector& axes) {
@@ -109,7 +109,7 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
     const Vector3d& d = plan.direction[first + i];
     if (std::hypot(d.y(), d.z()) > kAlongRod) {
       const double wanted = up - angleOf(d);
-      last = wanted + base::kTurn * std::round((last - wanted) / base::kTurn);
+      last = wanted + base::kTwoPi * std::round((last - wanted) / base::kTwoPi);
     }
     angles[i] = last;
   }
@@ -126,13 +126,13 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
   std::size_t best = reach(0.0);
   double offset = 0.0;
   if (best < count) {
-    const auto turns = static_cast<int>(std::ceil((high - low) / base::kTurn)) + 1;
+    const auto turns = static_cast<int>(std::ceil((high - low) / base::kTwoPi)) + 1;
     for (int k = 1; k <= turns && best < count; ++k)
       for (const double sign : {-1.0, 1.0}) {
-        const std::size_t n = reach(sign * k * base::kTurn);
+        const std::size_t n = reach(sign * k * base::kTwoPi);
         if (n > best) {
           best = n;
-          offset = sign * k * base::kTurn;
+          offset = sign * k * base::kTwoPi;
         }
       }
   }
@@ -148,7 +148,7 @@ JointVector homeAfter(const robot::Cell& cell, const JointVector& q) {
     const robot::ExternalAxis& axis = cell.externalAxes()[k];
     const Eigen::Index at = cell.armDof() + static_cast<Eigen::Index>(k);
     if (axis.runsOn)
-      rest[at] = onStep(axis, base::kTurn * std::round(q[at] / base::kTurn));
+      rest[at] = onStep(axis, base::kTwoPi * std::round(q[at] / base::kTwoPi));
   }
   return rest;
 }

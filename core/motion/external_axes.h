@@ -20,7 +20,7 @@ robot::JointVector withAxes(const robot::Cell& cell, robot::JointVector q,
 
 // Return the rotation, a direction and a point [mm] of the work frame as moved by the axes, in the
 // fixed frame of the first axis.
-Eigen::Quaterniond axesTurn(const robot::Cell& cell, const robot::JointVector& axes);
+Eigen::Quaterniond axesRotation(const robot::Cell& cell, const robot::JointVector& axes);
 Eigen::Vector3d turnedByAxes(const robot::Cell& cell, const Eigen::Vector3d& direction,
                              const robot::JointVector& axes);
 Eigen::Vector3d movedByAxes(const robot::Cell& cell, const Eigen::Vector3d& point,

@@ -32,15 +32,15 @@ std::vector<std::size_t> headBefore(const plan::ToolPlan& plan) {
   std::vector<std::size_t> before(plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths) {
     std::size_t tail = path.first;
-    double way = 0.0; // Distance from the tail to here
+    double distance = 0.0; // Distance from the tail to here
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       if (i > path.first)
-        way += (plan.position[i] - plan.position[i - 1]).norm();
+        distance += (plan.position[i] - plan.position[i - 1]).norm();
       while (tail < i) {
         const double step = (plan.position[tail + 1] - plan.position[tail]).norm();
-        if (way - step < 2.0 * static_cast<double>(plan.widthMm[i]))
+        if (distance - step < 2.0 * static_cast<double>(plan.widthMm[i]))
           break;
-        way -= step;
+        distance -= step;
         ++tail;
       }
       before[i] = tail;

@@ -65,8 +65,8 @@ JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<d
         measure.maxAbs[j] = std::abs(jerk);
         measure.maxAt[j] = std::min(std::max<std::size_t>(s.last, 2) - 1, q.size() - 1);
       }
-      const double turn = j < limits.size() ? robot::asTurn(limits[j].kind, jerk) : jerk;
-      measure.sumSquared += turn * turn;
+      const double angle = j < limits.size() ? robot::asAngle(limits[j].kind, jerk) : jerk;
+      measure.sumSquared += angle * angle;
     }
   return measure;
 }

@@ -25,7 +25,7 @@ std::vector<JerkStencil> jerkStencils(const std::vector<double>& times);
 struct JerkMeasure {
   std::vector<double> maxAbs;     // Per joint [rad/s3]; sliding joints [mm/s3]
   std::vector<std::size_t> maxAt; // The point at which each joint has it
-  double sumSquared = 0.0; // Over all points and joints [(rad/s3)2]; sliding joints by asTurn()
+  double sumSquared = 0.0; // Over all points and joints [(rad/s3)2]; sliding joints by asAngle()
 };
 // `q`: the joints at each time. Joints without an entry in `limits` count as turning.
 JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<double>& times,

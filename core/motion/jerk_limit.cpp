@@ -16,16 +16,16 @@ namespace {
 constexpr int kRounds = 80;         // of lowering the speed where the jerk is too large
 constexpr int kStretchRounds = 200; // of stretching what is left
 constexpr double kRamp = 0.7;       // share of the limit that changes of speed may use
-constexpr double kLeast = 0.7;      // smallest factor of a speed in one round
-constexpr double kLeastRate = 1e-6; // [rad/s]
+constexpr double kMinFactor = 0.7;  // smallest factor of a speed in one round
+constexpr double kMinRate = 1e-6;   // [rad/s]
 constexpr double kPower = 0.36;     // slightly more than the cubic law requires
 constexpr int kNewtonSteps = 6;
-constexpr double kMostPerRound = 1.5, kBeyond = 1.002;    // stretch of a step in one round
+constexpr double kMaxPerRound = 1.5, kBeyond = 1.002;     // stretch of a step in one round
 constexpr std::size_t kFirstWindow = 2, kLastWindow = 40; // steps on both sides of a place
 constexpr int kRoundsPerWindow = 2; // rounds after which the windows grow by a step
 // Of shortening again what was slowed too far: steps on both sides, shares of a step, passes
 constexpr std::array<std::size_t, 5> kShortenHalves{32, 16, 8, 4, 2};
-constexpr double kMostShortened = 0.2, kLeastShortened = 0.01, kShortenEnough = 1e-3;
+constexpr double kMaxShortened = 0.2, kMinShortened = 0.01, kShortenEnough = 1e-3;
 constexpr int kShortenPasses = 4;
 
 class Slower {
@@ -36,7 +36,7 @@ public:
     const Eigen::Index dof = q.front().size();
     scale_ = JointVector::Ones(dof);
     for (Eigen::Index j = 0; j < dof && j < static_cast<Eigen::Index>(limits.size()); ++j)
-      scale_[j] = robot::asTurn(limits[static_cast<std::size_t>(j)].kind, 1.0);
+      scale_[j] = robot::asAngle(limits[static_cast<std::size_t>(j)].kind, 1.0);
     for (std::size_t i = 1; i < count_; ++i)
       step_[i] = times[i] - times[i - 1];
     own_ = step_;
@@ -69,14 +69,14 @@ private:
         const double share = jerkAt(i) / maxJerk_;
         if (share <= 1.0)
           continue;
-        const double by = std::max(kLeast, std::pow(share, -kPower));
+        const double by = std::max(kMinFactor, std::pow(share, -kPower));
         for (std::size_t c = i >= 2 ? i - 2 : 0; c <= std::min(i - 1, count_ - 1); ++c)
           factor[c] = std::min(factor[c], by);
         first = first || i <= 2;
         last = last || i + 1 >= count_;
       }
       for (std::size_t c = 1; c + 1 < count_; ++c)
-        if (factor[c] < 1.0 && speed_[c] > 1.0 / kMostSlower) {
+        if (factor[c] < 1.0 && speed_[c] > 1.0 / kMaxSlowdown) {
           speed_[c] *= factor[c];
           places.push_back(c);
         }
@@ -99,13 +99,13 @@ private:
   }
 
   // Limits the speeds on one side of a place to those that a ramp of limited jerk reaches.
-  void ramp(std::size_t from, int way) {
+  void ramp(std::size_t from, int direction) {
     double speed = speed_[from], gain = 0.0; // gain of speed per second
-    for (std::size_t i = from; speed < 1.0; i += static_cast<std::size_t>(way)) {
-      if ((way < 0 && i == 0) || (way > 0 && i + 1 >= count_))
+    for (std::size_t i = from; speed < 1.0; i += static_cast<std::size_t>(direction)) {
+      if ((direction < 0 && i == 0) || (direction > 0 && i + 1 >= count_))
         return;
-      const std::size_t k = way > 0 ? i + 1 : i, next = way > 0 ? i + 1 : i - 1;
-      const double rate = std::max({rate_[k], rate_[k - 1], rate_[k + 1], kLeastRate});
+      const std::size_t k = direction > 0 ? i + 1 : i, next = direction > 0 ? i + 1 : i - 1;
+      const double rate = std::max({rate_[k], rate_[k - 1], rate_[k + 1], kMinRate});
       double jerk = kRamp * maxJerk_ / rate;
       const bool eases = gain * gain >= 2.0 * jerk * (1.0 - speed);
       if (eases)
@@ -121,18 +121,18 @@ private:
     }
   }
 
-  // Returns the time in which the integral of the speed reaches `way`; speed and gain >= 0.
-  static double timeOver(double way, double speed, double gain, double jerk) {
-    double most = jerk > 0.0 ? std::cbrt(6.0 * way / jerk) : way / speed;
-    if (speed * most > way)
-      most = way / speed;
-    double t = most;
+  // Returns the time in which the integral of the speed reaches `distance`; speed and gain >= 0.
+  static double timeOver(double distance, double speed, double gain, double jerk) {
+    double maximum = jerk > 0.0 ? std::cbrt(6.0 * distance / jerk) : distance / speed;
+    if (speed * maximum > distance)
+      maximum = distance / speed;
+    double t = maximum;
     for (int k = 0; k < kNewtonSteps; ++k) {
-      const double over = t * (speed + t * (0.5 * gain + t * jerk / 6.0)) - way;
+      const double over = t * (speed + t * (0.5 * gain + t * jerk / 6.0)) - distance;
       const double rate = speed + t * (gain + 0.5 * t * jerk);
       if (!(rate > 0.0))
         break;
-      t = std::clamp(t - over / rate, 0.0, most);
+      t = std::clamp(t - over / rate, 0.0, maximum);
     }
     return t;
   }
@@ -162,11 +162,11 @@ private:
           std::min(kLastWindow, kFirstWindow + static_cast<std::size_t>(round / kRoundsPerWindow));
       for (std::size_t i = 1; i <= count_; ++i)
         if (share[i] > 1.0)
-          stretch(i, std::min(kMostPerRound, kBeyond * std::cbrt(share[i])), window, longer);
+          stretch(i, std::min(kMaxPerRound, kBeyond * std::cbrt(share[i])), window, longer);
       bool any = false;
       for (std::size_t k = 1; k < count_; ++k) {
         const double step =
-            std::min(std::max(kMostSlower * own_[k], step_[k]), step_[k] * longer[k]);
+            std::min(std::max(kMaxSlowdown * own_[k], step_[k]), step_[k] * longer[k]);
         changed[k] = step > step_[k];
         any = any || changed[k];
         step_[k] = step;
@@ -212,7 +212,7 @@ private:
       return of.begin() + static_cast<std::ptrdiff_t>(k);
     };
     double gained = 0.0;
-    for (double share = kMostShortened; share >= kLeastShortened;) {
+    for (double share = kMaxShortened; share >= kMinShortened;) {
       steps.assign(at(step_, first), at(step_, last + 1));
       double gain = 0.0;
       for (std::size_t k = first; k <= last; ++k) {
@@ -254,14 +254,14 @@ private:
     const double apart = 0.5 * (before + after);
     if (!(after > 0.0) || !(apart > 0.0))
       return 0.0;
-    double most = 0.0;
+    double maximum = 0.0;
     for (Eigen::Index j = 0; j < scale_.size(); ++j) {
       const double middle = velocity(i - 1, j);
       const double out = (velocity(i, j) - middle) / after;
       const double in = before > 0.0 ? (middle - velocity(i - 2, j)) / before : 0.0;
-      most = std::max(most, std::abs(scale_[j] * (out - in) / apart));
+      maximum = std::max(maximum, std::abs(scale_[j] * (out - in) / apart));
     }
-    return most;
+    return maximum;
   }
 
   // Stretches the steps about stencil i, the less the further they are away.

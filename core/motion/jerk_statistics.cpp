@@ -11,14 +11,14 @@ namespace {
 constexpr double kSlack = 1.005; // for rounding of the times
 
 // Raises the greatest jerks to those of a piece that begins at `startS`.
-void raise(const TimedPiece& piece, double startS, std::vector<double>& most,
+void raise(const TimedPiece& piece, double startS, std::vector<double>& maximum,
            std::vector<double>& atS) {
   const std::size_t dof = piece.jerk.maxAbs.size();
-  most.resize(std::max(dof, most.size()), 0.0);
-  atS.resize(most.size(), 0.0);
+  maximum.resize(std::max(dof, maximum.size()), 0.0);
+  atS.resize(maximum.size(), 0.0);
   for (std::size_t j = 0; j < dof; ++j)
-    if (piece.jerk.maxAbs[j] > most[j]) {
-      most[j] = piece.jerk.maxAbs[j];
+    if (piece.jerk.maxAbs[j] > maximum[j]) {
+      maximum[j] = piece.jerk.maxAbs[j];
       atS[j] = startS + piece.times[piece.jerk.maxAt[j]];
     }
 }
@@ -49,12 +49,12 @@ std::optional<plan::Finding> jerkFinding(const plan::MotionStatistics& s, const 
                                          double maxJerk) {
   if (maxJerk <= 0.0)
     return std::nullopt;
-  double most = kSlack * maxJerk, atS = 0.0;
+  double maximum = kSlack * maxJerk, atS = 0.0;
   std::size_t joint = 0;
   const auto look = [&](const std::vector<double>& jerks, const std::vector<double>& times) {
     for (std::size_t j = 0; j < jerks.size(); ++j)
-      if (const double turn = robot::asTurn(cell.limits()[j].kind, jerks[j]); turn > most) {
-        most = turn;
+      if (const double angle = robot::asAngle(cell.limits()[j].kind, jerks[j]); angle > maximum) {
+        maximum = angle;
         atS = times[j];
         joint = j + 1;
       }
@@ -65,7 +65,7 @@ std::optional<plan::Finding> jerkFinding(const plan::MotionStatistics& s, const 
     return std::nullopt;
   plan::Finding finding = plan::makeFinding(
       plan::FindingKind::JerkOverLimit,
-      {{"joint", joint}, {"jerk", base::number(most)}, {"limit", base::number(maxJerk)}});
+      {{"joint", joint}, {"jerk", base::number(maximum)}, {"limit", base::number(maxJerk)}});
   finding.whenS = atS;
   return finding;
 }

@@ -62,9 +62,10 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
     const Eigen::Isometry3d a = robot.kinematics->flange(less), b = robot.kinematics->flange(more);
     jacobian.col(j).head<3>() = (b.translation() - a.translation()) / (2.0 * kStep * reachMm);
     // For such a small rotation the skew part of the matrix is the rotation vector.
-    const Eigen::Matrix3d turn = b.linear() * a.linear().transpose();
+    const Eigen::Matrix3d rotation = b.linear() * a.linear().transpose();
     jacobian.col(j).tail<3>() =
-        Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) /
+        Eigen::Vector3d(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
+                        rotation(1, 0) - rotation(0, 1)) /
         (4.0 * kStep);
   }
   // Singular values are the square roots of the eigenvalues of the smaller of J J' and J' J,
@@ -73,8 +74,8 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
   const geometry::UpTo6 values =
       geometry::symmetricValues(dof < 6 ? UpTo6x6(jacobian.transpose() * jacobian)
                                         : UpTo6x6(jacobian * jacobian.transpose()));
-  const double most = values[values.size() - 1];
-  return most > 0.0 ? std::sqrt(std::max(0.0, values[0]) / most) : 0.0;
+  const double maximum = values[values.size() - 1];
+  return maximum > 0.0 ? std::sqrt(std::max(0.0, values[0]) / maximum) : 0.0;
 }
 
 MotionMargins marginsOf(const plan::Trajectory& t, const robot::Cell& cell,
@@ -99,10 +100,10 @@ MotionMargins marginsOf(const plan::Trajectory& t, const robot::Cell& cell,
     for (std::size_t i = b; i < e; ++i)
       isotropy[i] = isotropyAt(cell.robot(), jointsAt(t, i), reach);
   });
-  const auto least = std::min_element(isotropy.begin(), isotropy.end());
-  if (least != isotropy.end()) {
-    margins.isotropy = *least;
-    margins.isotropyPoint = static_cast<std::size_t>(least - isotropy.begin());
+  const auto minimum = std::min_element(isotropy.begin(), isotropy.end());
+  if (minimum != isotropy.end()) {
+    margins.isotropy = *minimum;
+    margins.isotropyPoint = static_cast<std::size_t>(minimum - isotropy.begin());
   }
   return margins;
 }

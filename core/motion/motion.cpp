@@ -94,7 +94,7 @@ public:
                                                           part, options_, leversOf(plan, cell)},
         planner_(scene_, tooling), home_(stateAt(cell, cell.home())) {}
 
-  MotionResult plan(const base::RunContext& ctx, double mostLeftOut) {
+  MotionResult plan(const base::RunContext& ctx, double maxLeftOut) {
     base::Stopwatch watch;
     headBefore_ = headBefore(scene_.plan);
     homeMeets_ = contactAtHome();
@@ -111,7 +111,7 @@ public:
         if (!homeMeets_ && refusals_[w] != Refusal::None)
           loss.add(path, w);
     for (std::size_t p = 0; p < plan_.paths.size() && !homeMeets_; ++p) {
-      if (loss.exceeds(mostLeftOut))
+      if (loss.exceeds(maxLeftOut))
         return givenUp(p);
       ctx.report(0.05 + 0.55 * static_cast<double>(plan_.paths[p].first) /
                             static_cast<double>(plan_.waypointCount()),
@@ -122,7 +122,7 @@ public:
         if (isFinal(r.why) && cell_.externalAxes().empty())
           loss.add(plan_.paths[p], r.waypoint);
     }
-    if (!homeMeets_ && loss.exceeds(mostLeftOut))
+    if (!homeMeets_ && loss.exceeds(maxLeftOut))
       return givenUp(plan_.paths.size());
     return joined(ctx.sub(0.6, 1.0));
   }
@@ -135,7 +135,7 @@ public:
 
 private:
   // The planned runs and the refused waypoints of a path.
-  struct PathWay {
+  struct PathRuns {
     std::vector<Run> runs;
     std::vector<Refused> refused;
   };
@@ -204,20 +204,20 @@ private:
 
   void planPath(std::size_t p, const base::RunContext& ctx) {
     const plan::ToolPath& path = plan_.paths[p];
-    PathWay way;
+    PathRuns built;
     const std::size_t end = path.first + path.count;
     for (std::size_t b = path.first, e = b; b < end; b = e) {
       if (refusals_[b] != Refusal::None) {
-        way.refused.push_back({b, refusals_[b], {}});
+        built.refused.push_back({b, refusals_[b], {}});
         e = b + 1;
         continue;
       }
       for (e = b + 1; e < end && refusals_[e] == Refusal::None;)
         ++e;
-      const RobotState& from = way.runs.empty() ? before(p) : way.runs.back().points.back().at;
-      planner_.plan(p, b, e - b, from, ctx.quiet(), way.runs, way.refused);
+      const RobotState& from = built.runs.empty() ? before(p) : built.runs.back().points.back().at;
+      planner_.plan(p, b, e - b, from, ctx.quiet(), built.runs, built.refused);
     }
-    ways_[p] = std::move(way);
+    ways_[p] = std::move(built);
   }
 
   // Joins the planned paths. Waypoints towards which the finished motion collides are left out, and
@@ -244,8 +244,8 @@ private:
   void connect(const base::RunContext& ctx) {
     base::Stopwatch watch;
     std::vector<Run> runs;
-    for (const PathWay& way : ways_)
-      runs.insert(runs.end(), way.runs.begin(), way.runs.end());
+    for (const PathRuns& built : ways_)
+      runs.insert(runs.end(), built.runs.begin(), built.runs.end());
     ConnectedRuns connected = connectRuns(scene_, std::move(runs), home_, planner_, transfers_,
                                           ctx.sub(0.0, 0.5), waitBefore_);
     skipped_ = std::move(connected.skipped);
@@ -260,13 +260,12 @@ private:
 
   // Adds the waits for beads to cool. Returns whether there are new ones.
   bool addWaits() {
-    if (options_.leastLayerTimeS <= 0.0)
+    if (options_.minLayerTimeS <= 0.0)
       return false;
     plan::Trajectory& t = result_.trajectory;
     plan::MotionStatistics& s = result_.statistics;
     const std::size_t before = waitBefore_.size();
-    for (const plan::TrajectoryEvent& wait :
-         waitsToCool(plan_, t, cell_, options_.leastLayerTimeS)) {
+    for (const plan::TrajectoryEvent& wait : waitsToCool(plan_, t, cell_, options_.minLayerTimeS)) {
       t.events.push_back(wait);
       ++s.waits;
       s.waitS += wait.seconds;
@@ -306,25 +305,25 @@ private:
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
     plan::MotionStatistics& s = result_.statistics;
-    const auto appendWay = [&](std::size_t i) {
-      const Transfer& way = sequence.ways[i];
+    const auto appendTransfer = [&](std::size_t i) {
+      const Transfer& transfer = sequence.ways[i];
       const int tool = i < runs ? toolOf(sequence.runs[i]) : 0;
-      for (std::size_t k = 0; k < way.points.size(); ++k) {
-        for (const ToolStep& step : way.toolSteps)
+      for (std::size_t k = 0; k < transfer.points.size(); ++k) {
+        for (const ToolStep& step : transfer.toolSteps)
           if (step.point == k)
             changeTool(step.kind, tool);
-        const bool arrives = i < runs && k + 1 == way.points.size();
-        append(way.points[k].at.q, time + timed.ways[i].times[k + 1], way.points[k].move,
+        const bool arrives = i < runs && k + 1 == transfer.points.size();
+        append(transfer.points[k].at.q, time + timed.ways[i].times[k + 1], transfer.points[k].move,
                arrives ? sequence.runs[i].points.front().waypoint : plan::kNoWaypoint, volume);
       }
       time += timed.ways[i].times.back();
       ++s.transfers;
-      s.arcTransfers += way.kind == TransferKind::Arc;
-      s.jointTransfers += way.kind == TransferKind::Joint;
-      s.treeTransfers += way.kind == TransferKind::Tree;
+      s.arcTransfers += transfer.kind == TransferKind::Arc;
+      s.jointTransfers += transfer.kind == TransferKind::Joint;
+      s.treeTransfers += transfer.kind == TransferKind::Tree;
     };
     for (std::size_t i = 0; i < runs; ++i) {
-      appendWay(i);
+      appendTransfer(i);
       const auto& points = sequence.runs[i].points;
       const std::size_t first = result_.trajectory.pointCount();
       const bool isShot = plan_.paths[sequence.runs[i].path].kind == plan::PathKind::Shot;
@@ -344,7 +343,7 @@ private:
       time += timed.runs[i].times.back();
     }
     if (ways > runs)
-      appendWay(runs);
+      appendTransfer(runs);
     s.durationS += time + startLagsS(result_.trajectory);
     setJerk(timed, s);
   }
@@ -409,9 +408,9 @@ private:
     s.minClearanceMm = check_.minClearanceMm;
     s.minClearanceAtS = t.timeS[check_.closestPoint];
     std::vector<Refused> refused;
-    for (const PathWay& way : ways_) {
-      refused.insert(refused.end(), way.refused.begin(), way.refused.end());
-      s.splits += way.runs.empty() ? 0 : way.runs.size() - 1;
+    for (const PathRuns& built : ways_) {
+      refused.insert(refused.end(), built.refused.begin(), built.refused.end());
+      s.splits += built.runs.empty() ? 0 : built.runs.size() - 1;
     }
     refused.insert(refused.end(), refusedAgain_.begin(), refusedAgain_.end());
     for (const Refused& r : refused)
@@ -424,8 +423,8 @@ private:
       s.collisions += piece.waypoints.size();
     s.collisions += check_.collisions.size();
     const double planned = materialOf(plan_);
-    const double laid = t.extrudedMm3.empty() ? 0.0 : t.extrudedMm3.back();
-    s.leftOutFraction = planned > 0.0 ? std::max(0.0, 1.0 - laid / planned) : 0.0;
+    const double deposited = t.extrudedMm3.empty() ? 0.0 : t.extrudedMm3.back();
+    s.leftOutFraction = planned > 0.0 ? std::max(0.0, 1.0 - deposited / planned) : 0.0;
 
     const auto add = [&](plan::FindingKind kind, std::size_t waypoint, double when,
                          std::size_t count, std::vector<plan::NamedValue> values) {
@@ -446,7 +445,7 @@ private:
     for (const bool caught : {false, true})
       addLost(caught, [&](const SkippedPiece& first, std::size_t waypoints, std::size_t pieces) {
         const std::size_t w = first.waypoints.front();
-        add(caught ? plan::FindingKind::NoWayFrom : plan::FindingKind::NoWayTo, w, timeOf[w],
+        add(caught ? plan::FindingKind::NoPathFrom : plan::FindingKind::NoPathTo, w, timeOf[w],
             waypoints, {{"place", placeOf(scene_, w)}, {"pieces", pieces}});
       });
     // Small gaps are reported but do not block; the replay judges their effect.
@@ -512,7 +511,7 @@ private:
   KnownTransfers transfers_;
   std::vector<std::size_t> headBefore_;
   std::vector<Refusal> refusals_; // Of waypoints, before any path is planned
-  std::vector<PathWay> ways_;     // One per path
+  std::vector<PathRuns> ways_;    // One per path
   std::optional<collision::Contact> homeMeets_;
   std::vector<SkippedPiece> skipped_; // For lack of a transfer
   std::vector<Refused> refusedAgain_; // Of runs that were planned again from another state
@@ -536,8 +535,8 @@ MotionPlanner::MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell
 
 MotionPlanner::~MotionPlanner() = default;
 
-MotionResult MotionPlanner::plan(const base::RunContext& ctx, double mostLeftOut) {
-  return work_->plan(ctx, mostLeftOut);
+MotionResult MotionPlanner::plan(const base::RunContext& ctx, double maxLeftOut) {
+  return work_->plan(ctx, maxLeftOut);
 }
 
 MotionResult MotionPlanner::planWithout(const std::vector<std::size_t>& waypoints,

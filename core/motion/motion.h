@@ -78,9 +78,9 @@ public:
                 const MotionOptions& options);
   ~MotionPlanner();
 
-  // Stops as soon as more than `mostLeftOut` of the material is known to be unprintable. Throws
+  // Stops as soon as more than `maxLeftOut` of the material is known to be unprintable. Throws
   // Cancelled. In both cases the planner cannot be used any further.
-  MotionResult plan(const base::RunContext& ctx, double mostLeftOut = 1.0);
+  MotionResult plan(const base::RunContext& ctx, double maxLeftOut = 1.0);
   // After plan: plans again without these waypoints and those of earlier calls, because collisions
   // were found there. Only the paths that contain them are planned again. Throws Cancelled.
   MotionResult planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);

@@ -13,11 +13,11 @@ constexpr const char *kNozzleRotation = "nozzleRotation", *kTangent = "tangent",
                      *kWorkAxis = "workAxis", *kRodrigues = "rodrigues";
 constexpr const char *kMinLayerTime = "minLayerTimeS", *kMaxLayerTime = "maxLayerTimeS";
 
-NozzleTurn nozzleTurn(const std::string& name) {
-  return name == kTangent     ? NozzleTurn::Tangent
-         : name == kWorkAxis  ? NozzleTurn::WorkAxis
-         : name == kRodrigues ? NozzleTurn::Rodrigues
-                              : NozzleTurn::Free;
+NozzleRotation nozzleRotation(const std::string& name) {
+  return name == kTangent     ? NozzleRotation::Tangent
+         : name == kWorkAxis  ? NozzleRotation::WorkAxis
+         : name == kRodrigues ? NozzleRotation::Rodrigues
+                              : NozzleRotation::Free;
 }
 } // namespace
 
@@ -99,14 +99,14 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.wipeMm = values.number("wipeMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
-  o.turn = nozzleTurn(values.text(kNozzleRotation));
-  o.smoothing =
-      values.text(kRotationSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
+  o.rotation = nozzleRotation(values.text(kNozzleRotation));
+  o.smoothing = values.text(kRotationSmoothing) == kWholePath ? SmoothingMethod::WholePath
+                                                              : SmoothingMethod::Evened;
   o.maxJerk = values.number(kMaxJerk);
   o.learnedCollisions = values.text(kCollisionModel) == kLearned;
   o.blendsBranches = values.text(kBranchChange) == kBlend;
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
-  o.leastLayerTimeS = layerTimes(values).leastS;
+  o.minLayerTimeS = layerTimes(values).minS;
   o.purge.changeMm3 = values.number("purgeMm3");
   o.purge.primesBeside = true;
   o.shotFlowMm3PerS = values.number("stitchFlow");

@@ -11,14 +11,14 @@
 namespace voluta::motion {
 
 // How the rotations about the nozzle that the ladder chose are smoothed.
-enum class TurnMethod {
+enum class SmoothingMethod {
   None,
   Evened,   // Waves of a few waypoints are removed (even_turns.h)
   WholePath // Minimum jerk over each whole run (smooth_run.h): doubles the planning time
 };
 
 // Rotation of the nozzle about its own axis (tool_frames.h).
-enum class NozzleTurn {
+enum class NozzleRotation {
   Free, // Best for the arm: all rotations are tried
   Tangent,
   WorkAxis,
@@ -33,10 +33,10 @@ struct PurgeOptions {
 };
 
 struct MotionOptions {
-  int samples = 24;          // Number of rotations about the nozzle that are tried
-  double rungMm = 5.0;       // Distance of the ladder graph's rungs along a path
-  double rungTurnRad = 0.35; // Rotation of the nozzle after which the next rung comes sooner
-  double maxStepRad = 0.25;  // Maximum joint step between waypoints
+  int samples = 24;              // Number of rotations about the nozzle that are tried
+  double rungMm = 5.0;           // Distance of the ladder graph's rungs along a path
+  double rungRotationRad = 0.35; // Rotation of the nozzle after which the next rung comes sooner
+  double maxStepRad = 0.25;      // Maximum joint step between waypoints
   // Maximum deviation of the nozzle from its straight path between targets
   double deviationMm = 0.02;
   // Head: directions keep more clearance where they can; the replay judges cases that the grid
@@ -48,23 +48,23 @@ struct MotionOptions {
   double hopLiftMm = 1.0;
   std::uint64_t seed = 1;    // Of the sampling planner
   int treeIterations = 4000; // Of the sampling planner, per transfer
-  NozzleTurn turn = NozzleTurn::Free;
-  TurnMethod smoothing = TurnMethod::Evened; // Of free rotations
+  NozzleRotation rotation = NozzleRotation::Free;
+  SmoothingMethod smoothing = SmoothingMethod::Evened; // Of free rotations
   // Maximum tilt from the planned direction when whole paths are smoothed. 5 degrees reduces jerk
   // further, but some travels then lost their straight path.
   double leanRad = base::degreesToRadians(3.0);
   // Maximum deviation from the schedule of external axes that move along a path; sliding axes by
-  // robot::fromTurn.
+  // robot::fromAngle.
   double axesRad = base::degreesToRadians(15.0);
-  double enoughMm = 10.0;       // Clearance above which no better pose is sought
-  double nearCost = 1.0;        // Cost [rad] of a rung of the ladder graph at the clearance limit
-  double wipeMm = 0.0;          // Along the bead before the lift, extruder off
-  double leastLayerTimeS = 0.0; // plan::LayerTimes
+  double enoughMm = 10.0;     // Clearance above which no better pose is sought
+  double nearCost = 1.0;      // Cost [rad] of a rung of the ladder graph at the clearance limit
+  double wipeMm = 0.0;        // Along the bead before the lift, extruder off
+  double minLayerTimeS = 0.0; // plan::LayerTimes
   PurgeOptions purge;
   // Of shots into pockets: their flow, 0: the limit of the process; and the wait after each.
   double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
 
-  // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asTurn; 0: none
+  // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asAngle; 0: none
   // (jerk_limit.h)
   double maxJerk = 0.0;
   // Whole-path smoothing avoids the collisions that a learned indicator expects
@@ -74,7 +74,7 @@ struct MotionOptions {
   // instead of lifting, where that is possible (ladder/branch_blend.h).
   bool blendsBranches = false;
 
-  double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
+  double leans() const { return smoothing == SmoothingMethod::WholePath ? leanRad : 0.0; }
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,

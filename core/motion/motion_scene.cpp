@@ -33,7 +33,7 @@ int MotionScene::divisions(const Vector3d& from, const Vector3d& to, double angl
 }
 
 double MotionScene::span(const JointVector& a, const JointVector& b) const {
-  const double arm = robot::largestTurn(b - a, cell.robot().limits);
+  const double arm = robot::largestRotation(b - a, cell.robot().limits);
   double axes = 0.0;
   for (std::size_t k = 0; k < leversMm.size(); ++k) {
     const Eigen::Index j = cell.armDof() + static_cast<Eigen::Index>(k);
@@ -47,7 +47,7 @@ int MotionScene::sideOf(const JointVector& q) const {
   return twists.singularSide(q, links);
 }
 
-bool MotionScene::goesStraight(const RobotState& from, const RobotState& to) const {
+bool MotionScene::movesStraight(const RobotState& from, const RobotState& to) const {
   if (sideOf(from.q) * sideOf(to.q) >= 0)
     return true;
   constexpr int kSteps = 16;
@@ -63,10 +63,10 @@ bool MotionScene::goesStraight(const RobotState& from, const RobotState& to) con
     if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
                    options.maxStepRad, scratch, q))
       return false;
-    travelled += robot::largestTurn(q - last, cell.robot().limits);
+    travelled += robot::largestRotation(q - last, cell.robot().limits);
   }
   return travelled <= options.maxStepRad &&
-         robot::largestTurn(q - to.q, cell.robot().limits) <= kThere;
+         robot::largestRotation(q - to.q, cell.robot().limits) <= kThere;
 }
 
 bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& tool,
@@ -81,7 +81,7 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
   double best = maxStep;
   bool found = false;
   for (const JointVector& s : scratch) {
-    const double step = robot::largestTurn(s - near, cell.robot().limits);
+    const double step = robot::largestRotation(s - near, cell.robot().limits);
     if (step <= best) {
       best = step;
       q = s;

@@ -42,7 +42,7 @@ struct MotionScene {
   int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
 
   // Returns the joint distance that matters for checks between two poses [rad]: the largest joint
-  // step of the arm (sliding joints by robot::asTurn), or the distance by which external axes move
+  // step of the arm (sliding joints by robot::asAngle), or the distance by which external axes move
   // the part, where that is further than a joint would move it at an arm's lever.
   double span(const robot::JointVector& a, const robot::JointVector& b) const;
 
@@ -52,14 +52,14 @@ struct MotionScene {
   // small steps to the nearest joints each time, reaches the joints of the other state without a
   // detour. False if the path passes beside a singular pose and the two states are on different
   // sides of it: a joint would race, or the motion would end in another configuration.
-  bool goesStraight(const RobotState& from, const RobotState& to) const;
+  bool movesStraight(const RobotState& from, const RobotState& to) const;
 
   std::vector<double> leversMm = {}; // Of the external axes: leversOf
   robot::ArmTwists twists = robot::ArmTwists(*cell.robot().kinematics);
 };
 
 // Finds the joints that bring the nozzle there, nearest to `near` (largest step of the arm's joints
-// [rad], sliding ones by robot::asTurn). Returns false if there are none within maxStep. `scratch`
+// [rad], sliding ones by robot::asAngle). Returns false if there are none within maxStep. `scratch`
 // is memory for the call.
 bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
                const robot::JointVector& near, double maxStep,

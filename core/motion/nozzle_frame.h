@@ -13,7 +13,7 @@ namespace voluta::motion {
 inline Eigen::Quaterniond carried(const Eigen::Quaterniond& last,
                                   const Eigen::Vector3d& direction) {
   const Eigen::Vector3d now = -(last * Eigen::Vector3d::UnitZ());
-  return (geometry::leastTurn(now, direction) * last).normalized();
+  return (geometry::shortestRotation(now, direction) * last).normalized();
 }
 
 // Returns the initial orientation: upright, x along the work frame's x.

@@ -36,22 +36,22 @@ void append(plan::Trajectory& to, const robot::JointVector& q, double time, Move
 }
 
 // Returns the reversed transfer, from its end to `home`.
-Transfer reversed(const Transfer& way, const RobotState& home) {
+Transfer reversed(const Transfer& transfer, const RobotState& home) {
   Transfer back;
-  back.kind = way.kind;
-  for (std::size_t i = way.points.size(); i-- > 0;)
-    back.points.push_back(
-        {i > 0 ? way.points[i - 1].at : home, way.points[i].move, way.points[i].most});
+  back.kind = transfer.kind;
+  for (std::size_t i = transfer.points.size(); i-- > 0;)
+    back.points.push_back({i > 0 ? transfer.points[i - 1].at : home, transfer.points[i].move,
+                           transfer.points[i].peakDisplacement});
   return back;
 }
 
-void appendWay(plan::Trajectory& to, const RobotState& from, const Transfer& way,
-               std::size_t arrivesAt, double speedMmPerS, const TimingLimits& limits) {
-  const std::vector<double> times = timesOf(timedPoints(from, way, speedMmPerS), limits);
+void appendTransfer(plan::Trajectory& to, const RobotState& from, const Transfer& transfer,
+                    std::size_t arrivesAt, double speedMmPerS, const TimingLimits& limits) {
+  const std::vector<double> times = timesOf(timedPoints(from, transfer, speedMmPerS), limits);
   const double start = to.timeS.back(), volume = to.extrudedMm3.back();
-  for (std::size_t k = 0; k < way.points.size(); ++k)
-    append(to, way.points[k].at.q, start + times[k + 1], way.points[k].move,
-           k + 1 == way.points.size() ? arrivesAt : plan::kNoWaypoint, volume);
+  for (std::size_t k = 0; k < transfer.points.size(); ++k)
+    append(to, transfer.points[k].at.q, start + times[k + 1], transfer.points[k].move,
+           k + 1 == transfer.points.size() ? arrivesAt : plan::kNoWaypoint, volume);
 }
 
 // Appends the trip on which the rest's nozzle is filled, away from the part printed so far: a purge
@@ -74,7 +74,7 @@ void purgeBeside(plan::Trajectory& to, const MotionScene& scene, const RobotStat
                 });
   const auto go = [&](const RobotState& from, const std::vector<TransferPoint>& points) {
     if (!points.empty())
-      appendWay(to, from, {points}, plan::kNoWaypoint, process.travelSpeedMmPerS, limits);
+      appendTransfer(to, from, {points}, plan::kNoWaypoint, process.travelSpeedMmPerS, limits);
   };
   if (trip)
     go(home, trip->there);
@@ -196,19 +196,20 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   const RobotState start = stateAt(cell, jointsAt(t, point));
   const RobotState home = stateAt(cell, homeAfter(cell, start.q));
 
-  std::optional<Transfer> way;
+  std::optional<Transfer> transfer;
   for (const int effort : {1, kThorough})
-    if (!way)
-      way = TransferPlanner(scene, effort)
-                .approach(home, start, waypoint + 1, surround, options.seed + waypoint, ctx);
-  if (!way)
+    if (!transfer)
+      transfer = TransferPlanner(scene, effort)
+                     .approach(home, start, waypoint + 1, surround, options.seed + waypoint, ctx);
+  if (!transfer)
     return std::nullopt;
 
   const TimingLimits limits = timingLimits(cell, first);
   Resumed resumed;
   plan::Trajectory& all = resumed.trajectory;
   all = partOf(t, 0, point + 1);
-  appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, first.travelSpeedMmPerS, limits);
+  appendTransfer(all, start, reversed(*transfer, home), plan::kNoWaypoint, first.travelSpeedMmPerS,
+                 limits);
   resumed.firstPoint = all.pointCount();
   // The rest begins with the bead's own tool, which the operator fits before it starts.
   if (const int tool = plan.paths[path].tool; tool != all.toolAt(all.pointCount()))
@@ -218,7 +219,7 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   if (!tooling.isOne() || (options.purge.primesBeside && dropsOnPart(scene, home.q)))
     purgeBeside(all, scene, home, tooling.of(plan.paths[path]).process, !tooling.isOne(),
                 waypoint + 1, limits, ctx);
-  appendWay(all, home, *way, waypoint, first.travelSpeedMmPerS, limits);
+  appendTransfer(all, home, *transfer, waypoint, first.travelSpeedMmPerS, limits);
 
   std::size_t end = point + 1; // End of the run
   while (end < t.pointCount() && t.move[end] == MoveKind::Print)

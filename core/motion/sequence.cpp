@@ -50,16 +50,16 @@ public:
         take(std::move(runs[r]), std::move(ahead[r]));
       }
     }
-    while (!kept().empty() && !wayHome_ && !retreatHome(afterLast(), bounds_.back()))
+    while (!kept().empty() && !transferHome_ && !retreatHome(afterLast(), bounds_.back()))
       if (!retreat(afterLast(), bounds_.back()))
         dropLast();
-    if (wayHome_)
-      result_.sequence.ways.push_back(std::move(*wayHome_));
+    if (transferHome_)
+      result_.sequence.ways.push_back(std::move(*transferHome_));
     return std::move(result_);
   }
 
 private:
-  using Way = KnownTransfers::Way;
+  using Purpose = KnownTransfers::Purpose;
 
   std::vector<Run>& kept() { return result_.sequence.runs; }
 
@@ -70,29 +70,29 @@ private:
   void take(Run run, std::optional<Transfer> ahead) {
     const std::size_t before = run.points.front().next;
     const PrintedBounds& surround = bounds_[run.path];
-    std::optional<Transfer> way;
-    if (!kept().empty() && !wayHome_) {
-      way = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
+    std::optional<Transfer> transfer;
+    if (!kept().empty() && !transferHome_) {
+      transfer = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
       // Waypoints that were skipped may be treated as printed: `before` counts them.
-      if (!way && !retreatHome(before, surround) && !retreat(before, surround) &&
+      if (!transfer && !retreatHome(before, surround) && !retreat(before, surround) &&
           !retreatHome(afterLast(), surround)) {
         skipPath(run, 0, run.points.size(), true);
         lastIsWhole_ = false;
         return;
       }
     }
-    if (!way && (way = approach(usual_, run, 0, surround)))
-      setOut(*way, run);
-    if (!way && inAnotherBranch(run, surround))
+    if (!transfer && (transfer = approach(usual_, run, 0, surround)))
+      setOut(*transfer, run);
+    if (!transfer && inAnotherBranch(run, surround))
       return;
-    if (!way)
-      way = fromHome(run, surround);
-    if (!way) {
+    if (!transfer)
+      transfer = fromHome(run, surround);
+    if (!transfer) {
       skipPath(run, 0, run.points.size(), false);
       lastIsWhole_ = false;
       return;
     }
-    result_.sequence.ways.push_back(std::move(*way));
+    result_.sequence.ways.push_back(std::move(*transfer));
     kept().push_back(std::move(run));
     lastIsWhole_ = true;
   }
@@ -108,7 +108,7 @@ private:
                       highBefore_.contains(first.next);
     const Lift lift = high ? Lift::High : hop ? Lift::Hop : Lift::Usual;
     const auto from = [&](const RobotState& state) {
-      return known_.of(high ? Way::BetweenHigh : Way::Between, state, first.at, last.next,
+      return known_.of(high ? Purpose::BetweenHigh : Purpose::Between, state, first.at, last.next,
                        first.next, bounds_[b.path], [&] {
                          return usual_.plan(state, first.at, lift, first.next, bounds_[b.path],
                                             scene_.options.seed + first.next, ctx_);
@@ -116,9 +116,9 @@ private:
     };
     const std::vector<TransferPoint> wipe = usual_.wipe(a, scene_.options.wipeMm, first.next);
     if (!wipe.empty())
-      if (std::optional<Transfer> way = from(wipe.back().at)) {
-        way->points.insert(way->points.begin(), wipe.begin(), wipe.end());
-        return way;
+      if (std::optional<Transfer> transfer = from(wipe.back().at)) {
+        transfer->points.insert(transfer->points.begin(), wipe.begin(), wipe.end());
+        return transfer;
       }
     return from(last.at);
   }
@@ -133,7 +133,7 @@ private:
   bool retreatHome(std::size_t before, const PrintedBounds& surround) {
     const RunPoint& end = kept().back().points.back();
     for (const TransferPlanner* planner : {&usual_, &thorough_})
-      if ((wayHome_ = leave(*planner, end, rest(), before, surround)))
+      if ((transferHome_ = leave(*planner, end, rest(), before, surround)))
         return true;
     return false;
   }
@@ -141,7 +141,7 @@ private:
   std::optional<Transfer> leave(const TransferPlanner& planner, const RunPoint& end,
                                 const RobotState& rest, std::size_t before,
                                 const PrintedBounds& surround) {
-    return known_.of(&planner == &usual_ ? Way::Leave : Way::LeaveThoroughly, end.at, rest,
+    return known_.of(&planner == &usual_ ? Purpose::Leave : Purpose::LeaveThoroughly, end.at, rest,
                      end.next, before, surround, [&] {
                        return planner.leave(end.at, rest, before, surround,
                                             scene_.options.seed + end.next, ctx_);
@@ -164,13 +164,13 @@ private:
           break;
         const RunPoint& end = run.points[count - 1];
         const RobotState home = stateAt(scene_.cell, homeAfter(scene_.cell, end.at.q));
-        auto way = leave(usual_, end, home, before, surround);
-        if (!way)
+        auto transfer = leave(usual_, end, home, before, surround);
+        if (!transfer)
           continue;
         for (std::size_t k = 0; k < runs; ++k)
           dropLast();
         cutLast(count);
-        wayHome_ = std::move(way);
+        transferHome_ = std::move(transfer);
         lastIsWhole_ = false;
         return true;
       }
@@ -199,8 +199,8 @@ private:
                                    const PrintedBounds& surround) {
     const RunPoint& start = run.points[at];
     const RobotState from = rest();
-    return known_.of(&planner == &usual_ ? Way::Approach : Way::ApproachThoroughly, from, start.at,
-                     start.next, start.next, surround, [&] {
+    return known_.of(&planner == &usual_ ? Purpose::Approach : Purpose::ApproachThoroughly, from,
+                     start.at, start.next, start.next, surround, [&] {
                        return planner.approach(from, start.at, start.next, surround,
                                                scene_.options.seed + start.next, ctx_);
                      });
@@ -208,24 +208,25 @@ private:
 
   // Prepends the way home after the last kept run, if there is one, and the change to the run's
   // tool, if another one is mounted.
-  void setOut(Transfer& way, const Run& run) {
+  void setOut(Transfer& transfer, const Run& run) {
     const std::size_t before = run.points.front().next;
     if (kept().empty())
-      prepend(prime(before), way);
+      prepend(prime(before), transfer);
     else if (toolOf(kept().back()) != toolOf(run))
-      prepend(toolChange(toolOf(kept().back()), toolOf(run), before), way);
-    if (wayHome_)
-      prepend(*wayHome_, way);
-    wayHome_.reset();
+      prepend(toolChange(toolOf(kept().back()), toolOf(run), before), transfer);
+    if (transferHome_)
+      prepend(*transferHome_, transfer);
+    transferHome_.reset();
   }
 
   int toolOf(const Run& run) const { return scene_.plan.paths[run.path].tool; }
 
-  static void prepend(const Transfer& first, Transfer& way) {
-    for (ToolStep& step : way.toolSteps)
+  static void prepend(const Transfer& first, Transfer& transfer) {
+    for (ToolStep& step : transfer.toolSteps)
       step.point += first.points.size();
-    way.toolSteps.insert(way.toolSteps.begin(), first.toolSteps.begin(), first.toolSteps.end());
-    way.points.insert(way.points.begin(), first.points.begin(), first.points.end());
+    transfer.toolSteps.insert(transfer.toolSteps.begin(), first.toolSteps.begin(),
+                              first.toolSteps.end());
+    transfer.points.insert(transfer.points.begin(), first.points.begin(), first.points.end());
   }
 
   // Returns the change from tool to tool, which begins and ends at rest. Throws
@@ -304,7 +305,8 @@ private:
   // Returns the motion between two states away from the part.
   std::optional<Transfer> go(const RobotState& from, const RobotState& to, bool isStraight,
                              std::size_t before) {
-    const auto kind = isStraight ? KnownTransfers::Way::DockStraight : KnownTransfers::Way::Dock;
+    const auto kind =
+        isStraight ? KnownTransfers::Purpose::DockStraight : KnownTransfers::Purpose::Dock;
     return known_.of(kind, from, to, before, before, {}, [&] {
       return isStraight ? usual_.straight(from, to, before)
                         : usual_.between(from, to, before, scene_.options.seed + before, ctx_);
@@ -314,9 +316,10 @@ private:
   // Appends the motion to or from the dock of a tool; throws if there is none.
   void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before,
             bool isStraight = false) {
-    const auto way = go(all.points.empty() ? rest() : all.points.back().at, to, isStraight, before);
-    if (way)
-      append(all, way->points);
+    const auto transfer =
+        go(all.points.empty() ? rest() : all.points.back().at, to, isStraight, before);
+    if (transfer)
+      append(all, transfer->points);
     else
       throw base::Error(base::ErrorCode::UnusableInput,
                         base::message("the arm does not get to the dock of tool {number} without "
@@ -339,9 +342,9 @@ private:
     const std::size_t refusedBefore = result_.refused.size();
     std::vector<Run> runs = planned(run, rest());
     if (!runs.empty())
-      if (auto way = approach(usual_, runs.front(), 0, surround)) {
-        setOut(*way, runs.front());
-        result_.sequence.ways.push_back(std::move(*way));
+      if (auto transfer = approach(usual_, runs.front(), 0, surround)) {
+        setOut(*transfer, runs.front());
+        result_.sequence.ways.push_back(std::move(*transfer));
         kept().push_back(std::move(runs.front()));
         otherBranch_ = true;
         lastIsWhole_ = false;
@@ -357,24 +360,24 @@ private:
   // point of the run that can be reached; earlier points are lost.
   std::optional<Transfer> fromHome(Run& run, const PrintedBounds& surround) {
     const std::size_t n = run.points.size();
-    std::optional<Transfer> way = approach(thorough_, run, 0, surround);
+    std::optional<Transfer> transfer = approach(thorough_, run, 0, surround);
     std::size_t first = 0;
-    for (std::size_t on = 1; !way && on + 1 < n; on *= 2) {
+    for (std::size_t on = 1; !transfer && on + 1 < n; on *= 2) {
       first = on;
       while (first < n && run.points[first].waypoint == plan::kNoWaypoint)
         ++first;
       if (first + 1 < n)
-        way = approach(usual_, run, first, surround);
+        transfer = approach(usual_, run, first, surround);
     }
-    if (!way)
+    if (!transfer)
       return std::nullopt;
     if (first > 0) {
       skipPath(run, 0, first, false);
       run.points.erase(run.points.begin(), run.points.begin() + static_cast<std::ptrdiff_t>(first));
       run.ladder = jointsOf(run.points);
     }
-    setOut(*way, run);
-    return way;
+    setOut(*transfer, run);
+    return transfer;
   }
 
   void skipPath(const Run& run, std::size_t from, std::size_t to, bool caught) {
@@ -397,8 +400,8 @@ private:
   std::vector<PrintedBounds> bounds_;
   std::optional<std::pair<robot::JointVector, std::vector<PurgePlace>>> beside_; // placesBeside()
   ConnectedRuns result_;
-  std::optional<Transfer> wayHome_; // The way home from the last kept run, once needed
-  bool lastIsWhole_ = false;        // The last kept run is the last one taken, uncut
+  std::optional<Transfer> transferHome_; // The way home from the last kept run, once needed
+  bool lastIsWhole_ = false;             // The last kept run is the last one taken, uncut
   // A run was planned again: later runs no longer continue from its state
   bool otherBranch_ = false;
 };

@@ -43,28 +43,28 @@ Between between(const std::vector<TimedPoint>& points, const std::vector<double>
 JerkMeasure jerkBetween(const Between& piece, const std::vector<robot::JointLimits>& limits) {
   JerkMeasure jerk = jerkOf(piece.q, piece.times, limits);
   const double seconds = piece.times.back();
-  const JointVector way = (piece.q.back() - piece.q.front()).cwiseAbs();
+  const JointVector step = (piece.q.back() - piece.q.front()).cwiseAbs();
   for (std::size_t j = 0; j < jerk.maxAbs.size() && seconds > 0.0; ++j)
-    jerk.maxAbs[j] = std::max(jerk.maxAbs[j], kRestToRest * way[static_cast<Eigen::Index>(j)] /
+    jerk.maxAbs[j] = std::max(jerk.maxAbs[j], kRestToRest * step[static_cast<Eigen::Index>(j)] /
                                                   (seconds * seconds * seconds));
   return jerk;
 }
 
-double greatestTurn(const JerkMeasure& jerk, const std::vector<robot::JointLimits>& limits) {
-  double most = 0.0;
+double maxAngularJerk(const JerkMeasure& jerk, const std::vector<robot::JointLimits>& limits) {
+  double maximum = 0.0;
   for (std::size_t j = 0; j < jerk.maxAbs.size(); ++j)
-    most = std::max(most, robot::asTurn(limits[j].kind, jerk.maxAbs[j]));
-  return most;
+    maximum = std::max(maximum, robot::asAngle(limits[j].kind, jerk.maxAbs[j]));
+  return maximum;
 }
 
 // Slows a piece until its jerk keeps the limit.
 void limitJerk(Between& piece, const std::vector<robot::JointLimits>& limits, double maxJerk) {
   if (piece.q.size() > 2)
     piece.times = timesWithinJerk(piece.q, piece.times, limits, maxJerk);
-  const double share = greatestTurn(jerkBetween(piece, limits), limits) / maxJerk;
+  const double share = maxAngularJerk(jerkBetween(piece, limits), limits) / maxJerk;
   if (share > kSlack)
     for (double& t : piece.times)
-      t *= std::min(std::cbrt(share), kMostSlower);
+      t *= std::min(std::cbrt(share), kMaxSlowdown);
 }
 
 class SequenceTimer {
@@ -91,13 +91,13 @@ public:
     ladder = jerkOf(run.ladder, timed.times, limits.joints);
   }
 
-  void timeWay(std::size_t i, TimedPiece& timed) const {
+  void timeTransfer(std::size_t i, TimedPiece& timed) const {
     RobotState from = i == 0 ? home_ : sequence_.runs[i - 1].points.back().at;
-    const Transfer& way = sequence_.ways[i];
+    const Transfer& transfer = sequence_.ways[i];
     std::vector<std::size_t> stops;
-    for (const ToolStep& step : way.toolSteps)
+    for (const ToolStep& step : transfer.toolSteps)
       stops.push_back(step.point);
-    stops.push_back(way.points.size());
+    stops.push_back(transfer.points.size());
     timed.times = {0.0};
     timed.jerk.maxAbs.assign(static_cast<std::size_t>(scene_.cell.dof()), 0.0);
     timed.jerk.maxAt.assign(timed.jerk.maxAbs.size(), 0);
@@ -106,9 +106,9 @@ public:
       if (stop == first)
         continue;
       Transfer part;
-      part.points.assign(way.points.begin() + static_cast<std::ptrdiff_t>(first),
-                         way.points.begin() + static_cast<std::ptrdiff_t>(stop));
-      addPart(from, part, processOfWay(i), timed);
+      part.points.assign(transfer.points.begin() + static_cast<std::ptrdiff_t>(first),
+                         transfer.points.begin() + static_cast<std::ptrdiff_t>(stop));
+      addPart(from, part, processOfTransfer(i), timed);
       from = part.points.back().at;
       first = stop;
     }
@@ -118,10 +118,10 @@ private:
   int toolOf(std::size_t run) const { return scene_.plan.paths[sequence_.runs[run].path].tool; }
 
   // Returns the process that limits a transfer: that of its tool.
-  const process::Process& processOfWay(std::size_t way) const {
-    const bool begins = way > 0, ends = way < sequence_.runs.size();
-    if (begins && ends && toolOf(way - 1) == toolOf(way))
-      return tooling_.at(toolOf(way)).process;
+  const process::Process& processOfTransfer(std::size_t index) const {
+    const bool begins = index > 0, ends = index < sequence_.runs.size();
+    if (begins && ends && toolOf(index - 1) == toolOf(index))
+      return tooling_.at(toolOf(index)).process;
     // From home, to home and between two tools no single tool is in use: as the first one.
     return tooling_.first().process;
   }
@@ -179,7 +179,7 @@ TimedSequence timesOfSequence(const Sequence& sequence, const MotionScene& scene
       if (i < runs)
         timer.timeRun(i, timed.runs[i], timed.ladder[i]);
       if (i < ways)
-        timer.timeWay(i, timed.ways[i]);
+        timer.timeTransfer(i, timed.ways[i]);
     }
   });
   return timed;

@@ -18,14 +18,14 @@ robot::JointVector withoutSteps(const RobotState& state) {
   return q;
 }
 
-// Returns TimedPoint::most for a straight move: the fastest motion of each joint between two
-// states, which near a wrist singularity is much faster than the mean. Empty if there is no
-// continuous IK solution.
-robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
-                               const RobotState& to) {
+// Returns TimedPoint::peakDisplacement for a straight move: the fastest motion of each joint
+// between two states, which near a wrist singularity is much faster than the mean. Empty if there
+// is no continuous IK solution.
+robot::JointVector peakDisplacementBetween(const robot::Cell& cell, const RobotState& from,
+                                           const RobotState& to) {
   constexpr int kSteps = 8;
   std::vector<robot::JointVector> scratch;
-  robot::JointVector q = from.q, most = robot::JointVector::Zero(q.size());
+  robot::JointVector q = from.q, peakDisplacement = robot::JointVector::Zero(q.size());
   for (int k = 1; k <= kSteps; ++k) {
     const double t = static_cast<double>(k) / kSteps;
     robot::JointVector last = q;
@@ -33,9 +33,9 @@ robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
     if (!solveNear(cell, from.tip + t * (to.tip - from.tip), from.tool.slerp(t, to.tool), last,
                    base::kPi, scratch, q))
       return {};
-    most = most.cwiseMax((q - last).cwiseAbs());
+    peakDisplacement = peakDisplacement.cwiseMax((q - last).cwiseAbs());
   }
-  return kSteps * most;
+  return kSteps * peakDisplacement;
 }
 
 } // namespace
@@ -60,12 +60,12 @@ std::vector<robot::JointVector> jointsOf(const std::vector<RunPoint>& points) {
 std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
   constexpr double kCloserLook = 0.3; // share of a joint's velocity limit, from point to point
   const auto isFast = [&](const RunPoint& from, const RunPoint& to) {
-    const double way = (to.at.tip - from.at.tip).norm();
+    const double distance = (to.at.tip - from.at.tip).norm();
     if (to.speedMmPerS <= 0.0 || cell.rod())
       return false; // with a rod the arm hardly moves
     for (Eigen::Index j = 0; j < to.at.q.size(); ++j)
       if (std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS >
-          kCloserLook * way * cell.limits()[static_cast<std::size_t>(j)].velocity)
+          kCloserLook * distance * cell.limits()[static_cast<std::size_t>(j)].velocity)
         return true;
     return false;
   };
@@ -75,7 +75,7 @@ std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<R
     const RunPoint& p = points[i];
     timed.push_back({withoutSteps(p.at), p.at.tip, p.speedMmPerS, false, false});
     if (i > 0 && isFast(points[i - 1], p))
-      timed.back().most = mostBetween(cell, points[i - 1].at, p.at);
+      timed.back().peakDisplacement = peakDisplacementBetween(cell, points[i - 1].at, p.at);
   }
   return timed;
 }
@@ -89,7 +89,7 @@ std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& tran
     if (timed.size() > 1 && p.move != last)
       timed.back().stop = true;
     last = p.move;
-    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.most});
+    timed.push_back({p.at.q, p.at.tip, speedMmPerS, joint, false, p.peakDisplacement});
   }
   return timed;
 }

@@ -54,27 +54,27 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
              std::vector<double>(n, limits.accelerationMmPerS2)};
   for (std::size_t i = 0; i < n; ++i) {
     const TimedPoint &from = points[i], &to = points[i + 1];
-    const double way = (to.tip - from.tip).norm();
+    const double distance = (to.tip - from.tip).norm();
     robot::JointVector dq = (to.q - from.q).cwiseAbs();
-    const auto armTurn = [&] { return robot::asTurns(dq, limits.joints).head(arm).maxCoeff(); };
+    const auto armAngle = [&] { return robot::asAngles(dq, limits.joints).head(arm).maxCoeff(); };
     // The path of a joint move is that of its joints alone, so that its pieces form one ramped
     // motion.
-    const double arms = kMmPerRad * armTurn();
-    s.length[i] = std::max(1e-6, to.jointMove && arm == dof ? arms : std::hypot(way, arms));
-    if (to.most.size() > 0)
-      dq = dq.cwiseMax(to.most);
-    double least = kMinSeconds; // seconds
+    const double arms = kMmPerRad * armAngle();
+    s.length[i] = std::max(1e-6, to.jointMove && arm == dof ? arms : std::hypot(distance, arms));
+    if (to.peakDisplacement.size() > 0)
+      dq = dq.cwiseMax(to.peakDisplacement);
+    double minimum = kMinSeconds; // seconds
     for (Eigen::Index j = 0; j < dof; ++j) {
       const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);
-      least =
-          std::max(least, dq[j] / (fraction * limits.joints[static_cast<std::size_t>(j)].velocity));
+      minimum = std::max(minimum,
+                         dq[j] / (fraction * limits.joints[static_cast<std::size_t>(j)].velocity));
     }
     if (!to.jointMove && to.speedMmPerS > 0.0)
-      least = std::max(least, way / to.speedMmPerS);
-    s.cap[i] = s.length[i] / least;
-    const double turn = armTurn();
-    if (to.jointMove && limits.travelRadPerS2 > 0.0 && turn > 0.0)
-      s.ramp[i] = std::min(s.ramp[i], limits.travelRadPerS2 * s.length[i] / turn);
+      minimum = std::max(minimum, distance / to.speedMmPerS);
+    s.cap[i] = s.length[i] / minimum;
+    const double angle = armAngle();
+    if (to.jointMove && limits.travelRadPerS2 > 0.0 && angle > 0.0)
+      s.ramp[i] = std::min(s.ramp[i], limits.travelRadPerS2 * s.length[i] / angle);
     // A rod turns with the path; therefore its acceleration limits that of the path.
     for (Eigen::Index j = arm; j < dof; ++j)
       if (dq[j] > 0.0)
@@ -87,14 +87,14 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
 }
 
 // Returns whether a joint motion continues the preceding one, so that both form one motion.
-bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robot::JointVector& c,
-            double sameRad) {
-  const robot::JointVector in = b - a, way = c - a;
-  const double squared = way.squaredNorm();
+bool continues(const robot::JointVector& a, const robot::JointVector& b,
+               const robot::JointVector& c, double sameRad) {
+  const robot::JointVector in = b - a, span = c - a;
+  const double squared = span.squaredNorm();
   if (!(squared > 0.0))
     return false;
-  const double at = in.dot(way) / squared;
-  return at >= 0.0 && at <= 1.0 && (in - at * way).cwiseAbs().maxCoeff() <= sameRad;
+  const double at = in.dot(span) / squared;
+  return at >= 0.0 && at <= 1.0 && (in - at * span).cwiseAbs().maxCoeff() <= sameRad;
 }
 
 // Returns the speed limit at each point [mm/s].
@@ -111,8 +111,8 @@ std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
       const double tip =
           cornerSpeed(points[i].tip - points[i - 1].tip, points[i + 1].tip - points[i].tip,
                       limits.cornerMm, limits.accelerationMmPerS2);
-      const double wayIn = (points[i].tip - points[i - 1].tip).norm();
-      corner[i] = wayIn > 1e-9 ? tip * length[i - 1] / wayIn : 1e9;
+      const double lengthIn = (points[i].tip - points[i - 1].tip).norm();
+      corner[i] = lengthIn > 1e-9 ? tip * length[i - 1] / lengthIn : 1e9;
     }
   }
   return corner;
@@ -180,7 +180,7 @@ std::vector<char> restsAt(const std::vector<TimedPoint>& points, const TimingLim
     const bool turns = points[i].jointMove && points[i + 1].jointMove;
     // Without blending, controllers stop between joint motions.
     rests[i] = points[i].stop ||
-               (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q, sameRad));
+               (turns && !continues(points[i - 1].q, points[i].q, points[i + 1].q, sameRad));
   }
   return rests;
 }

@@ -15,7 +15,7 @@ struct TimingLimits {
   double accelerationMmPerS2 = 500.0;
   double cornerMm = 0.05;     // maximum deviation at a corner, which limits the speed through it
   double jointFraction = 0.9; // usable share of the velocity and acceleration limits
-  // Acceleration of the arm's joints in joint moves [rad/s2], sliding ones by robot::asTurn; 0: as
+  // Acceleration of the arm's joints in joint moves [rad/s2], sliding ones by robot::asAngle; 0: as
   // in all other moves.
   double travelRadPerS2 = 0.0;
   // number of the arm's joints, which come first, followed by a rod's; 0: all are the arm's
@@ -31,7 +31,7 @@ struct TimedPoint {
   bool stop = false; // rests here; the first and the last point always do
   // Displacement of each joint during the move if it moved at its peak speed throughout. Empty:
   // constant speed.
-  robot::JointVector most = {};
+  robot::JointVector peakDisplacement = {};
 };
 
 // Returns the times [s] from the first point (0) to each point. Between points the tip (or the

@@ -32,45 +32,45 @@ Quaterniond towards(const Vector3d& hint, const Vector3d& direction, const Quate
 
 } // namespace
 
-std::vector<Quaterniond> toolFrames(NozzleTurn rule, const plan::ToolPlan& plan,
+std::vector<Quaterniond> toolFrames(NozzleRotation rule, const plan::ToolPlan& plan,
                                     const robot::Cell& cell, std::size_t first, std::size_t count,
                                     const std::vector<JointVector>& axes, const Quaterniond& from,
                                     const JointVector& fromAxes) {
   const bool moves = !cell.externalAxes().empty();
   if (moves)
     count = std::min(count, axes.size());
-  const auto turnAt = [&](std::size_t i) {
-    return moves ? axesTurn(cell, axes[i]) : Quaterniond::Identity();
+  const auto rotationAt = [&](std::size_t i) {
+    return moves ? axesRotation(cell, axes[i]) : Quaterniond::Identity();
   };
   const auto rest = [&] {
-    return moves ? axesTurn(cell, JointVector::Zero(fromAxes.size())) : Quaterniond::Identity();
+    return moves ? axesRotation(cell, JointVector::Zero(fromAxes.size())) : Quaterniond::Identity();
   };
   const auto pointAt = [&](std::size_t i) -> Vector3d {
     return moves ? movedByAxes(cell, plan.position[first + i], axes[i]) : plan.position[first + i];
   };
   const Vector3d workX = rest() * Vector3d::UnitX();
   const Quaterniond upright = rest() * uprightTool();
-  Quaterniond tool = moves ? axesTurn(cell, fromAxes) * from : from;
+  Quaterniond tool = moves ? axesRotation(cell, fromAxes) * from : from;
   std::vector<Quaterniond> tools(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Quaterniond turn = turnAt(i);
-    const Vector3d direction = turn * plan.direction[first + i];
+    const Quaterniond rotation = rotationAt(i);
+    const Vector3d direction = rotation * plan.direction[first + i];
     switch (rule) {
-    case NozzleTurn::Free:
+    case NozzleRotation::Free:
       tool = carried(tool, direction);
       break;
-    case NozzleTurn::Tangent:
+    case NozzleRotation::Tangent:
       tool = towards(pointAt(std::min(i + 1, count - 1)) - pointAt(i > 0 ? i - 1 : 0), direction,
                      tool);
       break;
-    case NozzleTurn::WorkAxis:
+    case NozzleRotation::WorkAxis:
       tool = towards(workX, direction, tool);
       break;
-    case NozzleTurn::Rodrigues:
+    case NozzleRotation::Rodrigues:
       tool = carried(upright, direction);
       break;
     }
-    tools[i] = turn.conjugate() * tool;
+    tools[i] = rotation.conjugate() * tool;
   }
   return tools;
 }

@@ -25,8 +25,8 @@ namespace voluta::motion {
 // If the direction leaves a rule's x undetermined (parallel to it, or two waypoints at one
 // position), the previous frame is carried on.
 std::vector<Eigen::Quaterniond>
-toolFrames(NozzleTurn rule, const plan::ToolPlan& plan, const robot::Cell& cell, std::size_t first,
-           std::size_t count, const std::vector<robot::JointVector>& axes,
+toolFrames(NozzleRotation rule, const plan::ToolPlan& plan, const robot::Cell& cell,
+           std::size_t first, std::size_t count, const std::vector<robot::JointVector>& axes,
            const Eigen::Quaterniond& from, const robot::JointVector& fromAxes);
 
 } // namespace voluta::motion

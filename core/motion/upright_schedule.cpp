@@ -24,8 +24,8 @@ constexpr std::size_t kSides = 2;
 // Steps between two waypoints, of the first axis beyond the angle between their directions: no
 // change of sides amid a bead. Near the second axis that axis may turn far, up to where the other
 // side is nearer.
-constexpr double kMostTilt = base::degreesToRadians(20.0),
-                 kMostTurn = base::degreesToRadians(100.0);
+constexpr double kMaxTilt = base::degreesToRadians(20.0),
+                 kMaxRotation = base::degreesToRadians(100.0);
 
 // The best way to a position of the axes at a waypoint.
 struct State {
@@ -78,18 +78,18 @@ private:
     const double direction = starts ? 0.0
                                     : geometry::angleBetween(plan_.direction[first_ + i - 1],
                                                              plan_.direction[first_ + i]);
-    const double most[] = {kMostTilt + direction, kMostTurn};
+    const double maximum[] = {kMaxTilt + direction, kMaxRotation};
     JointVector axes = at.axes;
     if (at.lastIsFree)
       axes[1] = last[1];
     for (Eigen::Index k = 0; k < axes.size(); ++k) {
       const robot::JointLimits& limits = cell_.externalAxes()[static_cast<std::size_t>(k)].limits;
-      axes[k] += base::kTurn * std::round((last[k] - axes[k]) / base::kTurn);
+      axes[k] += base::kTwoPi * std::round((last[k] - axes[k]) / base::kTwoPi);
       while (starts && axes[k] > limits.max)
-        axes[k] -= base::kTurn;
+        axes[k] -= base::kTwoPi;
       while (starts && axes[k] < limits.min)
-        axes[k] += base::kTurn;
-      if (!within(axes[k], limits) || (!starts && std::abs(axes[k] - last[k]) > most[k]))
+        axes[k] += base::kTwoPi;
+      if (!within(axes[k], limits) || (!starts && std::abs(axes[k] - last[k]) > maximum[k]))
         return std::nullopt;
     }
     return axes;

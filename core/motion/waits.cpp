@@ -62,8 +62,8 @@ std::vector<TimedSample> samplesOf(const PrintedRun& run, const plan::ToolPlan& 
 class WaitPlanner {
 public:
   WaitPlanner(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
-              const robot::Cell& cell, double leastS)
-      : plan_(plan), trajectory_(trajectory), cell_(cell), leastS_(leastS), grid_(plan) {}
+              const robot::Cell& cell, double minS)
+      : plan_(plan), trajectory_(trajectory), cell_(cell), minS_(minS), grid_(plan) {}
 
   std::vector<plan::TrajectoryEvent> plan() {
     const std::vector<PrintedRun> runs = printedRuns(trajectory_);
@@ -92,7 +92,7 @@ private:
     double wait = 0.0;
     for (const TimedSample& sample : samples)
       grid_.below(sample.bead, [&](std::size_t lower) {
-        wait = std::max(wait, endS_[lower] + leastS_ - sample.beginS - waitedS);
+        wait = std::max(wait, endS_[lower] + minS_ - sample.beginS - waitedS);
       });
     constexpr double kPerS = 1000.0;
     return std::ceil(wait * kPerS) / kPerS;
@@ -103,14 +103,14 @@ private:
   std::size_t placeOfWait(std::size_t before, std::size_t first) const {
     const Eigen::Isometry3d end = poseAt(before - 1), begin = poseAt(first - 1);
     std::size_t highest = first - 1;
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t i = before; i + 1 < first; ++i) {
       const Vector3d tip = poseAt(i).translation();
       const double height = std::min(heightAbove(end, tip), heightAbove(begin, tip));
       constexpr double kSameMm = 1e-3; // of two such points the later one
-      if (height < most - kSameMm)
+      if (height < maximum - kSameMm)
         continue;
-      most = std::max(most, height);
+      maximum = std::max(maximum, height);
       highest = i + 1;
     }
     return std::max<std::size_t>(highest, 1);
@@ -126,7 +126,7 @@ private:
   const plan::ToolPlan& plan_;
   const plan::Trajectory& trajectory_;
   const robot::Cell& cell_;
-  double leastS_;
+  double minS_;
   BeadSampleGrid grid_;
   std::vector<double> endS_; // per sample in the grid, waits included
 };
@@ -135,8 +135,8 @@ private:
 
 std::vector<plan::TrajectoryEvent> waitsToCool(const plan::ToolPlan& plan,
                                                const plan::Trajectory& trajectory,
-                                               const robot::Cell& cell, double leastS) {
-  return WaitPlanner(plan, trajectory, cell, leastS).plan();
+                                               const robot::Cell& cell, double minS) {
+  return WaitPlanner(plan, trajectory, cell, minS).plan();
 }
 
 std::vector<float> layerTimesOf(const plan::ToolPlan& plan, const plan::Trajectory& trajectory) {

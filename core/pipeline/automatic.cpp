@@ -26,8 +26,8 @@ constexpr base::Text kPedestal = "curved layers on a pedestal"_text;
 
 } // namespace
 
-const std::vector<AutomaticWay>& automaticWays() {
-  static const std::vector<AutomaticWay> kWays{
+const std::vector<AutomaticStrategy>& automaticStrategies() {
+  static const std::vector<AutomaticStrategy> kWays{
       {"curved", "curved", "cell", kCurved, kCurvedSupported, {{kSupports, "none"}}},
       {"pieces", "planar", "cell", "pieces"_text, "pieces with supports"_text},
       {"curved-columns", "curved", "cell", kCurved, kCurvedSupported, {{kSupports, "auto"}}},
@@ -40,34 +40,35 @@ const std::vector<AutomaticWay>& automaticWays() {
 
 namespace {
 
-bool fits(const AutomaticWay& way, const project::Choices& choices) {
-  return way.mode == choices.item().mode &&
+bool fits(const AutomaticStrategy& strategy, const project::Choices& choices) {
+  return strategy.mode == choices.item().mode &&
          (choices.item().platformStays ||
-          project::Platform(way.platform) == choices.item().platform);
+          project::Platform(strategy.platform) == choices.item().platform);
 }
 
 // Returns the way named in `choices` if it has their mode and platform, else nullptr.
-const AutomaticWay* namedWay(const project::Choices& choices) {
-  const auto& ways = automaticWays();
-  const auto named = std::ranges::find(ways, choices.item().automaticWay, &AutomaticWay::id);
+const AutomaticStrategy* namedStrategy(const project::Choices& choices) {
+  const auto& ways = automaticStrategies();
+  const auto named =
+      std::ranges::find(ways, choices.item().automaticStrategy, &AutomaticStrategy::id);
   return named != ways.end() && fits(*named, choices) ? &*named : nullptr;
 }
 
 // Returns the way that the choices belong to; nullptr if no way of the table matches.
-const AutomaticWay* wayOf(const project::Choices& choices) {
-  if (const AutomaticWay* named = namedWay(choices))
+const AutomaticStrategy* strategyOf(const project::Choices& choices) {
+  if (const AutomaticStrategy* named = namedStrategy(choices))
     return named;
-  const auto& ways = automaticWays();
+  const auto& ways = automaticStrategies();
   const auto first = std::ranges::find_if(
       // The choices name none of these ways
-      ways, [&](const AutomaticWay& way) { return fits(way, choices); });
+      ways, [&](const AutomaticStrategy& strategy) { return fits(strategy, choices); });
   return first == ways.end() ? nullptr : &*first;
 }
 
 // Returns whether the way reduces the layer height. A height set by the user is kept.
 bool lowers(const project::Choices& choices) {
-  const AutomaticWay* way = wayOf(choices);
-  return way && way->lowLayers && !choices.item().parameters.contains(kLayerHeight);
+  const AutomaticStrategy* strategy = strategyOf(choices);
+  return strategy && strategy->lowLayers && !choices.item().parameters.contains(kLayerHeight);
 }
 
 double lowLayerMm(const project::Choices& choices) {
@@ -85,27 +86,27 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   std::vector<project::Choices> all, hands; // Each way, and the equivalent manual choices
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
                        std::string_view id) {
-    project::Choices way = choices;
-    way.item().mode = mode.id;
-    way.item().automaticWay = id;
+    project::Choices strategy = choices;
+    strategy.item().mode = mode.id;
+    strategy.item().automaticStrategy = id;
     if (!choices.item().platformStays)
-      way.item().platform = platform;
+      strategy.item().platform = platform;
     if (mode.aroundRod != rod || (!mode.upright && !tilts) ||
-        !way.item().platform.isForAnyOf(mode.platforms))
+        !strategy.item().platform.isForAnyOf(mode.platforms))
       return;
-    project::Choices hand = resolved(way);
+    project::Choices hand = resolved(strategy);
     if (std::ranges::any_of(hands, [&](const project::Choices& other) {
           return other.item().mode == hand.item().mode &&
                  other.item().platform == hand.item().platform &&
                  other.item().parameters == hand.item().parameters;
         }))
       return;
-    all.push_back(std::move(way));
+    all.push_back(std::move(strategy));
     hands.push_back(std::move(hand));
   };
   const auto addAll = [&] {
-    for (const AutomaticWay& way : automaticWays())
-      add(modes::findMode(way.mode), project::Platform(way.platform), way.id);
+    for (const AutomaticStrategy& strategy : automaticStrategies())
+      add(modes::findMode(strategy.mode), project::Platform(strategy.platform), strategy.id);
     for (const modes::Mode& mode : modes::modeTable())
       if (all.empty())
         add(mode, mode.usual.platform, {});
@@ -124,12 +125,12 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   return all;
 }
 
-bool namesWay(const project::Choices& choices) {
-  return choices.item().automatic && namedWay(choices);
+bool namesStrategy(const project::Choices& choices) {
+  return choices.item().automatic && namedStrategy(choices);
 }
 
-project::Choices wayOrFirst(const project::Choices& choices) {
-  if (!choices.item().automatic || namesWay(choices))
+project::Choices strategyOrFirst(const project::Choices& choices) {
+  if (!choices.item().automatic || namesStrategy(choices))
     return choices;
   return automaticChoices(choices).front();
 }
@@ -138,27 +139,27 @@ project::Choices resolved(project::Choices choices) {
   if (!choices.item().automatic)
     return choices;
   choices.item().automatic = false;
-  if (const AutomaticWay* way = wayOf(choices)) {
+  if (const AutomaticStrategy* strategy = strategyOf(choices)) {
     if (lowers(choices))
       choices.item().parameters[kLayerHeight] = base::formatParameter(lowLayerMm(choices));
-    choices.item().parameters.insert(way->parameters.begin(), way->parameters.end());
+    choices.item().parameters.insert(strategy->parameters.begin(), strategy->parameters.end());
   }
   return choices;
 }
 
-std::map<std::string, std::string> parametersOfWay(project::Choices choices) {
+std::map<std::string, std::string> parametersOfStrategy(project::Choices choices) {
   if (!choices.item().automatic)
     return {};
   choices.item().parameters.clear();
   return resolved(std::move(choices)).item().parameters;
 }
 
-base::Message nameOfWay(const project::Choices& choices) {
-  const AutomaticWay* way = choices.item().automatic ? wayOf(choices) : nullptr;
-  if (!way)
+base::Message nameOfStrategy(const project::Choices& choices) {
+  const AutomaticStrategy* strategy = choices.item().automatic ? strategyOf(choices) : nullptr;
+  if (!strategy)
     return modes::findMode(choices.item().mode).label;
   const bool supported = support::supportsWanted(parameterValues(resolved(choices)));
-  const base::Text name = supported ? way->nameWithSupports : way->name;
+  const base::Text name = supported ? strategy->nameWithSupports : strategy->name;
   if (!lowers(choices))
     return name;
   return base::message("{way}, {height} each"_text, name, base::mm(lowLayerMm(choices)));

@@ -14,7 +14,7 @@ namespace voluta::pipeline {
 
 // One candidate of mode auto: a mode, a platform and parameter values that apply unless the user
 // has changed them.
-struct AutomaticWay {
+struct AutomaticStrategy {
   std::string_view id; // Saved in projects: must not change when ways are inserted
   std::string_view mode, platform;
   base::Text name, nameWithSupports; // Shown to the user
@@ -27,7 +27,7 @@ struct AutomaticWay {
 // layers with thin support columns where growth would lose voxels, then flat layers with supports
 // as on an ordinary printer, then the same in lower layers, which cover thin and slanted regions
 // better, and last curved layers on a pedestal made for the part.
-const std::vector<AutomaticWay>& automaticWays();
+const std::vector<AutomaticStrategy>& automaticStrategies();
 
 // Returns `choices` once per applicable way, with that way's mode and platform. A way applies if it
 // suits the cell (level layers only, if the cell cannot tilt the nozzle) and, if
@@ -37,12 +37,12 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
 // Returns whether the choices are automatic and name a way that has their mode and platform, as
 // those of an earlier plan do.
-bool namesWay(const project::Choices& choices);
+bool namesStrategy(const project::Choices& choices);
 
 // Returns automatic choices with the way that they name, if it has their mode and platform, else
 // with the first way that would be tried. Returns other choices unchanged. Throws as
 // automaticChoices().
-project::Choices wayOrFirst(const project::Choices& choices);
+project::Choices strategyOrFirst(const project::Choices& choices);
 
 // Returns the manual choices that are equivalent to automatic choices with the mode of one of the
 // ways: the way's parameters are filled in. Returns other choices unchanged.
@@ -50,10 +50,10 @@ project::Choices resolved(project::Choices choices);
 
 // Returns the parameters that resolved() would set if the user had changed none. Empty for manual
 // choices.
-std::map<std::string, std::string> parametersOfWay(project::Choices choices);
+std::map<std::string, std::string> parametersOfStrategy(project::Choices choices);
 
 // Returns the name of the way, e.g. "flat layers with supports"; for manual choices the mode's
 // label.
-base::Message nameOfWay(const project::Choices& choices);
+base::Message nameOfStrategy(const project::Choices& choices);
 
 } // namespace voluta::pipeline

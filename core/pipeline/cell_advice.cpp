@@ -51,7 +51,7 @@ double factorOn(const Polygon& foot, const Polygon& plate) {
       box.extend(p);
     for (const Vector2d& p : plate)
       under.extend(p);
-    double most = INFINITY;
+    double maximum = INFINITY;
     for (std::size_t i = 0; i < plate.size(); ++i) {
       const Vector2d side = plate[(i + 1) % plate.size()] - plate[i];
       const Vector2d out = Vector2d(side.y(), -side.x()).normalized();
@@ -61,9 +61,9 @@ double factorOn(const Polygon& foot, const Polygon& plate) {
         reach = std::max(reach, out.dot(turned ? Vector2d(-d.y(), d.x()) : d));
       }
       if (reach > 0.0)
-        most = std::min(most, out.dot(plate[i] - under.center()) / reach);
+        maximum = std::min(maximum, out.dot(plate[i] - under.center()) / reach);
     }
-    return most;
+    return maximum;
   };
   return std::max(factor(false), factor(true));
 }
@@ -102,7 +102,7 @@ double clearOfPlate(const robot::Cell& cell, const process::Process& process,
     for (const cells::Direction& direction : map.directions()) {
       const Eigen::Isometry3d pose =
           robot::leaningTool({at.x(), at.y(), height}, grid.tiltsRad[direction.tilt],
-                             base::kTurn * direction.azimuth / grid.azimuths);
+                             base::kTwoPi * direction.azimuth / grid.azimuths);
       ++all;
       clear += collision.headTouchesPlatform(pose, collision::Margins().headMm) ? 0 : 1;
     }
@@ -130,10 +130,10 @@ base::Message whyOut(const CellAdvice& row, const CellNeeds& needs, const robot:
                ? base::message("its flange would carry {kg:.3g} kg at {lever:.0f}, the robot "
                                "carries {most:.3g} kg there"_text,
                                base::number(row.load.kg), base::mm(row.load.leverMm),
-                               base::number(*row.load.mostKg))
+                               base::number(*row.load.maxKg))
                : base::message("its flange would carry {kg:.3g} kg, the robot's rating is "
                                "{most:.3g} kg"_text,
-                               base::number(row.load.kg), base::number(*row.load.mostKg));
+                               base::number(row.load.kg), base::number(*row.load.maxKg));
   if (needs.tiltRad > 0.0 && !cell.tilts())
     return "its nozzle cannot tilt"_text;
   if (row.leanRad > 0.0 && headMm(process) > kBulkyMm)

@@ -67,7 +67,7 @@ Value reachable(const CompareRow& row) {
 // Returns a figure of the strength; nullopt without a load.
 template <auto kMember> Value ofStrength(const CompareRow& row) {
   const plan::StrengthStatistics& s = row.report.toolpath.strength;
-  return came(row, Stage::Toolpath) && s.leastSectionMm2 > 0.0 ? Value(s.*kMember) : std::nullopt;
+  return came(row, Stage::Toolpath) && s.minSectionMm2 > 0.0 ? Value(s.*kMember) : std::nullopt;
 }
 template <auto kMember>
 Figure strengthFigure(std::string_view key, base::Text label, base::Text head) {
@@ -116,7 +116,7 @@ const std::vector<Figure>& figures() {
           "loadAngleDeg", "angle between beads and load"_text, "Bead\nangle °"_text),
       strengthFigure<&plan::StrengthStatistics::interfaceFraction>(
           "interfaceFraction", "interfaces across the load"_text, "Inter-\nfaces %"_text),
-      strengthFigure<&plan::StrengthStatistics::mostInterfaceFraction>(
+      strengthFigure<&plan::StrengthStatistics::maxInterfaceFraction>(
           "mostInterfaceFraction", "interfaces in the weakest section"_text,
           "Weakest\n% interf."_text),
   };

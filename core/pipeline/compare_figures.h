@@ -29,7 +29,7 @@ struct Figure {
 
 // Returns the figures missedVoxels, riskyAreaMm2, supportVolumeMm3, pieces, layers, printTimeS,
 // reachableFraction, collisions, stepMeanMm, stepMaxMm, and those of a load: loadAngleDeg,
-// interfaceFraction and mostInterfaceFraction.
+// interfaceFraction and maxInterfaceFraction.
 const std::vector<Figure>& figures();
 
 // Returns the number of voxels that uniform slicing misses, for mode flat.

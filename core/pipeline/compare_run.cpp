@@ -14,10 +14,10 @@ namespace voluta::pipeline {
 
 namespace {
 double fullFlowOf(const process::Tooling& tooling) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const process::Tool& tool : tooling.tools())
-    most = std::max(most, tool.process.maxFlowMm3PerS);
-  return most;
+    maximum = std::max(maximum, tool.process.maxFlowMm3PerS);
+  return maximum;
 }
 } // namespace
 

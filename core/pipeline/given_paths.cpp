@@ -31,25 +31,26 @@ using Eigen::Vector3d;
 namespace {
 
 // Transform from the mesh's coordinates to the work frame.
-struct Laid {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+struct WorkTransform {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
 };
 
-Laid laidBy(const project::LoadedPart& loaded, const modes::LoadStage& placed) {
-  Laid laid;
-  laid.turn = placed.placement.rotation.normalized().toRotationMatrix();
-  laid.shift = placed.part->vertices[0] - laid.turn * loaded.mesh->vertices[0];
+WorkTransform workTransformOf(const project::LoadedPart& loaded, const modes::LoadStage& placed) {
+  WorkTransform transform;
+  transform.rotation = placed.placement.rotation.normalized().toRotationMatrix();
+  transform.shift = placed.part->vertices[0] - transform.rotation * loaded.mesh->vertices[0];
   // For a file in the work frame the remaining shift is only rounding error.
-  if (laid.turn.isIdentity(0.0) && laid.shift.cwiseAbs().maxCoeff() < 1e-9)
-    laid.shift.setZero();
-  return laid;
+  if (transform.rotation.isIdentity(0.0) && transform.shift.cwiseAbs().maxCoeff() < 1e-9)
+    transform.shift.setZero();
+  return transform;
 }
 
 class Taking {
 public:
-  Taking(const plan::ToolPlan& given, const Laid& laid, const process::Tooling& tooling)
-      : given_(given), laid_(laid), tooling_(tooling) {}
+  Taking(const plan::ToolPlan& given, const WorkTransform& transform,
+         const process::Tooling& tooling)
+      : given_(given), transform_(transform), tooling_(tooling) {}
 
   plan::ToolPlan take(const base::RunContext& ctx) {
     for (const plan::ToolPath& path : given_.paths) {
@@ -82,10 +83,10 @@ private:
   // Subdivides a long segment that ends at waypoint `i`. Segments up to 1.5 steps stay undivided.
   void divide(std::size_t i) {
     constexpr double kSlack = 1.5;
-    const double way = (given_.position[i] - given_.position[i - 1]).norm();
-    if (way <= kSlack * process_->stepMm)
+    const double length = (given_.position[i] - given_.position[i - 1]).norm();
+    if (length <= kSlack * process_->stepMm)
       return;
-    const auto steps = static_cast<int>(std::ceil(way / process_->stepMm));
+    const auto steps = static_cast<int>(std::ceil(length / process_->stepMm));
     for (int k = 1; k < steps; ++k)
       add(i - 1, i, static_cast<double>(k) / steps);
   }
@@ -96,9 +97,10 @@ private:
     };
     const Vector3d position = given_.position[a] + t * (given_.position[b] - given_.position[a]);
     const Vector3d direction = (1.0 - t) * given_.direction[a] + t * given_.direction[b];
-    plan_.position.push_back(laid_.turn * position + laid_.shift);
+    plan_.position.push_back(transform_.rotation * position + transform_.shift);
     plan_.direction.push_back(
-        (laid_.turn * (direction.norm() > 1e-6 ? direction : given_.direction[b])).normalized());
+        (transform_.rotation * (direction.norm() > 1e-6 ? direction : given_.direction[b]))
+            .normalized());
     float width = at(given_.widthMm), height = at(given_.heightMm);
     float speed = given_.speedMmPerS[b];
     if (!(width > 0.0f) || !(height > 0.0f) || !(speed > 0.0f))
@@ -121,11 +123,11 @@ private:
     for (const plan::ToolPath& path : plan_.paths)
       for (std::size_t i = path.first + 1;
            i < path.first + path.count && path.kind != plan::PathKind::Shot; ++i) {
-        const double most = process::flowLimit(tooling_.of(path).process) /
-                            std::max({section(i - 1), section(i), 1e-9});
-        const double excess = plan_.speedMmPerS[i] / most;
-        if (plan_.speedMmPerS[i] > most) {
-          plan_.speedMmPerS[i] = static_cast<float>(most);
+        const double limit = process::flowLimit(tooling_.of(path).process) /
+                             std::max({section(i - 1), section(i), 1e-9});
+        const double excess = plan_.speedMmPerS[i] / limit;
+        if (plan_.speedMmPerS[i] > limit) {
+          plan_.speedMmPerS[i] = static_cast<float>(limit);
           ++slowed;
           if (excess > fastest_) {
             fastest_ = excess;
@@ -136,7 +138,7 @@ private:
   }
 
   const plan::ToolPlan& given_;
-  const Laid& laid_;
+  const WorkTransform& transform_;
   const process::Tooling& tooling_;
   const process::Process* process_ = nullptr; // Of the path that is taken
   plan::ToolPlan plan_;
@@ -212,7 +214,7 @@ plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
       r.lengthMm += (plan.position[i] - plan.position[i - 1]).norm();
       r.materialMm3 += process::beadTo(plan, i);
       const double cosine = std::clamp(plan.direction[i - 1].dot(plan.direction[i]), -1.0, 1.0);
-      r.maxTurnDeg = std::max(r.maxTurnDeg, base::radiansToDegrees(std::acos(cosine)));
+      r.maxRotationDeg = std::max(r.maxRotationDeg, base::radiansToDegrees(std::acos(cosine)));
     }
     if (p > 0)
       r.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
@@ -230,8 +232,8 @@ project::Choices choicesForGivenPaths(project::Choices choices) {
   if (!choices.item().automatic)
     return choices;
   const std::vector<project::Choices> ways = automaticChoices(choices);
-  const auto flat = std::find_if(ways.begin(), ways.end(), [](const project::Choices& way) {
-    return way.item().mode == "flat";
+  const auto flat = std::find_if(ways.begin(), ways.end(), [](const project::Choices& strategy) {
+    return strategy.item().mode == "flat";
   });
   project::Choices taken = flat == ways.end() ? ways.front() : *flat;
   taken.item().automatic = false;
@@ -317,8 +319,8 @@ std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPar
   const base::Stopwatch watch;
   const process::Process& process = tooling.first().process;
   auto stage = std::make_shared<ToolpathStage>();
-  const Laid laid = laidBy(loaded, placed);
-  Taking taking(*loaded.toolPaths, laid, tooling);
+  const WorkTransform transform = workTransformOf(loaded, placed);
+  Taking taking(*loaded.toolPaths, transform, tooling);
   stage->toolPlan = std::make_shared<plan::ToolPlan>(taking.take(ctx));
   stage->report = statisticsOf(*stage->toolPlan);
   if (taking.filled > 0)

@@ -73,9 +73,9 @@ withWalledSupport(std::shared_ptr<const modes::LayersStage> stage,
   const std::optional<plan::Finding> walled = layers::walledSupport(*stage->layers, part);
   if (!walled)
     return stage;
-  auto told = std::make_shared<modes::LayersStage>(*stage);
-  told->findings.push_back(*walled);
-  return told;
+  auto withFinding = std::make_shared<modes::LayersStage>(*stage);
+  withFinding->findings.push_back(*walled);
+  return withFinding;
 }
 
 // Returns the stage with the part moved down to z = 0.
@@ -118,8 +118,8 @@ ItemStages::ItemStages(const StageContext& context, const project::Choices& give
 
 project::ChosenReport ItemStages::chosenReport() const {
   const project::ItemChoices& given = given_.item();
-  return {.way = given.automatic ? given.automaticWay : std::string(),
-          .name = nameOfWay(given_),
+  return {.strategy = given.automatic ? given.automaticStrategy : std::string(),
+          .name = nameOfStrategy(given_),
           .mode = resolved_.choices.item().mode,
           .platform = resolved_.choices.item().platform.text(),
           .supports = mode_.requiresParameter("supports") ? resolved_.values.text("supports")
@@ -166,7 +166,7 @@ ItemOutcome ItemStages::load() {
   // A surface that encloses nothing cannot be measured.
   if (std::ranges::any_of(placed_->findings, &plan::Finding::blocking)) {
     out.findings = placed_->findings;
-    out.goesOn = false;
+    out.continues = false;
     return out;
   }
   const auto size = context_.cachedOrMade<SizeStage>(
@@ -177,7 +177,7 @@ ItemOutcome ItemStages::load() {
   // A part that was drawn in other units is not planned.
   const bool isOdd = isOfOtherUnits(*size);
   out.findings = isOdd ? plan::Findings() : startFindings();
-  out.goesOn = !isOdd && out.findings.empty();
+  out.continues = !isOdd && out.findings.empty();
   // Its other orientations are not worth the time and the memory if it is larger than the plates.
   const bool isTooLarge = std::ranges::any_of(out.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::LargerThanPlates;

@@ -29,7 +29,7 @@ namespace voluta::pipeline {
 struct ItemOutcome {
   plan::Findings findings;
   project::Timings timings;
-  bool goesOn = true; // is there any use in the next stage
+  bool continues = true; // is there any use in the next stage
 };
 
 class ItemStages {

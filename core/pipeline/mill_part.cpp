@@ -14,9 +14,9 @@ MilledPart millPart(geometry::TriangleMesh part, const MillOrder& order,
   base::Stopwatch loading;
   if (order.layDown) {
     ctx.report(0.0, "laying the part down"_text);
-    out.laid = placement::laidDown(part);
+    out.orientation = placement::millingOrientation(part);
     for (Eigen::Vector3d& v : part.vertices)
-      v = out.laid.turn * v;
+      v = out.orientation.rotation * v;
   }
   out.part = std::move(part);
   out.timings.load = loading.seconds();

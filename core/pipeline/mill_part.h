@@ -20,8 +20,8 @@ struct MillOrder {
 };
 
 struct MilledPart {
-  placement::LaidDown laid;    // no turn if it was not wanted
-  geometry::TriangleMesh part; // as milled
+  placement::MillingOrientation orientation; // no turn if it was not wanted
+  geometry::TriangleMesh part;               // as milled
   milling::MillPlan plan;
   std::string program;
   std::size_t motions = 0; // of the program

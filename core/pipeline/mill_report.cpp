@@ -71,7 +71,7 @@ project::ProgramReport programReport(const MilledPart& milled) {
 project::MillingReport millingReport(const MillOrder& order, const MilledPart& milled) {
   const milling::MillRule& rule = order.rule;
   const milling::CutVerdict& verdict = milled.verdict;
-  const Eigen::Quaterniond& rotation = milled.laid.turn;
+  const Eigen::Quaterniond& rotation = milled.orientation.rotation;
   project::MillingReport report;
   report.material = rule.data.id;
   report.cutterMm = rule.cutter.diameterMm;
@@ -81,10 +81,11 @@ project::MillingReport millingReport(const MillOrder& order, const MilledPart& m
   report.lineMm = rule.distanceMm();
   report.finePassMm = milling::finePassMm(rule.cutter, rule.data);
   report.blockMm = milled.plan.block.sizes();
-  report.laidDown = {.quaternion = {rotation.w(), rotation.x(), rotation.y(), rotation.z()},
-                     .rounds = milled.laid.rounds,
-                     .scrapBeforeMm3 = milled.laid.scrapBeforeMm3,
-                     .scrapMm3 = milled.laid.scrapMm3};
+  report.millingOrientation = {
+      .quaternion = {rotation.w(), rotation.x(), rotation.y(), rotation.z()},
+      .rounds = milled.orientation.rounds,
+      .scrapBeforeMm3 = milled.orientation.scrapBeforeMm3,
+      .scrapMm3 = milled.orientation.scrapMm3};
   report.moves = milled.motions;
   report.removedMm3 = verdict.removedMm3;
   report.deepestMm = verdict.deepestMm;

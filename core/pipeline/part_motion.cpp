@@ -41,9 +41,9 @@ void PartMotion::layPart(const base::RunContext& ctx) {
 PartMotion::~PartMotion() = default;
 
 std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx,
-                                                    double mostLeftOut) {
+                                                    double maxLeftOut) {
   if (planner_)
-    return stageOf(planner_->plan(ctx, mostLeftOut));
+    return stageOf(planner_->plan(ctx, maxLeftOut));
   auto stage = std::make_shared<MotionStage>();
   stage->report = {{}, cell_.robot().id, cell_.id()};
   stage->findings = {plan::makeFinding(plan::FindingKind::NothingToPrint)};

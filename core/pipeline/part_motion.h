@@ -42,9 +42,9 @@ public:
              std::shared_ptr<const collision::GrowingPart> grown, const base::RunContext& ctx);
   ~PartMotion();
 
-  // Call once. Gives up if more than the fraction `mostLeftOut` of the material cannot be printed;
+  // Call once. Gives up if more than the fraction `maxLeftOut` of the material cannot be printed;
   // the stage then has findings but no trajectory. Throws Cancelled.
-  std::shared_ptr<const MotionStage> plan(const base::RunContext& ctx, double mostLeftOut = 1.0);
+  std::shared_ptr<const MotionStage> plan(const base::RunContext& ctx, double maxLeftOut = 1.0);
   // Call after plan(). Plans again without these waypoints and those of earlier calls; replans only
   // the affected paths. Throws Cancelled.
   std::shared_ptr<const MotionStage> planWithout(const std::vector<std::size_t>& waypoints,

@@ -36,9 +36,9 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
     return {plan::makeFinding(plan::FindingKind::TinyPart, {{"size", base::mm(size)}})};
   if (size > kHugeMm)
     return {plan::makeFinding(plan::FindingKind::HugePart, {{"size", base::mm(size)}})};
-  const double least = process.beadWidthMinMm;
+  const double minimum = process.beadWidthMinMm;
   const std::vector<voxel::ThinPlace> places =
-      voxel::thinPlaces(part, least, ctx, process.layerHeightMinMm);
+      voxel::thinPlaces(part, minimum, ctx, process.layerHeightMinMm);
   const double area =
       std::accumulate(places.begin(), places.end(), 0.0,
                       [](double sum, const voxel::ThinPlace& p) { return sum + p.areaMm2; });
@@ -53,10 +53,10 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
     return {};
   const double usual = usualMm(places, area);
   // Round up to a hundredth: rounding down would leave the wall too thin.
-  const double wanted = std::ceil(100.0 * scale * least / std::max(usual, 1e-6)) / 100.0;
+  const double wanted = std::ceil(100.0 * scale * minimum / std::max(usual, 1e-6)) / 100.0;
   std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * share)},
                                        {"usual", base::mm(usual)},
-                                       {"least", base::mm(least)}};
+                                       {"least", base::mm(minimum)}};
   const bool room = wanted <= reach();
   if (room)
     values.push_back({"scale", base::number(wanted)});
@@ -66,24 +66,24 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   // A bead overfills a thin wall by the difference in width, or the wall is left out.
   const double wrong = std::accumulate(
       places.begin(), places.end(), 0.0, [&](double sum, const voxel::ThinPlace& p) {
-        return sum + 0.5 * p.areaMm2 * std::min(least - p.usualMm, p.usualMm);
+        return sum + 0.5 * p.areaMm2 * std::min(minimum - p.usualMm, p.usualMm);
       });
   thin.blocking = wrong > replay::ReplayThresholds{}.overfillMax * whole;
   return {thin};
 }
 
-double scaleWithin(double most) {
+double scaleWithin(double maximum) {
   constexpr double kSame = 1e-9;
-  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(most)));
-  return std::floor(most * digits + kSame) / digits;
+  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(maximum)));
+  return std::floor(maximum * digits + kSame) / digits;
 }
 
-plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale) {
-  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * told.share)}};
-  if (!told.size || !scale)
+plan::Finding tooLargeFinding(const motion::TooLarge& tooLarge, std::optional<double> scale) {
+  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * tooLarge.share)}};
+  if (!tooLarge.size || !scale)
     return plan::makeFinding(plan::FindingKind::MuchOutOfReach, std::move(values));
-  values.push_back({"size", base::percent(100.0 * *told.size)});
-  values.push_back({"scale", base::number(scaleWithin(*scale * *told.size))});
+  values.push_back({"size", base::percent(100.0 * *tooLarge.size)});
+  values.push_back({"scale", base::number(scaleWithin(*scale * *tooLarge.size))});
   return plan::makeFinding(plan::FindingKind::TooLarge, std::move(values));
 }
 

@@ -22,11 +22,11 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
                             const std::function<double()>& reach, const process::Process& process,
                             const base::RunContext& ctx);
 
-// Returns `most` rounded down to three digits: rounding up would leave the part too large.
-double scaleWithin(double most);
+// Returns `maximum` rounded down to three digits: rounding up would leave the part too large.
+double scaleWithin(double maximum);
 
 // Returns the finding that the robot reaches too little of a part of scale `scale`, with the scale
 // at which it would reach enough. nullopt: no other scale can be offered.
-plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale);
+plan::Finding tooLargeFinding(const motion::TooLarge& tooLarge, std::optional<double> scale);
 
 } // namespace voluta::pipeline

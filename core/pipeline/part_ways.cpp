@@ -24,10 +24,11 @@ placement::WaysOptions waysOptions(const modes::LoadStage& placed, const Resolve
   return options;
 }
 
-plan::Finding findingOf(const placement::BetterWay& found, const geometry::Placement& placed) {
-  const Eigen::Vector3d degrees = project::turnDegrees(standing(found.best, placed).rotation);
-  const auto share = [](const placement::Way& way) {
-    return base::percent(100.0 * way.missedShare());
+plan::Finding findingOf(const placement::BetterOrientation& found,
+                        const geometry::Placement& placed) {
+  const Eigen::Vector3d degrees = project::rotationDegrees(standing(found.best, placed).rotation);
+  const auto share = [](const placement::StandingOrientation& orientation) {
+    return base::percent(100.0 * orientation.missedShare());
   };
   return plan::makeFinding(plan::FindingKind::LiesBadly,
                            {{"contact", base::mm2(found.now.score.contactMm2)},
@@ -41,7 +42,7 @@ plan::Finding findingOf(const placement::BetterWay& found, const geometry::Place
                             {"z", base::degrees(degrees.z())}});
 }
 
-bool isLaidByUser(const Resolved& resolved) {
+bool isOrientedByUser(const Resolved& resolved) {
   return standsFreely(resolved.choices) && resolved.values.text("orient") == "none";
 }
 
@@ -51,25 +52,26 @@ bool standsFreely(const project::Choices& choices) {
   return !modes::findMode(choices.item().mode).place;
 }
 
-std::vector<placement::Way> partWays(const modes::LoadStage& placed, const Resolved& resolved,
-                                     const base::RunContext& ctx) {
+std::vector<placement::StandingOrientation>
+partWays(const modes::LoadStage& placed, const Resolved& resolved, const base::RunContext& ctx) {
   return placement::waysToStand(*placed.part, waysOptions(placed, resolved), ctx);
 }
 
-double estimatedSeconds(const placement::Way& way, const Resolved& resolved) {
+double estimatedSeconds(const placement::StandingOrientation& orientation,
+                        const Resolved& resolved) {
   const process::Process& process = resolved.process();
   const toolpath::ToolpathOptions options = toolpathOptionsOf(resolved.values, process);
   // A spiral counts its bottom in layers only.
-  const double leastMm = options.spiral ? 0.0 : options.skinMm;
-  const auto skinMm = [&](int layers) { return std::max(leastMm, layers * process.layerHeightMm); };
+  const double minMm = options.spiral ? 0.0 : options.skinMm;
+  const auto skinMm = [&](int layers) { return std::max(minMm, layers * process.layerHeightMm); };
   placement::Filling filling;
   filling.walls = options.walls;
   filling.density = options.infillDensity;
   filling.topMm = skinMm(options.topLayers);
   filling.bottomMm = skinMm(options.bottomLayers);
   filling.spiral = options.spiral;
-  filling.leastLayerS = options.cooling.leastLayerTimeS;
-  return placement::estimatedSeconds(way.part, filling, process);
+  filling.minLayerS = options.cooling.minLayerTimeS;
+  return placement::estimatedSeconds(orientation.part, filling, process);
 }
 
 std::string partWaysKey(const project::LoadedPart& loaded, double scale, const Resolved& resolved) {
@@ -79,9 +81,10 @@ std::string partWaysKey(const project::LoadedPart& loaded, double scale, const R
          openSurfacesKey(choices, values, process);
 }
 
-geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {
+geometry::Placement standing(const placement::StandingOrientation& orientation,
+                             const geometry::Placement& placed) {
   geometry::Placement out = placed;
-  out.rotation = (way.turn * placed.rotation.normalized()).normalized();
+  out.rotation = (orientation.rotation * placed.rotation.normalized()).normalized();
   out.liftMm = 0.0;
   return out;
 }
@@ -89,15 +92,16 @@ geometry::Placement standing(const placement::Way& way, const geometry::Placemen
 std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
                      const Resolved& resolved) {
   return partWaysKey(loaded, placed.scale, resolved) +
-         base::keyText(placed.placement.rotation.coeffs(), isLaidByUser(resolved));
+         base::keyText(placed.placement.rotation.coeffs(), isOrientedByUser(resolved));
 }
 
 std::shared_ptr<const StandStage>
 standStage(const modes::LoadStage& placed, const Resolved& resolved, const base::RunContext& ctx) {
   auto stage = std::make_shared<StandStage>();
-  if (!isLaidByUser(resolved))
+  if (!isOrientedByUser(resolved))
     return stage;
-  if (const auto better = placement::betterWay(*placed.part, waysOptions(placed, resolved), ctx))
+  if (const auto better =
+          placement::betterOrientation(*placed.part, waysOptions(placed, resolved), ctx))
     stage->findings.push_back(findingOf(*better, placed.placement));
   return stage;
 }

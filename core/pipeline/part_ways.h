@@ -22,18 +22,20 @@ bool standsFreely(const project::Choices& choices);
 
 // Returns placement::waysToStand() of the part as placed; for a voxel object only quarter turns.
 // Throws Error{Usage} for parameters or the part's size; Cancelled.
-std::vector<placement::Way> partWays(const modes::LoadStage& placed, const Resolved& resolved,
-                                     const base::RunContext& ctx);
+std::vector<placement::StandingOrientation>
+partWays(const modes::LoadStage& placed, const Resolved& resolved, const base::RunContext& ctx);
 // Returns a rough printing time of the part in that orientation [s], with the walls, the infill and
 // the least layer time of the choices (placement::estimatedSeconds). Throws Error{Usage}.
-double estimatedSeconds(const placement::Way& way, const Resolved& resolved);
+double estimatedSeconds(const placement::StandingOrientation& orientation,
+                        const Resolved& resolved);
 // Cache key: all inputs of partWays() except the part's rotation. `scale` is that of the placed
 // part.
 std::string partWaysKey(const project::LoadedPart& loaded, double scale, const Resolved& resolved);
 
 // Returns the placement that puts the part on the plate in this orientation. `placed`: the
 // placement from which the way was computed.
-geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed);
+geometry::Placement standing(const placement::StandingOrientation& orientation,
+                             const geometry::Placement& placed);
 
 // Findings of poor orientation (placement::liesBadly), with the best alternative.
 struct StandStage {

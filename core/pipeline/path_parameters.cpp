@@ -24,16 +24,17 @@ Eigen::Isometry3d frameOf(const std::string& text) {
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   if (text.empty())
     return frame;
-  Vector3d at, turn;
-  if (!base::readNumbers(text, ',', {&at.x(), &at.y(), &at.z(), &turn.x(), &turn.y(), &turn.z()}))
+  Vector3d at, rotation;
+  if (!base::readNumbers(text, ',',
+                         {&at.x(), &at.y(), &at.z(), &rotation.x(), &rotation.y(), &rotation.z()}))
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("`pathsFrame` '{text}' is not a frame"_text, text.substr(0, 40)), {},
         "write x,y,z,a,b,c in mm and degrees"_text);
   frame.translation() = at;
-  frame.linear() = (AngleAxisd(base::degreesToRadians(turn.z()), Vector3d::UnitZ()) *
-                    AngleAxisd(base::degreesToRadians(turn.y()), Vector3d::UnitY()) *
-                    AngleAxisd(base::degreesToRadians(turn.x()), Vector3d::UnitX()))
+  frame.linear() = (AngleAxisd(base::degreesToRadians(rotation.z()), Vector3d::UnitZ()) *
+                    AngleAxisd(base::degreesToRadians(rotation.y()), Vector3d::UnitY()) *
+                    AngleAxisd(base::degreesToRadians(rotation.x()), Vector3d::UnitX()))
                        .toRotationMatrix();
   return frame;
 }
@@ -43,8 +44,8 @@ Eigen::Isometry3d frameOf(const std::string& text) {
 sliced::PathShape pathShape(const base::ParameterValues& values) {
   sliced::PathShape shape;
   shape.amountFactor = values.number("pathsFlow") / 100.0;
-  shape.turnPerLayerRad = base::degreesToRadians(values.number("pathsTurn"));
-  shape.turnBackMm = values.number("pathsTurnBackMm");
+  shape.rotationPerLayerRad = base::degreesToRadians(values.number("pathsTurn"));
+  shape.reverseMm = values.number("pathsTurnBackMm");
   shape.ground.shape = groundShape(values.text("pathsOn"));
   shape.ground.radiusMm = values.number("pathsRadiusMm");
   shape.ground.keepsAngles = values.text("pathsKeep") == "angles";

@@ -56,11 +56,11 @@ void placeCells(const project::LoadedPart& loaded, double pitch,
                 const geometry::Placement& placement, const base::RunContext& ctx,
                 modes::LoadStage& stage) {
   const voxel::VoxelObject& object = *loaded.cells;
-  const Eigen::Matrix3d turn = placement.rotation.normalized().toRotationMatrix();
+  const Eigen::Matrix3d rotation = placement.rotation.normalized().toRotationMatrix();
   constexpr double kSame = 1e-6;
-  const Eigen::Matrix3d quarter = turn.array().round();
+  const Eigen::Matrix3d quarter = rotation.array().round();
   const double lift = placement.liftMm / pitch;
-  const bool turned = (turn - quarter).cwiseAbs().maxCoeff() > kSame;
+  const bool turned = (rotation - quarter).cwiseAbs().maxCoeff() > kSame;
   const bool lifted = std::abs(lift - std::round(lift)) > kSame;
   if (turned || lifted) {
     stage.voxels =
@@ -72,15 +72,15 @@ void placeCells(const project::LoadedPart& loaded, double pitch,
         voxel::solidVoxels(object, quarter.cast<int>(), pitch, placement.centreMm,
                            static_cast<int>(std::lround(lift))));
   }
-  if (turn(2, 2) < 1.0 - kSame)
+  if (rotation(2, 2) < 1.0 - kSame)
     return;
   const Eigen::Vector3d origin =
-      stage.part->vertices[0] - pitch * (turn * loaded.mesh->vertices[0]);
+      stage.part->vertices[0] - pitch * (rotation * loaded.mesh->vertices[0]);
   std::vector<Eigen::Vector2d> corners;
   for (const auto& [i, j] : object.platform)
     for (int c = 0; c < 4; ++c)
       corners.push_back(
-          (origin + pitch * (turn * Eigen::Vector3d(i + c % 2, j + c / 2, 0.0))).head<2>());
+          (origin + pitch * (rotation * Eigen::Vector3d(i + c % 2, j + c / 2, 0.0))).head<2>());
   stage.platform = geometry::convexPolygon(std::move(corners));
 }
 
@@ -164,7 +164,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
         return std::nullopt;
       }
     };
-    TurnedPart turned = turnedPart(*stage->part, choices.item().placement, turnPlan(in),
+    TurnedPart turned = turnedPart(*stage->part, choices.item().placement, orientationPlan(in),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
                                    loaded.cells != nullptr,
                                    mode.cuts ? CheckedCuts(cutsLeave) : CheckedCuts(), ctx);

@@ -81,19 +81,19 @@ using PreviewObserver =
     std::function<void(std::shared_ptr<const curved::Decomposition>, const PlanResult&)>;
 
 // The way of building that mode auto is planning now.
-struct WayInTurn {
+struct StrategyProgress {
   base::Message name; // "flat layers with supports"
   std::size_t number = 1, count = 1;
   bool isLast() const { return number == count; }
 };
 // Called on the running thread before each way.
-using WayObserver = std::function<void(const WayInTurn&)>;
+using StrategyObserver = std::function<void(const StrategyProgress&)>;
 
 // Any of them may be empty.
 struct PlanObservers {
   StageObserver onStage = {};
   PreviewObserver onPreview = {};
-  WayObserver onWay = {};
+  StrategyObserver onStrategy = {};
 };
 
 } // namespace voluta::pipeline

@@ -48,10 +48,10 @@ double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling)
       if (const base::Value* bridge = finding.value("bridge"))
         if (const auto* mm = std::get_if<base::Quantity>(&bridge->data()))
           return mm->number;
-  double most = 0.0;
+  double maximum = 0.0;
   for (const process::Tool& tool : tooling.tools())
-    most = std::max(most, tool.process.bridgeMm);
-  return most;
+    maximum = std::max(maximum, tool.process.bridgeMm);
+  return maximum;
 }
 
 bool isVerified(const VerifyResult& result) {

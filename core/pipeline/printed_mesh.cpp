@@ -30,9 +30,9 @@ double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
   return std::max(0.5 * process.layerHeightMm, std::sqrt(area / kMaxFaces));
 }
 
-// Fills voids between beads, i.e. shells that face inwards with a volume up to `mostMm3`. Larger
+// Fills voids between beads, i.e. shells that face inwards with a volume up to `maxMm3`. Larger
 // ones are cavities of the part.
-geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double mostMm3) {
+geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double maxMm3) {
   const geometry::Components shells = geometry::components(mesh);
   std::vector<double> volume(static_cast<std::size_t>(shells.count), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -45,7 +45,7 @@ geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double m
   std::vector<bool> keep(mesh.triangles.size());
   for (std::size_t t = 0; t < keep.size(); ++t) {
     const double enclosed = volume[static_cast<std::size_t>(shells.ofTriangle[t])];
-    keep[t] = enclosed > 0.0 || -enclosed > mostMm3;
+    keep[t] = enclosed > 0.0 || -enclosed > maxMm3;
   }
   return geometry::subMesh(mesh, keep);
 }

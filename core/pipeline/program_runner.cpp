@@ -72,7 +72,7 @@ private:
       out.timings += checked->timings;
       const bool counts = decides(*checked), isFirst = !hasVerdict && counts;
       hasVerdict = hasVerdict || isFirst;
-      tellProgram(*checked, isFirst, counts, result_.job.report, out.findings);
+      reportProgram(*checked, isFirst, counts, result_.job.report, out.findings);
       if (const auto without = program::withoutForce(checked->program.format, result_.tooling());
           without && counts)
         out.findings.push_back(*without);

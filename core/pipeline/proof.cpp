@@ -70,11 +70,11 @@ public:
   ProofPlace near(const std::optional<Eigen::Vector3d>& position) const {
     if (!position)
       return {};
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < plan_.waypointCount(); ++i)
-      if (const double far = (plan_.position[i] - *position).squaredNorm(); far < least) {
-        least = far;
+      if (const double far = (plan_.position[i] - *position).squaredNorm(); far < minimum) {
+        minimum = far;
         nearest = i;
       }
     const auto point = std::ranges::find(whole_.waypoint, nearest);
@@ -230,7 +230,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.deviation = places.near(checked.worst.deviation);
   proof.flowError = places.near(checked.worst.flowError);
   proof.layerTime = places.near(checked.worst.layerTime);
-  proof.leastLayerTimeS = motion::layerTimes(result.resolved().values).leastS;
+  proof.minLayerTimeS = motion::layerTimes(result.resolved().values).minS;
   proof.fill = measured.fill;
   return proof;
 }

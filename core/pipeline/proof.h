@@ -77,7 +77,7 @@ struct Proof {
   // Worst places of the replay's figures (replay/worst_places.h).
   ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError,
       layerTime;
-  double leastLayerTimeS = 0.0; // required; 0: none
+  double minLayerTimeS = 0.0; // required; 0: none
   FillMap fill;
 };
 

@@ -31,7 +31,7 @@ base::Quantity share(double fraction, double limit, int decimals) {
 // volume, the material pressed between them the rest. The colours are safe for colour-blind readers
 // and none of them is the red of failed checks.
 struct FillClass {
-  double least; // share
+  double minimum; // share
   page::Colour colour;
 };
 constexpr std::array<FillClass, 5> kFillClasses{{{0.90, {0x1f, 0x4e, 0x79}},
@@ -41,8 +41,8 @@ constexpr std::array<FillClass, 5> kFillClasses{{{0.90, {0x1f, 0x4e, 0x79}},
                                                  {0.00, {0xd9, 0x82, 0x2b}}}};
 
 int fillClassOf(double filled) {
-  const auto* found =
-      std::ranges::find_if(kFillClasses, [&](const FillClass& row) { return filled >= row.least; });
+  const auto* found = std::ranges::find_if(
+      kFillClasses, [&](const FillClass& row) { return filled >= row.minimum; });
   return static_cast<int>(
       std::min<std::ptrdiff_t>(found - kFillClasses.begin(), std::ssize(kFillClasses) - 1));
 }
@@ -218,8 +218,8 @@ private:
     const base::Quantity shortest = base::seconds(verdict_.shortestLayerTimeS),
                          longest = base::seconds(verdict_.longestLayerTimeS),
                          mean = base::seconds(verdict_.meanLayerTimeS);
-    const double least = proof_.leastLayerTimeS;
-    if (least <= 0.0) {
+    const double minimum = proof_.minLayerTimeS;
+    if (minimum <= 0.0) {
       check(Mark::Note,
             message("Time between layers: {shortest:.1f} to {longest:.1f} on its controller, "
                     "{mean:.1f} on average."_text,
@@ -228,10 +228,10 @@ private:
       return;
     }
     constexpr double kTolerance = 0.02;
-    check(verdict_.shortestLayerTimeS >= (1.0 - kTolerance) * least,
+    check(verdict_.shortestLayerTimeS >= (1.0 - kTolerance) * minimum,
           message("Time between layers: {shortest:.1f} to {longest:.1f} on its controller, "
                   "{mean:.1f} on average; at least {limit:.0f} required."_text,
-                  shortest, longest, mean, base::seconds(least)),
+                  shortest, longest, mean, base::seconds(minimum)),
           place(proof_.layerTime));
   }
 
@@ -335,14 +335,14 @@ private:
 
   // Findings on the plan that no replay of a program measures.
   void planChecks() {
-    constexpr std::size_t kMost = 8;
-    for (std::size_t i = 0; i < std::min(kMost, proof_.blockers.size()); ++i)
+    constexpr std::size_t kMaxShown = 8;
+    for (std::size_t i = 0; i < std::min(kMaxShown, proof_.blockers.size()); ++i)
       check(false, message("Plan: {finding}."_text, proof_.blockers[i]));
-    if (proof_.blockers.size() > kMost)
+    if (proof_.blockers.size() > kMaxShown)
       check(false,
             message(
                 "Plan: {count} more blocking finding.|Plan: {count} more blocking findings."_plural,
-                proof_.blockers.size() - kMost));
+                proof_.blockers.size() - kMaxShown));
   }
 
   base::Text decision() const {
@@ -376,12 +376,13 @@ private:
     sheet_.maps[0].caption = say("from the front (x to the right, z up)"_text);
     sheet_.maps[1].caption = say("from the side (y to the right, z up)"_text);
     for (std::size_t i = 0; i < kFillClasses.size(); ++i) {
-      const base::Quantity least = share(kFillClasses[i].least);
+      const base::Quantity minimum = share(kFillClasses[i].minimum);
       const base::Message label =
-          i == 0 ? message("at least {share:.0f} filled"_text, least)
+          i == 0 ? message("at least {share:.0f} filled"_text, minimum)
           : i + 1 == kFillClasses.size()
-              ? message("less than {share:.0f}"_text, share(kFillClasses[i - 1].least))
-              : message("{least:.0f#} to {most:.0f}"_text, least, share(kFillClasses[i - 1].least));
+              ? message("less than {share:.0f}"_text, share(kFillClasses[i - 1].minimum))
+              : message("{least:.0f#} to {most:.0f}"_text, minimum,
+                        share(kFillClasses[i - 1].minimum));
       sheet_.legend.push_back({kFillClasses[i].colour, say(label)});
     }
   }

@@ -65,8 +65,8 @@ std::optional<project::Choices> addSupports(const plan::Finding&, const project:
   return withParameter(choices, "supports", "auto");
 }
 
-std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
-                                               const project::Choices& choices) {
+std::optional<project::Choices> rotateToMinRiskyArea(const plan::Finding&,
+                                                     const project::Choices& choices) {
   return withParameter(choices, "orient", "leastRisky");
 }
 
@@ -180,7 +180,7 @@ std::optional<project::Choices> adaptLayers(const plan::Finding&, const project:
   return withParameter(choices, kAdaptive, "true");
 }
 
-std::optional<project::Choices> turnPart(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> orientPart(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "orient", "fewestMissed");
 }
 
@@ -223,7 +223,7 @@ std::optional<project::Choices> standBest(const plan::Finding& finding,
   if (!x || !y || !z)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.item().placement.rotation = project::turnOfDegrees({*x, *y, *z});
+  changed.item().placement.rotation = project::rotationOfDegrees({*x, *y, *z});
   changed.item().placement.liftMm = 0.0;
   constexpr double kSame = 1e-6; // rad
   if (changed.item().placement.rotation.angularDistance(
@@ -232,8 +232,8 @@ std::optional<project::Choices> standBest(const plan::Finding& finding,
   return changed;
 }
 
-std::optional<project::Choices> scaleAsTold(const plan::Finding& finding,
-                                            const project::Choices& choices) {
+std::optional<project::Choices> scaleAsStated(const plan::Finding& finding,
+                                              const project::Choices& choices) {
   const std::optional<double> scale = numberOf(finding, "scale");
   if (!scale)
     return std::nullopt;
@@ -362,7 +362,8 @@ std::optional<project::Choices> printFlat(const plan::Finding&, const project::C
   return changed;
 }
 
-std::optional<project::Choices> chooseWay(const plan::Finding&, const project::Choices& choices) {
+std::optional<project::Choices> chooseStrategy(const plan::Finding&,
+                                               const project::Choices& choices) {
   if (choices.item().automatic || !choices.item().platform.isFor(project::PlatformUse::Plate))
     return std::nullopt;
   project::Choices changed = choices;
@@ -372,8 +373,9 @@ std::optional<project::Choices> chooseWay(const plan::Finding&, const project::C
 
 // Changes from rods and bodies, which mode auto does not try, to the plate of a usual cell.
 Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
-  if (std::ranges::any_of(automaticWays(),
-                          [&](const AutomaticWay& way) { return way.mode == choices.item().mode; }))
+  if (std::ranges::any_of(automaticStrategies(), [&](const AutomaticStrategy& strategy) {
+        return strategy.mode == choices.item().mode;
+      }))
     return std::nullopt;
   const modes::Defaults usual = modes::usualOnPlate();
   project::Choices changed = choices;
@@ -433,24 +435,24 @@ std::span<const Remedy> remedies() {
         "Half the waypoint spacing; the program gets longer"_text, shorterMotions},
        {LongerMotions, "longerMotions", "Use longer motions"_text,
         "Twice the waypoint spacing"_text, longerMotions},
-       {TurnLeastRisky, "turnLeastRisky", "Turn the part"_text,
-        "Searches the orientation with the smallest area to support"_text, turnLeastRisky},
-       {TurnPart, "turnPart", "Turn the part"_text,
-        "Searches the orientation with the fewest missed voxels"_text, turnPart},
+       {RotateToMinRiskyArea, "turnLeastRisky", "Turn the part"_text,
+        "Searches the orientation with the smallest area to support"_text, rotateToMinRiskyArea},
+       {OrientPart, "turnPart", "Turn the part"_text,
+        "Searches the orientation with the fewest missed voxels"_text, orientPart},
        {StandBest, "standBest", "Use best orientation"_text,
         "Most contact relative to the overhang, and fewest missed voxels"_text, standBest},
        {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
         "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels},
        {ScaleUp, "scaleUp", "Print at scale {scale}"_text,
-        "Large enough for the narrowest bead"_text, scaleAsTold},
+        "Large enough for the narrowest bead"_text, scaleAsStated},
        {FinerProcess, "finerProcess", "Use a finer process"_text,
         "With the widest bead that fits these walls"_text, finerProcess},
        {ScaleToFit, "scaleToFit", "Scale to fit"_text,
         "The largest scale within the robot's reach"_text, scaleToFit},
        {ScaleToReach, "scaleToReach", "Print at scale {scale}"_text,
-        "The largest scale that the robot reaches entirely"_text, scaleAsTold},
+        "The largest scale that the robot reaches entirely"_text, scaleAsStated},
        {ScaleToPlate, "scaleToPlate", "Print at scale {scale}"_text,
-        "The largest scale that the cell's plates carry"_text, scaleAsTold},
+        "The largest scale that the cell's plates carry"_text, scaleAsStated},
        {Shrink, "shrink", "Print it smaller"_text, "20 % smaller"_text, shrink},
        {Enlarge, "enlarge", "Print it larger"_text, "50 % larger"_text, enlarge},
        {UnitsMetres, "unitsMetres", "The file is in metres"_text, "Scales it by 1000"_text,
@@ -469,9 +471,9 @@ std::span<const Remedy> remedies() {
         "The next cell with a larger plate"_text, largerCell},
        {PrintFlat, "printFlat", "Print in flat layers"_text,
         "Like an ordinary printer, with the nozzle upright"_text, printFlat},
-       {ChooseWay, "chooseWay", "Let Voluta choose"_text,
+       {ChooseStrategy, "chooseWay", "Let Voluta choose"_text,
         "Tries the ways of building in turn until nothing is unsupported or missed"_text,
-        chooseWay},
+        chooseStrategy},
        {PrintOnPlate, "printOnPlate", "Print on a plate"_text,
         "In a usual cell; Voluta chooses the way of building"_text, printOnPlate},
        {PrintByLayer, "printByLayer", "Print layer by layer"_text,

@@ -302,8 +302,8 @@ plan::Finding refusalOf(const CheckedProgram& checked) {
 }
 } // namespace
 
-void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
-                 plan::Findings& findings) {
+void reportProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
+                   plan::Findings& findings) {
   project::ProgramReport row;
   row.format = checked.program.format;
   row.foreign = checked.program.foreign;

@@ -61,7 +61,7 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
 // Adds a program's row and findings to the report. The first program (the cell's own unless the
 // user chose others only) carries the verdict. A program that does not decide, because it is for
 // another controller, only adds a finding where it is refused.
-void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
-                 plan::Findings& findings);
+void reportProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
+                   plan::Findings& findings);
 
 } // namespace voluta::pipeline

@@ -176,8 +176,8 @@ public:
     result_.waypoint = waypoint;
     result_.bead = 1 + static_cast<std::size_t>(plan::pathOf(*this->job().toolPlan, waypoint) -
                                                 this->job().toolPlan->paths.data());
-    result_.laidMm3 = this->job().trajectory->extrudedMm3[point];
-    result_.leftMm3 = this->job().trajectory->extrudedMm3.back() - result_.laidMm3;
+    result_.depositedMm3 = this->job().trajectory->extrudedMm3[point];
+    result_.leftMm3 = this->job().trajectory->extrudedMm3.back() - result_.depositedMm3;
   }
 
   project::Job motionOnly(const base::RunContext& ctx) {
@@ -232,7 +232,7 @@ private:
       const Eigen::Vector3d& where = plan.position[result_.waypoint];
       record(
           result_.plan, project::Stage::Motion,
-          {plan::makeFinding(plan::FindingKind::NoWayBack,
+          {plan::makeFinding(plan::FindingKind::NoPathBack,
                              {{"place", base::message("bead {bead}"_text, result_.bead)}}, where)},
           timings);
       return false;

@@ -29,7 +29,7 @@ struct ResumeResult {
   PlanResult plan;      // the rest: its programs, and the motion including the part printed before
   std::size_t bead = 0; // 1-based
   std::size_t waypoint = 0; // at which the rest begins
-  double laidMm3 = 0.0, leftMm3 = 0.0;
+  double depositedMm3 = 0.0, leftMm3 = 0.0;
 };
 
 // Plans and writes the rest of a print, with the part as printed so far. The arm approaches from

@@ -44,17 +44,17 @@ void requirePlate(const project::ItemChoices& item) {
 
 // Throws Error{Usage} if the job has too many items or tools, or invalid choices of an item.
 void checkItems(const project::Choices& choices) {
-  constexpr std::size_t kMostItems = 255; // replay::BeadPiece::item
-  if (choices.tools.size() > layers::kMostTools)
+  constexpr std::size_t kMaxItems = 255; // replay::BeadPiece::item
+  if (choices.tools.size() > layers::kMaxTools)
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("{tools} tools are too many for a job"_text, choices.tools.size()), {},
-        base::message("give up to {most}"_text, layers::kMostTools));
-  if (choices.items.size() > kMostItems)
+        base::message("give up to {most}"_text, layers::kMaxTools));
+  if (choices.items.size() > kMaxItems)
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("{parts} parts are too many for a job"_text, choices.items.size()), {},
-        base::message("print up to {most} parts"_text, kMostItems));
+        base::message("print up to {most} parts"_text, kMaxItems));
   for (std::size_t i = 0; i < choices.items.size(); ++i) {
     checkChoices(project::onlyItem(choices, i));
     if (choices.items.size() > 1)
@@ -65,7 +65,7 @@ void checkItems(const project::Choices& choices) {
 // Returns whether mode auto searches for the way of building. While the user edits, a part is
 // placed and decomposed in the way that the last search chose.
 bool searches(const PlanRequest& request) {
-  return request.until > project::Stage::Decompose || !namesWay(request.choices);
+  return request.until > project::Stage::Decompose || !namesStrategy(request.choices);
 }
 
 PlanRequest onlyItem(const PlanRequest& request, std::size_t i) {
@@ -79,7 +79,7 @@ PlanRequest onlyItem(const PlanRequest& request, std::size_t i) {
 // Returns whether the choices of two items differ at most in their place on the plate.
 bool areAlike(const project::ItemChoices& a, const project::ItemChoices& b) {
   const auto all = [](const project::ItemChoices& c) {
-    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
+    return std::tie(c.automatic, c.platformStays, c.automaticStrategy, c.mode, c.growth, c.platform,
                     c.scale, c.units, c.placement.liftMm, c.repair, c.parameters);
   };
   return all(a) == all(b) && a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
@@ -117,11 +117,12 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
       tried[i] = tried[same];
       continue;
     }
-    const PlanResult found = planAutomatically(one, own, cache, {.onWay = observers.onWay});
+    const PlanResult found =
+        planAutomatically(one, own, cache, {.onStrategy = observers.onStrategy});
     request.choices.item(i) = found.job.choices.item();
     tried[i] = found.job.report.item().tried;
   }
-  PlanResult result = planChosenWay(request, ctx.sub(kSearchShare, 1.0), cache, observers);
+  PlanResult result = planChosenStrategy(request, ctx.sub(kSearchShare, 1.0), cache, observers);
   for (std::size_t i = 0; i < tried.size(); ++i)
     result.job.report.item(i).tried = std::move(tried[i]);
   return result;
@@ -129,7 +130,7 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
 
 project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices) {
   const bool given = takesGivenPaths(loaded, parameterValues(choices));
-  return keysOf(loaded, resolve(given ? choicesForGivenPaths(choices) : wayOrFirst(choices)));
+  return keysOf(loaded, resolve(given ? choicesForGivenPaths(choices) : strategyOrFirst(choices)));
 }
 
 } // namespace
@@ -142,7 +143,7 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
   PlanRequest given = request;
   if (request.choices.item().automatic && !takesGivenPathsOf(given, ctx) && searches(request))
     return planAutomatically(given, ctx, cache, observers);
-  return planChosenWay(given, ctx, cache, observers);
+  return planChosenStrategy(given, ctx, cache, observers);
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {

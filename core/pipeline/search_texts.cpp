@@ -21,8 +21,9 @@ base::Message valuesText(const project::ChosenReport& chosen) {
 
 } // namespace
 
-base::Message tryingText(const WayInTurn& way) {
-  return base::message("Trying {way} ({number} of {count})"_text, way.name, way.number, way.count);
+base::Message tryingText(const StrategyProgress& strategy) {
+  return base::message("Trying {way} ({number} of {count})"_text, strategy.name, strategy.number,
+                       strategy.count);
 }
 
 base::Message chosenText(const project::ItemReport& item) {

@@ -10,7 +10,7 @@
 namespace voluta::pipeline {
 
 // Returns "Trying pieces (2 of 4)".
-base::Message tryingText(const WayInTurn& way);
+base::Message tryingText(const StrategyProgress& strategy);
 
 // Returns "Chosen: flat layers with supports" with the values used, or a text that no way passes.
 // Precondition: mode auto has tried at least one way for the part.

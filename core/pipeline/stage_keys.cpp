@@ -87,14 +87,15 @@ ProcessKeys keysOf(const process::Process& process) {
 
 // Without stitches as in older projects.
 std::string keyOfPaths(const toolpath::ToolpathOptions& options) {
-  const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, turn, winding, step,
-               edge, turnLimit, smooth, rims, prime, primeLength, brim, seam, islands, spiral,
-               tilts, cooling, fibre, stitches, infillTool, platform] = options;
+  const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
+               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
+               spiral, tilts, cooling, fibre, stitches, infillTool, platform] = options;
   const toolpath::StitchOptions usual;
   const bool isUsual = stitches.excess == usual.excess && stitches.depthMm == usual.depthMm;
-  return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle, turn,
-                       winding, step, edge, turnLimit, smooth, rims, prime, primeLength, brim, seam,
-                       islands, spiral, cooling, fibre, infillTool, platform) +
+  return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
+                       infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
+                       primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
+                       platform) +
          (tilts ? "" : "upright\n") + (isUsual ? std::string() : base::keyText(stitches));
 }
 
@@ -112,7 +113,7 @@ ProcessKeys keysOf(const process::Tooling& tooling) {
 }
 
 // Without cuts as in older projects.
-std::string keyOfTurn(const TurnPlan& plan) {
+std::string keyOfOrientation(const OrientationPlan& plan) {
   const auto& [objective, voxelMm, overhangRad, platform, cuts] = plan;
   return base::keyText(objective, voxelMm, overhangRad, platform) +
          (cuts ? base::keyText(*cuts) : std::string());
@@ -131,9 +132,9 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.choices, in.values, in.process);
-  const TurnPlan turn = turnPlan(in);
-  text += keyOfTurn(turn);
-  if (const modes::Mode& mode = modes::findMode(c.item().mode); turn.cuts && mode.cuts)
+  const OrientationPlan orientationSearch = orientationPlan(in);
+  text += keyOfOrientation(orientationSearch);
+  if (const modes::Mode& mode = modes::findMode(c.item().mode); orientationSearch.cuts && mode.cuts)
     text += mode.decompose.key(in); // the orientation is chosen by what these cuts leave
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n" + pathShapeKey(in.values);

@@ -300,16 +300,17 @@ process::Process chosenProcess(const project::Choices& choices,
     throw Error(ErrorCode::Usage,
                 base::message("process {process} lays tape and prints no beads"_text, p.id), {},
                 "choose it for a further tool, and another one for the part"_text);
-  const auto put = [&](const char* key, double& field, double least, double most) {
+  const auto put = [&](const char* key, double& field, double minimum, double maximum) {
     if (!values.changed(key))
       return;
     field = values.number(key);
-    if (field < least || field > most)
-      throw Error(ErrorCode::Usage,
-                  base::message("{value} is outside the limits of process {process}"_text,
-                                base::mm(field), p.id),
-                  std::string(key),
-                  base::message("give {least#} to {most}"_text, base::mm(least), base::mm(most)));
+    if (field < minimum || field > maximum)
+      throw Error(
+          ErrorCode::Usage,
+          base::message("{value} is outside the limits of process {process}"_text, base::mm(field),
+                        p.id),
+          std::string(key),
+          base::message("give {least#} to {most}"_text, base::mm(minimum), base::mm(maximum)));
   };
   put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
   put("beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
@@ -426,7 +427,7 @@ toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
   toolpath::ToolpathOptions options = toolpath::toolpathOptions(values);
   options.stepMm = process.stepMm;
   options.edgeMm = std::max(options.edgeMm, 0.5 * process.beadWidthMm);
-  options.cooling.leastLayerTimeS = motion::layerTimes(values).leastS;
+  options.cooling.minLayerTimeS = motion::layerTimes(values).minS;
   return options;
 }
 
@@ -459,29 +460,27 @@ project::Platform usualPlatform(const project::Choices& choices) {
 namespace {
 void checkLayerTimes(const project::Choices& choices, const base::ParameterValues& values) {
   const plan::LayerTimes times = motion::layerTimes(values);
-  if (times.greatestS <= 0.0 || times.leastS <= times.greatestS)
+  if (times.maxS <= 0.0 || times.minS <= times.maxS)
     return;
-  const bool isOwnMost = values.changed("maxLayerTimeS"),
-             isOwnLeast = values.changed("minLayerTimeS");
-  if (!isOwnMost || !isOwnLeast) {
+  const bool isOwnMax = values.changed("maxLayerTimeS"), isOwnMin = values.changed("minLayerTimeS");
+  if (!isOwnMax || !isOwnMin) {
     const std::string material = process::loadProcess(choices.tool().process).material.label;
     throw Error(
         ErrorCode::Usage,
-        isOwnMost
-            ? base::message("`maxLayerTimeS={greatest:.0f}` is shorter than the {least:.0f} "
-                            "that {material} has to cool"_text,
-                            base::seconds(times.greatestS), base::seconds(times.leastS), material)
-            : base::message("`minLayerTimeS={least:.0f}` is longer than the {greatest:.0f} "
-                            "in which {material} bonds"_text,
-                            base::seconds(times.leastS), base::seconds(times.greatestS), material),
+        isOwnMax ? base::message("`maxLayerTimeS={greatest:.0f}` is shorter than the {least:.0f} "
+                                 "that {material} has to cool"_text,
+                                 base::seconds(times.maxS), base::seconds(times.minS), material)
+                 : base::message("`minLayerTimeS={least:.0f}` is longer than the {greatest:.0f} "
+                                 "in which {material} bonds"_text,
+                                 base::seconds(times.minS), base::seconds(times.maxS), material),
         {},
-        isOwnMost ? base::Message("give a longer maximum, or another material"_text)
-                  : base::Message("give a shorter minimum, or another material"_text));
+        isOwnMax ? base::Message("give a longer maximum, or another material"_text)
+                 : base::Message("give a shorter minimum, or another material"_text));
   }
   throw Error(ErrorCode::Usage,
               base::message("`minLayerTimeS={least:.0f}` is longer than "
                             "`maxLayerTimeS={greatest:.0f}`"_text,
-                            base::seconds(times.leastS), base::seconds(times.greatestS)),
+                            base::seconds(times.minS), base::seconds(times.maxS)),
               {}, "give a shorter minimum, or a longer maximum"_text);
 }
 

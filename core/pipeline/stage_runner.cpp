@@ -117,21 +117,21 @@ private:
           finding.item = static_cast<int>(i);
       std::ranges::move(one.findings, std::back_inserter(all.findings));
       all.timings += one.timings;
-      all.goesOn = all.goesOn && one.goesOn;
+      all.continues = all.continues && one.continues;
     }
     return all;
   }
 
   bool load() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.load(); });
-    if (items_.size() > 1 && all.goesOn)
+    if (items_.size() > 1 && all.continues)
       addFindingsBetween(all);
-    return done(project::Stage::Load, all.findings, all.timings) && all.goesOn;
+    return done(project::Stage::Load, all.findings, all.timings) && all.continues;
   }
 
   void addFindingsBetween(ItemOutcome& all) {
     plan::Findings found = findingsBetween(placedParts(), job().choices, process(), partNames());
-    all.goesOn = std::ranges::none_of(found, &plan::Finding::blocking);
+    all.continues = std::ranges::none_of(found, &plan::Finding::blocking);
     std::ranges::move(found, std::back_inserter(all.findings));
   }
 
@@ -165,7 +165,7 @@ private:
           return tiltsHead(*item.layers);
         }))
       addHindrance(all);
-    return done(project::Stage::Layers, all.findings, all.timings) && all.goesOn;
+    return done(project::Stage::Layers, all.findings, all.timings) && all.continues;
   }
 
   void addHindrance(ItemOutcome& all) {
@@ -176,7 +176,7 @@ private:
                              span(project::Stage::Layers).quiet()),
               partNames(), !printSequence(placedParts(), job().choices, process()).blocked));
         });
-    all.goesOn = all.goesOn && stage->findings.empty();
+    all.continues = all.continues && stage->findings.empty();
     std::ranges::copy(stage->findings, std::back_inserter(all.findings));
   }
 
@@ -229,12 +229,12 @@ private:
     plan::Findings findings = stage->findings;
     if (const auto load = overload(*result_.cell, resolved_.tooling.printedG(*stage->toolPlan)))
       findings.push_back(*load);
-    const bool goesOn = done(project::Stage::Toolpath, findings, stage->timings);
-    if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
+    const bool continues = done(project::Stage::Toolpath, findings, stage->timings);
+    if (continues && context_.isTrial() && !given && report().item().model.watertight)
       if (const auto mass =
               massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
-    return goesOn;
+    return continues;
   }
 
   static std::vector<Eigen::Vector3d> directionsOf(const layers::LayerStack& stack) {
@@ -254,9 +254,9 @@ private:
                                                     const layers::LayerStack& joined) {
     if (!load_)
       return stage;
-    const Eigen::Quaterniond& turn = first().placed().placement.rotation;
+    const Eigen::Quaterniond& rotation = first().placed().placement.rotation;
     auto judged = std::make_shared<ToolpathStage>(*stage);
-    judged->report.strength = toolpath::strengthOf(joined, *stage->toolPlan, 0, turn * *load_);
+    judged->report.strength = toolpath::strengthOf(joined, *stage->toolPlan, 0, rotation * *load_);
     return judged;
   }
 
@@ -299,8 +299,9 @@ private:
 
   // Replans the motion without these waypoints too, at which replay found collisions.
   bool replanSkipping(const std::vector<std::size_t>& met) {
-    const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
-    report().findings.resize(report().findings.size() - told);
+    const std::size_t motionFindings =
+        job().stages[project::indexOf(project::Stage::Motion)].findings;
+    report().findings.resize(report().findings.size() - motionFindings);
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
     if (!moving_) {
       moving_ = partMotion(ctx);
@@ -363,8 +364,8 @@ private:
 
 } // namespace
 
-PlanResult planChosenWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-                         const PlanObservers& observers, Trial* trial) {
+PlanResult planChosenStrategy(const PlanRequest& request, const base::RunContext& ctx,
+                              StageCache* cache, const PlanObservers& observers, Trial* trial) {
   return StageRunner(request, ctx, cache, observers, trial).run();
 }
 

@@ -10,7 +10,8 @@ namespace voluta::pipeline {
 
 // As planPart for manual choices. In a trial, the plan ends at the first blocking finding: the rest
 // of that stage is skipped, and the stage is not cached. Throws as planPart does.
-PlanResult planChosenWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-                         const PlanObservers& observers, Trial* trial = nullptr);
+PlanResult planChosenStrategy(const PlanRequest& request, const base::RunContext& ctx,
+                              StageCache* cache, const PlanObservers& observers,
+                              Trial* trial = nullptr);
 
 } // namespace voluta::pipeline

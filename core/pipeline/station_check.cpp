@@ -44,7 +44,7 @@ StationCheck verifyStation(const std::filesystem::path& folder, const base::RunC
   const std::filesystem::path file = isFolder ? folder / project::kStationFile : folder;
   project::Station station = plannedStation(file);
   const std::size_t count = station.machines.size();
-  if (count < 2 || count > plan::kMostMachines)
+  if (count < 2 || count > plan::kMaxMachines)
     throw Error(ErrorCode::UnusableInput, "the project is not of machines that work together"_text,
                 file.string(), "name a folder that 'together' wrote"_text);
   StationCheck check;

@@ -41,8 +41,8 @@ Json runJson(const replay::SharedRun& run) {
           {"stuck", run.clock.stuck.has_value()},
           {"collisions", run.collisions},
           {"meetings", meetings},
-          {"leastDistanceMm", run.leastDistanceMm},
-          {"leastAtS", run.leastAtS}};
+          {"leastDistanceMm", run.minDistanceMm},
+          {"leastAtS", run.minDistanceAtS}};
 }
 
 Json machineJson(const StationResult& result, std::size_t k) {

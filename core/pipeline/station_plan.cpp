@@ -149,7 +149,7 @@ std::optional<replay::SharedRun> replayTogether(const StationResult& result,
 together::Options optionsOf(const project::StationRules& rules) {
   together::Options options;
   options.distances.clearanceMm = rules.clearanceMm;
-  options.amidBeadsS = rules.pauseInBeadsS;
+  options.insideBeadsS = rules.pauseInBeadsS;
   return options;
 }
 
@@ -188,10 +188,10 @@ std::string stationKey(const project::Station& station) {
 StationResult planStation(project::Station station, const base::RunContext& ctx,
                           StageCache* cache) {
   const std::size_t count = station.machines.size();
-  if (count < 2 || count > plan::kMostMachines)
+  if (count < 2 || count > plan::kMaxMachines)
     throw Error(ErrorCode::Usage,
                 base::message("{count} jobs: two to {most} machines can work together"_text, count,
-                              plan::kMostMachines),
+                              plan::kMaxMachines),
                 {}, {});
   // The motion of a rest follows from the place at which the print stopped too.
   const bool isCached = cache && std::ranges::none_of(station.machines, [](const auto& machine) {

@@ -61,7 +61,7 @@ std::string stationKey(const project::Station& station);
 // that is the rest of a print is planned from its first point on. Formats without words for marks
 // are left out unless the user chose them. `cache`: takes and keeps the order of work; null: none.
 // Precondition: each job has a motion. Throws Error{Usage} for a chosen format without words for
-// marks, for fewer than two and more than plan::kMostMachines machines; Cancelled.
+// marks, for fewer than two and more than plan::kMaxMachines machines; Cancelled.
 StationResult planStation(project::Station station, const base::RunContext& ctx,
                           StageCache* cache = nullptr);
 

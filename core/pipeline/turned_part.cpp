@@ -32,10 +32,10 @@ const ObjectiveRow& objectiveNamed(std::string_view name) {
   using placement::Objective;
   using plan::FindingKind;
   static constexpr std::array<ObjectiveRow, 4> kRows{
-      {{"leastRisky", Objective::LeastRisky, FindingKind::TurnedLeastRisky},
+      {{"leastRisky", Objective::MinRiskyArea, FindingKind::TurnedMinRiskyArea},
        {"fewestMissed", Objective::FewestMissed, FindingKind::TurnedFewestMissed},
-       {"leastResidual", Objective::LeastResidual, FindingKind::TurnedLeastResidual},
-       {"leastAfterCuts", Objective::LeastAfterCuts, FindingKind::TurnedLeastAfterCuts}}};
+       {"leastResidual", Objective::MinResidualArea, FindingKind::TurnedMinResidualArea},
+       {"leastAfterCuts", Objective::MinAfterCuts, FindingKind::TurnedMinAfterCuts}}};
   const auto row = std::find_if(kRows.begin(), kRows.end(),
                                 [&](const ObjectiveRow& r) { return r.name == name; });
   base::require(row != kRows.end(), "objectiveNamed: a value of orient");
@@ -48,7 +48,7 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
   if (!turned)
     return plan::makeFinding(FindingKind::NotTurned, {{"ways", found.tried}}, std::nullopt,
                              found.tried);
-  const Eigen::AngleAxisd by(found.turn);
+  const Eigen::AngleAxisd by(found.rotation);
   const auto clean = [](double x) { return base::number(std::round(100.0 * x) / 100.0 + 0.0); };
   std::vector<plan::NamedValue> values{{"angle", base::degrees(base::radiansToDegrees(by.angle()))},
                                        {"x", clean(by.axis().x())},
@@ -56,7 +56,7 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
                                        {"z", clean(by.axis().z())},
                                        {"overhang", base::mm2(found.score.riskyMm2)},
                                        {"overhangBefore", base::mm2(found.before.riskyMm2)}};
-  if (row.objective == Objective::LeastResidual) {
+  if (row.objective == Objective::MinResidualArea) {
     values.push_back({"xy", base::mm2(found.residual.xyMm2)});
     values.push_back({"xyBefore", base::mm2(found.residualBefore.xyMm2)});
     values.push_back({"xz", base::mm2(found.residual.xzMm2)});
@@ -67,7 +67,7 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
     values.push_back({"voxel", base::mm(found.searchMm)});
     values.push_back({"missedBefore", found.missedBefore});
   }
-  if (row.objective == Objective::LeastAfterCuts) {
+  if (row.objective == Objective::MinAfterCuts) {
     values.push_back({"left", base::mm2(found.cuts.riskyMm2)});
     values.push_back({"pieces", found.cuts.pieces});
     values.push_back({"leftBefore", base::mm2(found.cutsBefore.riskyMm2)});
@@ -79,8 +79,8 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
 
 } // namespace
 
-TurnPlan turnPlan(const modes::ModeChoices& in) {
-  TurnPlan plan;
+OrientationPlan orientationPlan(const modes::ModeChoices& in) {
+  OrientationPlan plan;
   plan.objective = in.values.text("orient");
   if (plan.objective == "none")
     return plan;
@@ -89,13 +89,13 @@ TurnPlan turnPlan(const modes::ModeChoices& in) {
   const placement::Objective objective = objectiveNamed(plan.objective).objective;
   if (objective == placement::Objective::FewestMissed)
     plan.platform = in.choices.item().platform;
-  if (objective == placement::Objective::LeastAfterCuts)
+  if (objective == placement::Objective::MinAfterCuts)
     plan.cuts = modes::cutEstimateOptions(in);
   return plan;
 }
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
-                      const TurnPlan& plan, double voxelMm, bool onlyQuarters,
+                      const OrientationPlan& plan, double voxelMm, bool onlyQuarters,
                       const CheckedCuts& checkedCuts, const base::RunContext& ctx) {
   TurnedPart out;
   out.placement = placement;
@@ -114,23 +114,24 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
   geometry::TriangleMesh coarse;
   if (plan.cuts) {
     coarse = geometry::simplified(placed, modes::kCutEstimateTriangles);
-    options.cutOutcome = [&plan, &coarse, quiet = ctx.quiet()](const Eigen::Quaterniond& turn) {
+    options.cutOutcome = [&plan, &coarse, quiet = ctx.quiet()](const Eigen::Quaterniond& rotation) {
       const modes::CutEstimate cut = modes::estimatedCuts(
-          geometry::place(coarse, 1.0, {turn, Eigen::Vector2d::Zero(), 0.0}), *plan.cuts, quiet);
+          geometry::place(coarse, 1.0, {rotation, Eigen::Vector2d::Zero(), 0.0}), *plan.cuts,
+          quiet);
       return placement::CutOutcome{cut.riskyMm2, cut.pieces};
     };
     if (checkedCuts)
-      options.checkedCuts = [&](const Eigen::Quaterniond& turn) {
+      options.checkedCuts = [&](const Eigen::Quaterniond& rotation) {
         geometry::Placement turned = placement;
-        turned.rotation = (turn * placement.rotation.normalized()).normalized();
+        turned.rotation = (rotation * placement.rotation.normalized()).normalized();
         return checkedCuts(turned);
       };
   }
   const placement::Orientation found =
       placement::bestOrientation(placed, row.objective, options, ctx);
-  const bool turned = found.turn.angularDistance(Eigen::Quaterniond::Identity()) > kSame;
+  const bool turned = found.rotation.angularDistance(Eigen::Quaterniond::Identity()) > kSame;
   if (turned)
-    out.placement.rotation = (found.turn * placement.rotation.normalized()).normalized();
+    out.placement.rotation = (found.rotation * placement.rotation.normalized()).normalized();
   out.findings.push_back(findingOf(found, row, turned));
   out.seconds = clock.seconds();
   return out;

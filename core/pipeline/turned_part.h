@@ -24,7 +24,7 @@ struct TurnedPart {
 };
 
 // Parameters of the search for an orientation.
-struct TurnPlan {
+struct OrientationPlan {
   std::string objective; // value of the parameter orient; "none": keep the orientation
   double voxelMm = 0.0;  // voxel width for growing the part
   double overhangRad = 0.0;
@@ -32,7 +32,7 @@ struct TurnPlan {
   std::optional<modes::CutEstimateOptions> cuts; // of leastAfterCuts
 };
 // If no search is required, the values that only a search uses are left at zero.
-TurnPlan turnPlan(const modes::ModeChoices& in);
+OrientationPlan orientationPlan(const modes::ModeChoices& in);
 
 // Returns what the cuts of a mode that makes pieces leave of the part placed like that; nullopt if
 // it cannot be cut.
@@ -44,7 +44,7 @@ using CheckedCuts =
 // a search the placement is returned unchanged. `checkedCuts`: empty if the mode makes no pieces.
 // Throws as placement::bestOrientation(); Cancelled.
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
-                      const TurnPlan& plan, double voxelMm, bool onlyQuarters,
+                      const OrientationPlan& plan, double voxelMm, bool onlyQuarters,
                       const CheckedCuts& checkedCuts, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

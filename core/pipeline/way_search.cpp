@@ -29,10 +29,10 @@ bool concernsPartAlone(plan::FindingKind kind) {
   return kind == OpenRims || kind == SheetModel || kind == TinyPart || kind == HugePart;
 }
 
-class WaySearch {
+class StrategySearch {
 public:
-  WaySearch(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-            const PlanObservers& observers)
+  StrategySearch(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+                 const PlanObservers& observers)
       : request_(request), ctx_(ctx), cache_(cache ? cache : &own_), observers_(observers) {
     if (!request_.item().loaded)
       request_.item().loaded = project::loadPart(
@@ -44,13 +44,13 @@ public:
     for (std::size_t i = 0; i < ways.size(); ++i) {
       if (needsNoSupports(ways[i]))
         continue;
-      if (observers_.onWay)
-        observers_.onWay({nameOfWay(ways[i]), i + 1, ways.size()});
+      if (observers_.onStrategy)
+        observers_.onStrategy({nameOfStrategy(ways[i]), i + 1, ways.size()});
       const auto begin = [&](std::size_t k) {
         return kLoaded +
                (1.0 - kLoaded) * static_cast<double>(k) / static_cast<double>(ways.size());
       };
-      if (tryWay(ways[i], ctx_.sub(begin(i), begin(i + 1))))
+      if (tryStrategy(ways[i], ctx_.sub(begin(i), begin(i + 1))))
         return choose(*passed_);
       if (isPartRefused_)
         break;
@@ -62,13 +62,13 @@ public:
     }
     if (!failed_)
       throw *error_;
-    failed_->result = planWay(failed_->way, ctx_.quiet(), *failed_->stages, nullptr);
+    failed_->result = planStrategy(failed_->strategy, ctx_.quiet(), *failed_->stages, nullptr);
     return choose(*failed_);
   }
 
 private:
   struct Candidate {
-    project::Choices way;
+    project::Choices strategy;
     std::size_t tried = 0; // index of its row in tried_
     // its results so far, from which it can be planned to its end
     std::unique_ptr<StageCache> stages;
@@ -76,23 +76,23 @@ private:
     project::Stage rejectedBy = {};
   };
 
-  PlanResult planWay(const project::Choices& way, const base::RunContext& ctx, StageCache& stages,
-                     Trial* trial) {
+  PlanResult planStrategy(const project::Choices& strategy, const base::RunContext& ctx,
+                          StageCache& stages, Trial* trial) {
     PlanRequest one = request_;
-    one.choices = way;
-    return planChosenWay(one, ctx, &stages, observers_, trial);
+    one.choices = strategy;
+    return planChosenStrategy(one, ctx, &stages, observers_, trial);
   }
 
   // Returns whether the mesh that this way would print has defects. A part that cannot be placed
   // has none here: planning the way itself reports the reason.
-  bool hasDefects(const project::Choices& way) {
+  bool hasDefects(const project::Choices& strategy) {
     if (!request_.item().loaded->open)
       return !remainingDefects(*request_.item().loaded).empty();
     PlanRequest start = request_;
-    start.choices = way;
+    start.choices = strategy;
     start.until = project::Stage::Load;
     const auto outcome = base::outcomeOf(
-        [&] { return planChosenWay(start, ctx_.quiet(), cache_, PlanObservers()); });
+        [&] { return planChosenStrategy(start, ctx_.quiet(), cache_, PlanObservers()); });
     if (std::holds_alternative<base::Cancelled>(outcome))
       throw base::Cancelled{};
     const auto* placed = std::get_if<PlanResult>(&outcome);
@@ -101,19 +101,20 @@ private:
   }
 
   // Returns true if the search ends with this way.
-  bool tryWay(const project::Choices& way, const base::RunContext& ctx) {
+  bool tryStrategy(const project::Choices& strategy, const base::RunContext& ctx) {
     project::TriedReport& row = tried_.emplace_back();
-    row.way = way.item().automaticWay;
-    row.name = nameOfWay(way);
-    row.mode = way.item().mode;
-    row.platform = way.item().platform.text();
-    if (modes::findMode(way.item().mode).cuts && hasDefects(way)) {
+    row.strategy = strategy.item().automaticStrategy;
+    row.name = nameOfStrategy(strategy);
+    row.mode = strategy.item().mode;
+    row.platform = strategy.item().platform.text();
+    if (modes::findMode(strategy.item().mode).cuts && hasDefects(strategy)) {
       row.reason = "a mesh with defects cannot be cut into pieces"_text;
       return false;
     }
     Trial trial;
-    Candidate candidate{way, tried_.size() - 1, std::make_unique<StageCache>(1, cache_)};
-    auto outcome = base::outcomeOf([&] { return planWay(way, ctx, *candidate.stages, &trial); });
+    Candidate candidate{strategy, tried_.size() - 1, std::make_unique<StageCache>(1, cache_)};
+    auto outcome =
+        base::outcomeOf([&] { return planStrategy(strategy, ctx, *candidate.stages, &trial); });
     if (std::holds_alternative<base::Cancelled>(outcome))
       throw base::Cancelled{};
     if (const auto* error = std::get_if<base::Error>(&outcome)) {
@@ -162,19 +163,20 @@ private:
   // If growth misses nothing without supports, the same way with supports gives the same plan.
   void noteLosses(const Candidate& candidate) {
     const project::DecompositionReport& r = candidate.result.job.report.item().decomposition;
-    if (modes::findMode(candidate.way.item().mode).grows && r.voxels > 0 && r.missedVoxels == 0)
-      missedNothing_.push_back(withoutSupports(candidate.way));
+    if (modes::findMode(candidate.strategy.item().mode).grows && r.voxels > 0 &&
+        r.missedVoxels == 0)
+      missedNothing_.push_back(withoutSupports(candidate.strategy));
   }
-  bool needsNoSupports(const project::Choices& way) const {
-    const project::Choices choices = withoutSupports(way);
+  bool needsNoSupports(const project::Choices& strategy) const {
+    const project::Choices choices = withoutSupports(strategy);
     return std::ranges::any_of(missedNothing_, [&](const project::Choices& other) {
       return other.item().mode == choices.item().mode &&
              other.item().platform == choices.item().platform &&
              other.item().parameters == choices.item().parameters;
     });
   }
-  static project::Choices withoutSupports(const project::Choices& way) {
-    project::Choices choices = resolved(way);
+  static project::Choices withoutSupports(const project::Choices& strategy) {
+    project::Choices choices = resolved(strategy);
     choices.item().parameters.erase("supports");
     return choices;
   }
@@ -201,32 +203,34 @@ private:
 };
 
 // Kept with the motion of the way that a search has chosen.
-struct FoundWay {
+struct FoundStrategy {
   static constexpr project::Stage kStage = project::Stage::Motion;
   std::vector<project::TriedReport> tried;
 };
-constexpr const char* kWaySlot = "way";
+constexpr const char* kStrategySlot = "way";
 
 // Returns the search that chose the way that the choices name, if since then nothing has changed
 // but the formats and their options. Null: there is none, or the formats do not allow the way.
-std::shared_ptr<const FoundWay> foundBefore(const PlanRequest& request, StageCache* cache) {
-  if (!cache || !request.item().loaded || !namesWay(request.choices))
+std::shared_ptr<const FoundStrategy> foundBefore(const PlanRequest& request, StageCache* cache) {
+  if (!cache || !request.item().loaded || !namesStrategy(request.choices))
     return nullptr;
   const std::vector<project::Choices> ways = automaticChoices(request.choices);
-  const bool isAllowed = std::ranges::any_of(ways, [&](const project::Choices& way) {
-    return way.item().automaticWay == request.choices.item().automaticWay;
+  const bool isAllowed = std::ranges::any_of(ways, [&](const project::Choices& strategy) {
+    return strategy.item().automaticStrategy == request.choices.item().automaticStrategy;
   });
-  return isAllowed ? cache->find<FoundWay>(
-                         stageKeys(request)[project::indexOf(project::Stage::Motion)], kWaySlot)
-                   : nullptr;
+  return isAllowed
+             ? cache->find<FoundStrategy>(
+                   stageKeys(request)[project::indexOf(project::Stage::Motion)], kStrategySlot)
+             : nullptr;
 }
 
 // A way is only kept if nothing blocks it: of another format it may not be the best one.
 void keepFound(const PlanResult& result, StageCache* cache) {
   const std::string& key = result.job.stages[project::indexOf(project::Stage::Motion)].key;
   if (cache && !key.empty() && nothingBlocks(result.job.report))
-    cache->keep(key, std::make_shared<const FoundWay>(FoundWay{result.job.report.item().tried}),
-                kWaySlot);
+    cache->keep(
+        key, std::make_shared<const FoundStrategy>(FoundStrategy{result.job.report.item().tried}),
+        kStrategySlot);
 }
 
 } // namespace
@@ -234,11 +238,11 @@ void keepFound(const PlanResult& result, StageCache* cache) {
 PlanResult planAutomatically(const PlanRequest& request, const base::RunContext& ctx,
                              StageCache* cache, const PlanObservers& observers) {
   if (const auto found = foundBefore(request, cache)) {
-    PlanResult result = planChosenWay(request, ctx, cache, observers);
+    PlanResult result = planChosenStrategy(request, ctx, cache, observers);
     result.job.report.item().tried = found->tried;
     return result;
   }
-  PlanResult result = WaySearch(request, ctx, cache, observers).run();
+  PlanResult result = StrategySearch(request, ctx, cache, observers).run();
   keepFound(result, cache);
   return result;
 }

@@ -13,11 +13,11 @@ namespace voluta::placement {
 
 namespace {
 
-voxel::SolidVoxels turnedVoxels(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn,
-                                const Eigen::Vector2d& centreMm, double pitchMm,
-                                const base::RunContext& ctx) {
+voxel::SolidVoxels turnedVoxels(const geometry::TriangleMesh& mesh,
+                                const Eigen::Quaterniond& rotation, const Eigen::Vector2d& centreMm,
+                                double pitchMm, const base::RunContext& ctx) {
   geometry::Placement placement;
-  placement.rotation = turn;
+  placement.rotation = rotation;
   placement.centreMm = centreMm;
   return voxel::solidVoxels(geometry::place(mesh, 1.0, placement), pitchMm, ctx);
 }
@@ -41,20 +41,20 @@ CoarseGrowth grown(const voxel::SolidVoxels& part, const PlatformOf& platformOf,
   const curved::VoxelGraph graph =
       curved::voxelGraph(part.grid, part.solid, part.plateLayer(), platform);
   const std::vector<std::int32_t> rank = curved::peel(graph, {}, {}, ctx).rank;
-  const auto laid = std::count_if(rank.begin(), rank.end(), [](auto r) { return r > 0; });
-  return {part.count, part.count - static_cast<std::size_t>(laid)};
+  const auto printed = std::count_if(rank.begin(), rank.end(), [](auto r) { return r > 0; });
+  return {part.count, part.count - static_cast<std::size_t>(printed)};
 }
 
 } // namespace
 
-double coarseWidth(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn,
-                   double leastMm, std::size_t wanted, const base::RunContext& ctx) {
+double coarseWidth(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& rotation,
+                   double minMm, std::size_t wanted, const base::RunContext& ctx) {
   const auto count = static_cast<double>(wanted);
-  double width = std::max(leastMm, std::cbrt(std::abs(geometry::volume(mesh)) / count));
+  double width = std::max(minMm, std::cbrt(std::abs(geometry::volume(mesh)) / count));
   for (int n = 0; n < 3; ++n) {
     const auto voxels = static_cast<double>(
-        turnedVoxels(mesh, turn, Eigen::Vector2d::Zero(), width, ctx.sub(0.0, 0.0)).count);
-    width = std::max(leastMm, width * std::cbrt(voxels / count));
+        turnedVoxels(mesh, rotation, Eigen::Vector2d::Zero(), width, ctx.sub(0.0, 0.0)).count);
+    width = std::max(minMm, width * std::cbrt(voxels / count));
   }
   return width;
 }

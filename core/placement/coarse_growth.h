@@ -28,10 +28,10 @@ struct CoarseGrid {
   PlatformOf platform = {};
 };
 
-// Returns the width, at least `leastMm` > 0, at which the mesh rotated by `turn` has about `wanted`
-// voxels. Throws as voxel::solidVoxels().
-double coarseWidth(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn,
-                   double leastMm, std::size_t wanted, const base::RunContext& ctx);
+// Returns the width, at least `minMm` > 0, at which the mesh rotated by `rotation` has about
+// `wanted` voxels. Throws as voxel::solidVoxels().
+double coarseWidth(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& rotation,
+                   double minMm, std::size_t wanted, const base::RunContext& ctx);
 
 // Returns the result for the mesh rotated by each of `turns` and placed on the plate. Throws as
 // voxel::solidVoxels().

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kRegressions = 3, kMostRounds = 10;
+constexpr int kRegressions = 3, kMaxRounds = 10;
 constexpr double kBetter = 1.0 - 1e-6; // of an area or a volume
 constexpr double kSettledRad = base::degreesToRadians(0.01);
 
@@ -56,11 +56,11 @@ std::vector<Vector3d> hullOf(const geometry::TriangleMesh& part) {
   return hull;
 }
 
-std::vector<Vector2d> outline(const std::vector<Vector3d>& hull, const Matrix3d& turn, int first,
-                              int second) {
+std::vector<Vector2d> outline(const std::vector<Vector3d>& hull, const Matrix3d& rotation,
+                              int first, int second) {
   std::vector<Vector2d> points;
   for (const Vector3d& v : hull)
-    points.emplace_back(turn.row(first).dot(v), turn.row(second).dot(v));
+    points.emplace_back(rotation.row(first).dot(v), rotation.row(second).dot(v));
   return geometry::convexPolygon(std::move(points));
 }
 
@@ -88,9 +88,9 @@ double slopeOfMiddles(const std::vector<Vector2d>& polygon) {
 }
 
 // Returns the angle of the regression line from the nearer axis: counter-clockwise in the plane.
-double regressionAngle(const std::vector<Vector3d>& hull, const Matrix3d& turn,
+double regressionAngle(const std::vector<Vector3d>& hull, const Matrix3d& rotation,
                        const Plane& plane) {
-  std::vector<Vector2d> polygon = outline(hull, turn, plane.first, plane.second);
+  std::vector<Vector2d> polygon = outline(hull, rotation, plane.first, plane.second);
   Eigen::AlignedBox2d box;
   for (const Vector2d& p : polygon)
     box.extend(p);
@@ -106,15 +106,15 @@ double regressionAngle(const std::vector<Vector3d>& hull, const Matrix3d& turn,
 
 // Returns the angle of the least rectangle around a convex polygon, from -45 to 45 degrees.
 double rectangleAngle(const std::vector<Vector2d>& polygon) {
-  constexpr double kQuarter = 0.25 * base::kTurn;
-  double best = 0.0, least = rectangleArea(polygon, 0.0);
+  constexpr double kQuarter = 0.25 * base::kTwoPi;
+  double best = 0.0, minimum = rectangleArea(polygon, 0.0);
   for (std::size_t i = 0; i < polygon.size() && polygon.size() > 2; ++i) {
     const Vector2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double angle = std::atan2(side.y(), side.x()),
                  nearest = angle - kQuarter * std::round(angle / kQuarter);
     const double area = rectangleArea(polygon, -nearest);
-    if (area < kBetter * least) {
-      least = area;
+    if (area < kBetter * minimum) {
+      minimum = area;
       best = nearest;
     }
   }
@@ -125,10 +125,10 @@ Matrix3d about(int axis, double angleRad) {
   return Eigen::AngleAxisd(angleRad, Vector3d::Unit(axis)).toRotationMatrix();
 }
 
-Eigen::AlignedBox3d boxOf(const std::vector<Vector3d>& hull, const Matrix3d& turn) {
+Eigen::AlignedBox3d boxOf(const std::vector<Vector3d>& hull, const Matrix3d& rotation) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& v : hull)
-    box.extend(turn * v);
+    box.extend(rotation * v);
   return box;
 }
 
@@ -140,34 +140,35 @@ Matrix3d principalAxes(const std::vector<Vector3d>& points) {
   Matrix3d spread = Matrix3d::Zero();
   for (const Vector3d& p : points)
     spread += (p - mean) * (p - mean).transpose();
-  Matrix3d turn = geometry::symmetricAxes(spread).axes.transpose();
-  if (turn.determinant() < 0.0)
-    turn.row(2) *= -1.0;
-  return turn;
+  Matrix3d rotation = geometry::symmetricAxes(spread).axes.transpose();
+  if (rotation.determinant() < 0.0)
+    rotation.row(2) *= -1.0;
+  return rotation;
 }
 
 // Returns the quarter turns after which the box's greatest side is along x and the least along z.
 Matrix3d sidesInOrder(const Vector3d& sizes) {
   std::array<int, 3> axes{0, 1, 2};
   std::ranges::stable_sort(axes, [&](int a, int b) { return sizes[a] > sizes[b]; });
-  Matrix3d turn = Matrix3d::Zero();
+  Matrix3d rotation = Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
-    turn(i, axes[static_cast<std::size_t>(i)]) = 1.0;
-  if (turn.determinant() < 0.0)
-    turn.row(2) *= -1.0;
-  return turn;
+    rotation(i, axes[static_cast<std::size_t>(i)]) = 1.0;
+  if (rotation.determinant() < 0.0)
+    rotation.row(2) *= -1.0;
+  return rotation;
 }
 
 // Turns the part until the least rectangles around its projections are parallel to the axes.
 // Returns the number of rounds.
-int settle(const std::vector<Vector3d>& hull, std::initializer_list<Plane> planes, Matrix3d& turn) {
+int settle(const std::vector<Vector3d>& hull, std::initializer_list<Plane> planes,
+           Matrix3d& rotation) {
   int rounds = 0;
-  for (double greatest = 2.0 * kSettledRad; greatest > kSettledRad && rounds < kMostRounds;
+  for (double greatest = 2.0 * kSettledRad; greatest > kSettledRad && rounds < kMaxRounds;
        ++rounds) {
     greatest = 0.0;
     for (const Plane& plane : planes) {
-      const double angle = rectangleAngle(outline(hull, turn, plane.first, plane.second));
-      turn = about(plane.axis, -angle) * turn;
+      const double angle = rectangleAngle(outline(hull, rotation, plane.first, plane.second));
+      rotation = about(plane.axis, -angle) * rotation;
       greatest = std::max(greatest, std::abs(angle));
     }
   }
@@ -176,39 +177,39 @@ int settle(const std::vector<Vector3d>& hull, std::initializer_list<Plane> plane
 
 } // namespace
 
-LaidDown laidDown(const geometry::TriangleMesh& part) {
+MillingOrientation millingOrientation(const geometry::TriangleMesh& part) {
   const std::vector<Vector3d> hull = hullOf(part);
-  Matrix3d turn = Matrix3d::Identity();
+  Matrix3d rotation = Matrix3d::Identity();
   for (int k = 0; k < kRegressions; ++k)
     for (const Plane& plane : {kZx, kXy, kYz})
-      turn = about(plane.axis, -regressionAngle(hull, turn, plane)) * turn;
-  LaidDown out;
-  out.rounds = settle(hull, {kXy, kYz}, turn);
-  settle(hull, {kXy, kYz, kZx}, turn);
+      rotation = about(plane.axis, -regressionAngle(hull, rotation, plane)) * rotation;
+  MillingOrientation out;
+  out.rounds = settle(hull, {kXy, kYz}, rotation);
+  settle(hull, {kXy, kYz, kZx}, rotation);
   Matrix3d other = principalAxes(hull);
   settle(hull, {kXy, kYz, kZx}, other);
-  if (boxOf(hull, other).volume() < kBetter * boxOf(hull, turn).volume())
-    turn = other;
-  turn = sidesInOrder(boxOf(hull, turn).sizes()) * turn;
+  if (boxOf(hull, other).volume() < kBetter * boxOf(hull, rotation).volume())
+    rotation = other;
+  rotation = sidesInOrder(boxOf(hull, rotation).sizes()) * rotation;
 
-  // leastResidualTurn() is in the source's axes.
+  // minResidualRotation() is in the source's axes.
   Matrix3d ours_T_source;
   ours_T_source << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  const Matrix3d inSource = ours_T_source.transpose() * turn;
-  geometry::TriangleMesh laid = part;
-  for (Vector3d& v : laid.vertices)
+  const Matrix3d inSource = ours_T_source.transpose() * rotation;
+  geometry::TriangleMesh rotated = part;
+  for (Vector3d& v : rotated.vertices)
     v = inSource * v;
-  const ResidualTurn residual =
-      leastResidualTurn(laid, false, [](const Matrix3d&) { return true; });
-  turn = ours_T_source * residual.turn.toRotationMatrix() * inSource;
+  const ResidualRotation residual =
+      minResidualRotation(rotated, false, [](const Matrix3d&) { return true; });
+  rotation = ours_T_source * residual.rotation.toRotationMatrix() * inSource;
 
   const Eigen::AlignedBox3d present = boxOf(hull, Matrix3d::Identity());
-  if (boxOf(hull, turn).volume() >= kBetter * present.volume())
-    turn = sidesInOrder(present.sizes());
+  if (boxOf(hull, rotation).volume() >= kBetter * present.volume())
+    rotation = sidesInOrder(present.sizes());
   const double volume = std::abs(geometry::volume(part));
-  out.turn = Eigen::Quaterniond(turn).normalized();
+  out.rotation = Eigen::Quaterniond(rotation).normalized();
   out.scrapBeforeMm3 = present.volume() - volume;
-  out.scrapMm3 = boxOf(hull, turn).volume() - volume;
+  out.scrapMm3 = boxOf(hull, rotation).volume() - volume;
   return out;
 }
 

@@ -7,9 +7,9 @@
 
 namespace voluta::placement {
 
-struct LaidDown {
+struct MillingOrientation {
   // Relative to the mesh's present orientation
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   int rounds = 0; // of the second step
   // Volume of the bounding box less the part's [mm3]
   double scrapBeforeMm3 = 0.0, scrapMm3 = 0.0;
@@ -24,9 +24,9 @@ struct LaidDown {
 //      source: the same on all three planes; the same from the principal axes of its convex hull's
 //      corners, if the bounding box is smaller then; and quarter turns that bring the box's least
 //      side along z and the greatest along x;
-//   3. least residual areas: leastResidualTurn(), on xz and then on xy.
+//   3. least residual areas: minResidualRotation(), on xz and then on xy.
 // If the bounding box is not smaller then, only quarter turns are made. Preconditions as
 // outlineArea().
-LaidDown laidDown(const geometry::TriangleMesh& part);
+MillingOrientation millingOrientation(const geometry::TriangleMesh& part);
 
 } // namespace voluta::placement

@@ -17,13 +17,13 @@ namespace voluta::placement {
 namespace {
 
 constexpr std::size_t kFlatPlaces = 8, kRefined = 3, kChecked = 4;
-constexpr double kSmallTurn = 12.0;  // degrees
-constexpr double kStays = 1.25;      // of the best's risky area
-constexpr double kPieceCost = 0.002; // of the present risky area
+constexpr double kSmallRotation = 12.0; // degrees
+constexpr double kStays = 1.25;         // of the best's risky area
+constexpr double kPieceCost = 0.002;    // of the present risky area
 constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   OrientationScore score;
   std::size_t missed = kUnknown; // at the coarse width
 
@@ -33,14 +33,15 @@ struct Candidate {
   auto key() const { return keyWith(missed); }
 };
 
-Orientation leastResidual(const geometry::TriangleMesh& mesh, const OrientOptions& options) {
+Orientation minResidualArea(const geometry::TriangleMesh& mesh, const OrientOptions& options) {
   const OrientationMeasure measure(mesh, options.voxelMm, options.overhangRad);
-  const ResidualTurn found =
-      leastResidualTurn(mesh, options.quarterTurns,
-                        [&](const Eigen::Matrix3d& turn) { return measure.of(turn).stands; });
+  const ResidualRotation found =
+      minResidualRotation(mesh, options.quarterTurns, [&](const Eigen::Matrix3d& rotation) {
+        return measure.of(rotation).stands;
+      });
   Orientation out;
-  out.turn = found.turn;
-  out.score = measure.of(found.turn.toRotationMatrix());
+  out.rotation = found.rotation;
+  out.score = measure.of(found.rotation.toRotationMatrix());
   out.before = measure.of(Eigen::Matrix3d::Identity());
   out.tried = found.tried;
   out.residual = found.after;
@@ -65,25 +66,26 @@ public:
         add(geometry::rotationLayingFlat(down));
   }
 
-  Orientation leastRisky() {
+  Orientation minRiskyArea() {
     for (Candidate& c : found_)
       c.missed = 0;
-    for (double step = 0.5 * kSmallTurn; step > 1.0 && !options_.quarterTurns; step *= 0.5)
-      for (const Eigen::Quaterniond& turn : nearTheBest(step))
-        if (add(turn))
+    for (double step = 0.5 * kSmallRotation; step > 1.0 && !options_.quarterTurns; step *= 0.5)
+      for (const Eigen::Quaterniond& rotation : nearTheBest(step))
+        if (add(rotation))
           found_.back().missed = 0;
     return chosen(best());
   }
 
   Orientation fewestMissed() {
-    coarseMm_ = coarseWidth(mesh_, found_[0].turn, options_.voxelMm, options_.searchVoxels, ctx_);
+    coarseMm_ =
+        coarseWidth(mesh_, found_[0].rotation, options_.voxelMm, options_.searchVoxels, ctx_);
     growCoarse(0, 0.0, 0.6);
     if (!options_.quarterTurns) {
       const std::size_t first = found_.size();
       const Candidate winner = found_[best()];
-      for (const Eigen::Quaterniond& turn : nearTheBest(kSmallTurn))
+      for (const Eigen::Quaterniond& rotation : nearTheBest(kSmallRotation))
         // Skip candidates that could not win even without a missed voxel.
-        if (add(turn) && found_.back().keyWith(0) >= winner.key())
+        if (add(rotation) && found_.back().keyWith(0) >= winner.key())
           found_.pop_back();
       growCoarse(first, 0.6, 0.8);
     }
@@ -92,10 +94,10 @@ public:
     std::size_t winner = order[0], fewest = kUnknown;
     for (std::size_t n = 0; n < order.size() && fewest > 0; ++n) {
       const double at = 0.8 + 0.2 * static_cast<double>(n) / kChecked;
-      const std::size_t missed =
-          coarseGrowths(mesh_, {found_[order[n]].turn}, grid(options_.voxelMm), ctx_.sub(at, at))
-              .front()
-              .missed;
+      const std::size_t missed = coarseGrowths(mesh_, {found_[order[n]].rotation},
+                                               grid(options_.voxelMm), ctx_.sub(at, at))
+                                     .front()
+                                     .missed;
       if (missed < fewest) {
         fewest = missed;
         winner = order[n];
@@ -109,7 +111,7 @@ public:
     return out;
   }
 
-  Orientation leastAfterCuts() {
+  Orientation minAfterCuts() {
     CutsOfTurns cuts{cutAll(), std::vector<char>(found_.size())};
     const std::size_t winner = options_.checkedCuts ? bestChecked(cuts) : bestByCuts(cuts);
     Orientation out = chosen(winner);
@@ -121,15 +123,15 @@ public:
 
 private:
   // Returns false if the part would not stand or has that orientation already.
-  bool add(const Eigen::Quaterniond& turn) {
+  bool add(const Eigen::Quaterniond& rotation) {
     constexpr double kSame = 0.02;
     Candidate c;
-    c.turn = turn;
-    const Eigen::Vector3d up = turn.toRotationMatrix().row(2).transpose();
+    c.rotation = rotation;
+    const Eigen::Vector3d up = rotation.toRotationMatrix().row(2).transpose();
     for (const Candidate& other : found_)
-      if ((other.turn.toRotationMatrix().row(2).transpose() - up).norm() < kSame)
+      if ((other.rotation.toRotationMatrix().row(2).transpose() - up).norm() < kSame)
         return false;
-    c.score = measure_.of(turn.toRotationMatrix());
+    c.score = measure_.of(rotation.toRotationMatrix());
     if (!found_.empty() && !c.score.stands)
       return false;
     found_.push_back(c);
@@ -163,13 +165,13 @@ private:
         for (const int axis : {0, 1})
           near.push_back(Eigen::AngleAxisd(sign * base::degreesToRadians(degrees),
                                            Eigen::Vector3d::Unit(axis)) *
-                         found_[n].turn);
+                         found_[n].rotation);
     return near;
   }
 
   Orientation chosen(std::size_t n) const {
     Orientation out;
-    out.turn = found_[n].turn;
+    out.rotation = found_[n].rotation;
     out.score = found_[n].score;
     out.before = found_[0].score;
     out.tried = found_.size();
@@ -210,7 +212,7 @@ private:
     const std::size_t byEstimate = bestByCuts(cuts);
     std::optional<std::size_t> winner;
     const auto check = [&](std::size_t n) {
-      const std::optional<CutOutcome> left = options_.checkedCuts(found_[n].turn);
+      const std::optional<CutOutcome> left = options_.checkedCuts(found_[n].rotation);
       if (!left)
         return;
       cuts.outcomes[n] = *left;
@@ -237,7 +239,7 @@ private:
     std::vector<CutOutcome> out(found_.size());
     base::parallelWithProgress(
         ctx_, out.size(), options_.checkedCuts ? 0.5 : 1.0, "orientation"_text,
-        [&](std::size_t n) { out[n] = options_.cutOutcome(found_[n].turn); });
+        [&](std::size_t n) { out[n] = options_.cutOutcome(found_[n].rotation); });
     return out;
   }
 
@@ -245,7 +247,7 @@ private:
   void growCoarse(std::size_t first, double from, double to) {
     std::vector<Eigen::Quaterniond> turns;
     for (std::size_t n = first; n < found_.size(); ++n)
-      turns.push_back(found_[n].turn);
+      turns.push_back(found_[n].rotation);
     const std::vector<CoarseGrowth> growths =
         coarseGrowths(mesh_, turns, grid(coarseMm_), ctx_.sub(from, to));
     for (std::size_t n = 0; n < growths.size(); ++n)
@@ -284,15 +286,15 @@ base::ParameterTable orientParameters() {
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx) {
   base::require(!mesh.empty() && options.voxelMm > 0.0, "bestOrientation: facets, voxelMm > 0");
-  base::require(objective != Objective::LeastAfterCuts || options.cutOutcome,
+  base::require(objective != Objective::MinAfterCuts || options.cutOutcome,
                 "bestOrientation: cutOutcome");
   const auto found = [&] {
-    if (objective == Objective::LeastResidual)
-      return leastResidual(mesh, options);
+    if (objective == Objective::MinResidualArea)
+      return minResidualArea(mesh, options);
     OrientSearch search(mesh, options, ctx);
-    return objective == Objective::LeastRisky     ? search.leastRisky()
+    return objective == Objective::MinRiskyArea   ? search.minRiskyArea()
            : objective == Objective::FewestMissed ? search.fewestMissed()
-                                                  : search.leastAfterCuts();
+                                                  : search.minAfterCuts();
   };
   Orientation out = found();
   ctx.report(1.0, "orientation"_text);

@@ -16,7 +16,7 @@ namespace voluta::placement {
 OrientationMeasure::OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm,
                                        double overhangRad)
     : mesh_(mesh), depth_(contactDepthMm), sine_(std::sin(overhangRad)),
-      leastContact_(kMinContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
+      minContact_(kMinContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
   base::require(!mesh.empty() && contactDepthMm > 0.0, "OrientationMeasure: facets, a depth > 0");
   normal_.reserve(mesh.triangles.size());
   const Eigen::Vector3d middle = geometry::bounds(mesh).center();
@@ -53,8 +53,8 @@ OrientationMeasure::Heights OrientationMeasure::heights(const Eigen::Vector3d& u
   return out;
 }
 
-OrientationScore OrientationMeasure::of(const Eigen::Matrix3d& turn) const {
-  const Eigen::Vector3d up = turn.row(2).transpose();
+OrientationScore OrientationMeasure::of(const Eigen::Matrix3d& rotation) const {
+  const Eigen::Vector3d up = rotation.row(2).transpose();
   const Heights z = heights(up);
   OrientationScore out;
   out.heightMm = z.high - z.low;
@@ -69,19 +69,19 @@ OrientationScore OrientationMeasure::of(const Eigen::Matrix3d& turn) const {
     else if (down > sine_ * area)
       out.riskyMm2 += area;
   }
-  out.stands = out.contactMm2 >= leastContact_;
+  out.stands = out.contactMm2 >= minContact_;
   return out;
 }
 
-bool OrientationMeasure::balances(const Eigen::Matrix3d& turn) const {
-  const Heights z = heights(turn.row(2).transpose());
+bool OrientationMeasure::balances(const Eigen::Matrix3d& rotation) const {
+  const Heights z = heights(rotation.row(2).transpose());
   std::vector<Eigen::Vector2d> touching;
   for (std::size_t t = 0; t < normal_.size(); ++t)
-    if (turn.row(2).dot(normal_[t]) < 0.0 && z.middle[t] - z.low <= depth_)
+    if (rotation.row(2).dot(normal_[t]) < 0.0 && z.middle[t] - z.low <= depth_)
       for (int k = 0; k < 3; ++k)
-        touching.emplace_back((turn * mesh_.corner(t, k)).head<2>());
+        touching.emplace_back((rotation * mesh_.corner(t, k)).head<2>());
   return geometry::inConvexPolygon(geometry::convexPolygon(std::move(touching)),
-                                   (turn * centre_).head<2>());
+                                   (rotation * centre_).head<2>());
 }
 
 Eigen::Vector3d OrientationMeasure::settled(const Eigen::Vector3d& down) const {
@@ -100,7 +100,7 @@ Eigen::Vector3d OrientationMeasure::settled(const Eigen::Vector3d& down) const {
   return flat.norm() >= 0.5 * contact && contact > 0.0 ? flat.normalized() : down;
 }
 
-std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t most) const {
+std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t maxCount) const {
   constexpr double kSteps = 30.0; // per unit of a normal's coordinates
   std::map<std::array<int, 3>, Eigen::Vector3d> places;
   for (const Eigen::Vector3d& n : normal_) {
@@ -117,7 +117,7 @@ std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t most) co
     sorted.push_back(sum);
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.squaredNorm() > b.squaredNorm(); });
-  sorted.resize(std::min(most, sorted.size()));
+  sorted.resize(std::min(maxCount, sorted.size()));
   for (Eigen::Vector3d& n : sorted)
     n.normalize();
   return sorted;

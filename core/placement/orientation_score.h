@@ -27,20 +27,20 @@ public:
   // (Error{Internal}): mesh not empty. It must stay unchanged while this is used.
   OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm, double overhangRad);
 
-  // Returns the score of the mesh rotated by `turn` and placed on the plate.
-  OrientationScore of(const Eigen::Matrix3d& turn) const;
+  // Returns the score of the mesh rotated by `rotation` and placed on the plate.
+  OrientationScore of(const Eigen::Matrix3d& rotation) const;
   const Eigen::Vector3d& centre() const { return centre_; }
   // Returns whether the part is stable: the volume's centroid is above the hull of the contact.
-  bool balances(const Eigen::Matrix3d& turn) const;
+  bool balances(const Eigen::Matrix3d& rotation) const;
 
   // Returns the direction that a part with the direction `down` (unit) down settles to on a flat
   // place: the mean normal of the contact's facets within a degree, if they are at least half of
   // the contact; else `down`.
   Eigen::Vector3d settled(const Eigen::Vector3d& down) const;
 
-  // Returns outward normals of the mesh's largest flat places, largest first, at most `most`;
+  // Returns outward normals of the mesh's largest flat places, largest first, at most `maxCount`;
   // facets within about two degrees of each other count as one place.
-  std::vector<Eigen::Vector3d> flatPlaces(std::size_t most) const;
+  std::vector<Eigen::Vector3d> flatPlaces(std::size_t maxCount) const;
 
 private:
   // Along `up`: the height of each triangle's centroid, and the minimum and maximum height of the
@@ -52,7 +52,7 @@ private:
   Heights heights(const Eigen::Vector3d& up) const;
 
   const geometry::TriangleMesh& mesh_;
-  double depth_, sine_, leastContact_;
+  double depth_, sine_, minContact_;
   std::vector<Eigen::Vector3d> normal_; // times the facet's area
   Eigen::Vector3d centre_;              // of the volume
 };

@@ -89,7 +89,7 @@ double estimatedSeconds(const StandingPart& part, const Filling& filling, const 
   const double seconds = (filling.spiral ? spiralSeconds(part, filling, process)
                                          : filledSeconds(part, filling, process)) +
                          withStarts * startSeconds(part, filling, process);
-  return std::max(seconds, layers * filling.leastLayerS);
+  return std::max(seconds, layers * filling.minLayerS);
 }
 
 } // namespace voluta::placement

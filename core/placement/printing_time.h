@@ -30,7 +30,7 @@ struct Filling {
   double density = 1.0;               // share of the interior within walls and skins
   double topMm = 0.0, bottomMm = 0.0; // thickness of the skins
   bool spiral = false;                // one rising bead on a solid bottom of bottomMm
-  double leastLayerS = 0.0;           // no layer takes less
+  double minLayerS = 0.0;             // no layer takes less
 };
 
 // Returns the volume of the interior that a density below 1 fills sparsely: the part's without its

@@ -64,25 +64,25 @@ ClipperLib::Paths silhouette(const geometry::TriangleMesh& mesh,
   return loops;
 }
 
-struct LeastAngle {
+struct MinAreaAngle {
   double angleRad = 0.0;
   std::size_t tried = 0;
 };
 
 // Returns the angle of the least bounding rectangle.
-LeastAngle leastAngle(const std::vector<Vector2d>& hull, bool quarterTurns,
-                      const std::function<bool(double angleRad)>& allowed) {
+MinAreaAngle minAreaAngle(const std::vector<Vector2d>& hull, bool quarterTurns,
+                          const std::function<bool(double angleRad)>& allowed) {
   constexpr double kStays = 0.998, kEqual = 1e-9; // of the area
-  LeastAngle out;
+  MinAreaAngle out;
   const double present = rectangleArea(hull, 0.0);
-  double best = 0.0, least = present;
+  double best = 0.0, minimum = present;
   const auto consider = [&](double degrees) {
     if (!allowed(base::degreesToRadians(degrees)))
       return;
     ++out.tried;
     const double area = rectangleArea(hull, base::degreesToRadians(degrees));
-    if (area < (1.0 - kEqual) * least) {
-      least = area;
+    if (area < (1.0 - kEqual) * minimum) {
+      minimum = area;
       best = degrees;
     }
   };
@@ -100,7 +100,7 @@ LeastAngle leastAngle(const std::vector<Vector2d>& hull, bool quarterTurns,
       consider(from + step * i);
     }
   }
-  if (least < kStays * present)
+  if (minimum < kStays * present)
     out.angleRad = base::degreesToRadians(best);
   return out;
 }
@@ -134,34 +134,34 @@ double rectangleArea(const std::vector<Vector2d>& points, double angleRad) {
   return box.isEmpty() ? 0.0 : box.volume();
 }
 
-ResidualAreas residualAreas(const geometry::TriangleMesh& mesh, const Matrix3d& turn) {
+ResidualAreas residualAreas(const geometry::TriangleMesh& mesh, const Matrix3d& rotation) {
   const auto on = [&](const ProjectionPlane& axes) {
-    const ProjectionPlane plane = axes * turn;
+    const ProjectionPlane plane = axes * rotation;
     return std::max(0.0, rectangleArea(projected(mesh, plane), 0.0) - outlineArea(mesh, plane));
   };
   return {on(xyPlane()), on(xzPlane())};
 }
 
-ResidualTurn leastResidualTurn(const geometry::TriangleMesh& mesh, bool quarterTurns,
-                               const std::function<bool(const Matrix3d&)>& allowed) {
-  ResidualTurn out;
+ResidualRotation minResidualRotation(const geometry::TriangleMesh& mesh, bool quarterTurns,
+                                     const std::function<bool(const Matrix3d&)>& allowed) {
+  ResidualRotation out;
   const auto hullOn = [&](const ProjectionPlane& plane) {
     return geometry::convexPolygon(projected(mesh, plane));
   };
   // The outline's area does not depend on the angle, so that the rectangle decides.
-  const LeastAngle z = leastAngle(hullOn(xyPlane()), quarterTurns, [](double) { return true; });
+  const MinAreaAngle z = minAreaAngle(hullOn(xyPlane()), quarterTurns, [](double) { return true; });
   const Eigen::Quaterniond aboutZ(Eigen::AngleAxisd(z.angleRad, Vector3d::UnitZ()));
   // A positive rotation about y is clockwise on XZ.
   const auto with = [&](double angleRad) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(-angleRad, Vector3d::UnitY()) * aboutZ);
   };
-  const LeastAngle y =
-      leastAngle(hullOn(xzPlane() * aboutZ.toRotationMatrix()), quarterTurns,
-                 [&](double angleRad) { return allowed(with(angleRad).toRotationMatrix()); });
-  out.turn = with(y.angleRad).normalized();
+  const MinAreaAngle y =
+      minAreaAngle(hullOn(xzPlane() * aboutZ.toRotationMatrix()), quarterTurns,
+                   [&](double angleRad) { return allowed(with(angleRad).toRotationMatrix()); });
+  out.rotation = with(y.angleRad).normalized();
   out.tried = z.tried + y.tried;
   out.before = residualAreas(mesh, Matrix3d::Identity());
-  out.after = residualAreas(mesh, out.turn.toRotationMatrix());
+  out.after = residualAreas(mesh, out.rotation.toRotationMatrix());
   return out;
 }
 

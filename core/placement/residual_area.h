@@ -28,10 +28,10 @@ double rectangleArea(const std::vector<Eigen::Vector2d>& points, double angleRad
 struct ResidualAreas {
   double xyMm2 = 0.0, xzMm2 = 0.0;
 };
-ResidualAreas residualAreas(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& turn);
+ResidualAreas residualAreas(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& rotation);
 
-struct ResidualTurn {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+struct ResidualRotation {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   ResidualAreas before, after;
   std::size_t tried = 0; // number of angles compared
 };
@@ -42,7 +42,7 @@ struct ResidualTurn {
 // true. An angle of 0 is kept unless the bounding rectangle shrinks by more than 0.2 %; of equal
 // angles the smallest is taken. quarterTurns: only angles of 0 and 90 degrees. Preconditions as
 // outlineArea().
-ResidualTurn leastResidualTurn(const geometry::TriangleMesh& mesh, bool quarterTurns,
-                               const std::function<bool(const Eigen::Matrix3d&)>& allowed);
+ResidualRotation minResidualRotation(const geometry::TriangleMesh& mesh, bool quarterTurns,
+                                     const std::function<bool(const Eigen::Matrix3d&)>& allowed);
 
 } // namespace voluta::placement

@@ -40,7 +40,8 @@ std::vector<Facet> hullFacets(const geometry::TriangleMesh& mesh) {
 
 } // namespace
 
-std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh, std::size_t most) {
+std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh,
+                                           std::size_t maxCount) {
   base::require(!mesh.empty(), "restingPlaces: facets");
   const double near = std::cos(base::degreesToRadians(3.0));
   // Margin, because faces that consist of many small facets are found late
@@ -48,7 +49,7 @@ std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh, s
   const std::vector<Facet> facets = hullFacets(mesh);
   std::vector<bool> taken(facets.size(), false);
   std::vector<Facet> places;
-  for (std::size_t f = 0; f < facets.size() && places.size() < kPerPlace * most; ++f) {
+  for (std::size_t f = 0; f < facets.size() && places.size() < kPerPlace * maxCount; ++f) {
     if (taken[f] || facets[f].size == 0.0)
       continue;
     Facet place{Eigen::Vector3d::Zero()};
@@ -62,7 +63,7 @@ std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh, s
     places.push_back(place);
   }
   std::ranges::stable_sort(places, std::ranges::greater{}, &Facet::size);
-  places.resize(std::min(most, places.size()));
+  places.resize(std::min(maxCount, places.size()));
   std::vector<Eigen::Vector3d> normals;
   for (const Facet& place : places)
     normals.push_back(place.normal / place.size);

@@ -34,7 +34,7 @@ struct Candidate {
   OrientationScore score;
   double angle = 0.0; // from the present orientation
 
-  Eigen::Quaterniond turn() const { return geometry::rotationLayingFlat(down); }
+  Eigen::Quaterniond rotation() const { return geometry::rotationLayingFlat(down); }
 };
 
 // Returns the overhanging area per contact area.
@@ -55,15 +55,15 @@ struct Footprint {
   double angle = 0.0;    // of its longer side, towards the end with more of the volume
   double acrossMm = 0.0; // its diagonal
 };
-Footprint footprint(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& turn,
+Footprint footprint(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
                     const Eigen::Vector3d& centre) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(mesh.vertices.size());
   for (const Eigen::Vector3d& v : mesh.vertices)
-    points.emplace_back((turn * v).head<2>());
+    points.emplace_back((rotation * v).head<2>());
   const std::vector<Eigen::Vector2d> hull = geometry::convexPolygon(std::move(points));
   Footprint best;
-  double least = -1.0;
+  double minimum = -1.0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d along = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
     const Eigen::Vector2d across(-along.y(), along.x());
@@ -71,62 +71,62 @@ Footprint footprint(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& t
     for (const Eigen::Vector2d& p : hull)
       box.extend(Eigen::Vector2d(p.dot(along), p.dot(across)));
     const Eigen::Vector2d size = box.sizes();
-    if (least >= 0.0 && size.prod() >= least)
+    if (minimum >= 0.0 && size.prod() >= minimum)
       continue;
-    least = size.prod();
+    minimum = size.prod();
     Eigen::Vector2d longer = size.x() >= size.y() ? along : across;
     const Eigen::Vector2d middle = box.center().x() * along + box.center().y() * across;
-    if (((turn * centre).head<2>() - middle).dot(longer) < 0.0)
+    if (((rotation * centre).head<2>() - middle).dot(longer) < 0.0)
       longer = -longer;
     best = {std::atan2(longer.y(), longer.x()), size.norm()};
   }
   return best;
 }
 
-class WaySearch {
+class OrientationSearch {
 public:
-  WaySearch(const geometry::TriangleMesh& mesh, const WaysOptions& options,
-            const base::RunContext& ctx)
+  OrientationSearch(const geometry::TriangleMesh& mesh, const WaysOptions& options,
+                    const base::RunContext& ctx)
       : mesh_(mesh), options_(options), ctx_(ctx),
         // A chamfer of exactly that angle is not an overhang, regardless of rounding.
         measure_(mesh, options.layerHeightMm, options.overhangRad + 1e-3),
         area_(geometry::area(mesh)), now_(candidate(-Eigen::Vector3d::UnitZ())) {
     for (Candidate& c : scored())
       add(std::move(c));
-    const double least =
+    const double minimum =
         std::max(options.layerHeightMm, kMinCell * geometry::bounds(mesh).diagonal().norm());
-    widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, least,
+    widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, minimum,
                            options.voxels, ctx.sub(0.0, 0.1));
   }
 
-  std::vector<Way> ways() {
+  std::vector<StandingOrientation> ways() {
     std::vector<Candidate> chosen = promising();
     if (now_.score.stands) {
       std::erase_if(chosen, [&](const Candidate& c) { return same(c, now_); });
       chosen.insert(chosen.begin(), now_);
     }
-    std::vector<Way> ways = grown(chosen, ctx_.sub(0.1, 1.0));
+    std::vector<StandingOrientation> ways = grown(chosen, ctx_.sub(0.1, 1.0));
     if (now_.score.stands && !ways.empty())
       ways.front().now = true;
     std::ranges::stable_sort(ways, {}, rank);
-    if (ways.size() > options_.most) {
-      const auto last = ways.begin() + static_cast<std::ptrdiff_t>(options_.most) - 1;
-      const auto now = std::ranges::find_if(ways, &Way::now);
+    if (ways.size() > options_.maxCount) {
+      const auto last = ways.begin() + static_cast<std::ptrdiff_t>(options_.maxCount) - 1;
+      const auto now = std::ranges::find_if(ways, &StandingOrientation::now);
       if (now != ways.end() && now > last)
         std::iter_swap(now, last);
-      ways.resize(options_.most);
+      ways.resize(options_.maxCount);
     }
     return ways;
   }
 
-  Way asItLies() {
-    Way way = grown({now_}, ctx_.sub(0.1, 0.2)).front();
-    way.now = true;
-    return way;
+  StandingOrientation asItLies() {
+    StandingOrientation orientation = grown({now_}, ctx_.sub(0.1, 0.2)).front();
+    orientation.now = true;
+    return orientation;
   }
 
   // Returns whether the present orientation can be poor at all, whatever it misses.
-  bool mayLieBadly(const Way& now) const {
+  bool mayLieBadly(const StandingOrientation& now) const {
     return !now.score.stands || now.missedShare() > plan::kBlockingShare ||
            std::ranges::any_of(places_,
                                [&](const Candidate& c) { return isPoorFoot(now.score, c.score); });
@@ -136,7 +136,7 @@ private:
   Candidate candidate(const Eigen::Vector3d& down) const {
     Candidate c;
     c.down = down;
-    c.score = measure_.of(c.turn().toRotationMatrix());
+    c.score = measure_.of(c.rotation().toRotationMatrix());
     c.angle = angleBetween(down, -Eigen::Vector3d::UnitZ());
     return c;
   }
@@ -154,10 +154,10 @@ private:
     });
     const auto contact = [](const Candidate& c) { return c.score.contactMm2; };
     std::ranges::stable_sort(all, std::ranges::greater{}, contact);
-    const double least = all.empty() ? 0.0 : kMinShare * contact(all.front());
+    const double minimum = all.empty() ? 0.0 : kMinShare * contact(all.front());
     std::erase_if(all, [&](const Candidate& c) {
-      return !c.score.stands || contact(c) < least ||
-             !measure_.balances(c.turn().toRotationMatrix());
+      return !c.score.stands || contact(c) < minimum ||
+             !measure_.balances(c.rotation().toRotationMatrix());
     });
     return all;
   }
@@ -198,7 +198,7 @@ private:
     return chosen;
   }
 
-  static std::tuple<double, double, double> rank(const Way& w) {
+  static std::tuple<double, double, double> rank(const StandingOrientation& w) {
     return {std::floor(w.missedShare() / plan::kBlockingShare), overhangShare(w.score),
             w.score.heightMm};
   }
@@ -206,26 +206,27 @@ private:
   // Returns a rotation that is also normalized about the vertical, so that the voxels do not depend
   // on the mesh's present orientation.
   std::pair<Eigen::Quaterniond, Footprint> upright(const Candidate& c) const {
-    const Eigen::Quaterniond turn = c.turn();
-    const Footprint foot = footprint(mesh_, turn.toRotationMatrix(), measure_.centre());
-    return {Eigen::Quaterniond(Eigen::AngleAxisd(-foot.angle, Eigen::Vector3d::UnitZ()) * turn),
+    const Eigen::Quaterniond rotation = c.rotation();
+    const Footprint foot = footprint(mesh_, rotation.toRotationMatrix(), measure_.centre());
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(-foot.angle, Eigen::Vector3d::UnitZ()) * rotation),
             foot};
   }
 
-  std::vector<Way> grown(const std::vector<Candidate>& chosen, const base::RunContext& ctx) const {
-    std::vector<Way> ways;
+  std::vector<StandingOrientation> grown(const std::vector<Candidate>& chosen,
+                                         const base::RunContext& ctx) const {
+    std::vector<StandingOrientation> ways;
     std::vector<Eigen::Quaterniond> turns;
     const double volume = std::abs(geometry::volume(mesh_));
     for (const Candidate& c : chosen) {
-      const auto& [turn, foot] = upright(c);
-      turns.push_back(turn);
-      Way way;
-      way.turn = c.turn();
-      way.score = c.score;
-      way.voxelMm = widthMm_;
-      way.part = {volume, c.score.heightMm, c.score.contactMm2, foot.acrossMm,
-                  standingSurface(mesh_, -c.down)};
-      ways.push_back(way);
+      const auto& [rotation, foot] = upright(c);
+      turns.push_back(rotation);
+      StandingOrientation orientation;
+      orientation.rotation = c.rotation();
+      orientation.score = c.score;
+      orientation.voxelMm = widthMm_;
+      orientation.part = {volume, c.score.heightMm, c.score.contactMm2, foot.acrossMm,
+                          standingSurface(mesh_, -c.down)};
+      ways.push_back(orientation);
     }
     const std::vector<CoarseGrowth> growths = coarseGrowths(mesh_, turns, {widthMm_}, ctx);
     for (std::size_t n = 0; n < ways.size(); ++n) {
@@ -246,24 +247,25 @@ private:
 };
 
 void check(const geometry::TriangleMesh& mesh, const WaysOptions& options) {
-  base::require(!mesh.empty() && options.most >= 1, "waysToStand: facets, a way or more");
+  base::require(!mesh.empty() && options.maxCount >= 1, "waysToStand: facets, a way or more");
 }
 
 } // namespace
 
-double Way::missedShare() const {
+double StandingOrientation::missedShare() const {
   return voxels > 0 ? static_cast<double>(missed) / static_cast<double>(voxels) : 0.0;
 }
 
-std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptions& options,
-                             const base::RunContext& ctx) {
+std::vector<StandingOrientation> waysToStand(const geometry::TriangleMesh& mesh,
+                                             const WaysOptions& options,
+                                             const base::RunContext& ctx) {
   check(mesh, options);
-  std::vector<Way> ways = WaySearch(mesh, options, ctx).ways();
+  std::vector<StandingOrientation> ways = OrientationSearch(mesh, options, ctx).ways();
   ctx.report(1.0, "orientations"_text);
   return ways;
 }
 
-bool liesBadly(const Way& now, const Way& better) {
+bool liesBadly(const StandingOrientation& now, const StandingOrientation& better) {
   if (!now.score.stands)
     return better.score.stands;
   const double is = now.missedShare(), canBe = better.missedShare();
@@ -272,17 +274,18 @@ bool liesBadly(const Way& now, const Way& better) {
   return canBe <= is + plan::kBlockingShare && isPoorFoot(now.score, better.score);
 }
 
-std::optional<BetterWay> betterWay(const geometry::TriangleMesh& mesh, const WaysOptions& options,
-                                   const base::RunContext& ctx) {
+std::optional<BetterOrientation> betterOrientation(const geometry::TriangleMesh& mesh,
+                                                   const WaysOptions& options,
+                                                   const base::RunContext& ctx) {
   check(mesh, options);
-  WaySearch search(mesh, options, ctx);
-  const Way now = search.asItLies();
+  OrientationSearch search(mesh, options, ctx);
+  const StandingOrientation now = search.asItLies();
   if (!search.mayLieBadly(now))
     return std::nullopt;
-  const std::vector<Way> ways = search.ways();
+  const std::vector<StandingOrientation> ways = search.ways();
   if (ways.empty() || ways.front().now || !liesBadly(now, ways.front()))
     return std::nullopt;
-  return BetterWay{now, ways.front()};
+  return BetterOrientation{now, ways.front()};
 }
 
 } // namespace voluta::placement

@@ -35,7 +35,7 @@ constexpr FindingRow kAnyStageRows[] = {
      Severity::Error,
      "{what}"_text,
      {},
-     finding_rows::kOffers<RemedyId::DropToPlate, RemedyId::ChooseWay>,
+     finding_rows::kOffers<RemedyId::DropToPlate, RemedyId::ChooseStrategy>,
      "the message says how to fix it"_text},
 };
 

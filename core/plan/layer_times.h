@@ -4,8 +4,8 @@
 namespace voluta::plan {
 
 struct LayerTimes {
-  double leastS = 0.0;    // The covered bead has to cool for so long; 0: no limit
-  double greatestS = 0.0; // Beads bond up to this age; 0: no limit
+  double minS = 0.0; // The covered bead has to cool for so long; 0: no limit
+  double maxS = 0.0; // Beads bond up to this age; 0: no limit
 };
 
 } // namespace voluta::plan

@@ -34,8 +34,8 @@ namespace voluta::plan {
 struct Trajectory;
 
 // Machines in one cell; the others of each have the channels 0, 1 .. in their order.
-inline constexpr std::size_t kMostMachines = 4;
-inline constexpr int kMarkChannels = static_cast<int>(kMostMachines) - 1;
+inline constexpr std::size_t kMaxMachines = 4;
+inline constexpr int kMarkChannels = static_cast<int>(kMaxMachines) - 1;
 inline constexpr int kMarkSignals = 2 * kMarkChannels;
 // Precondition: other != machine.
 constexpr int markChannel(std::size_t machine, std::size_t other) {

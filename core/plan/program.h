@@ -56,7 +56,7 @@ struct ProgramMotion {
   bool jointInterpolated = false; // Between targets: linear in joint space, else straight
   // Part of a detour that returns to its start for the machine's own sake (unwinding a table). It
   // corresponds to no point of the plan.
-  bool aside = false;
+  bool detour = false;
   bool extruding = false;     // Material flows during this motion
   bool trailing = false;      // The extruder is off already, and its stop lag feeds this motion
   std::uint8_t tool = 0;      // That deposits
@@ -67,7 +67,7 @@ struct ProgramMotion {
   // Intermediate nozzle points (ToolPoint) or TCP positions (poses, in the frame of frame_T_tcp)
   // between the previous target and this one, at equal steps of the motion's time. Given for arcs,
   // and if the machine turns the part while its axes move linearly. Empty: straight.
-  std::vector<NozzlePoint> way;
+  std::vector<NozzlePoint> viaPoints;
   // FlangePose: relative to Base; WorkPose
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint [mm]

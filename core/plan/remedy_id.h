@@ -23,8 +23,8 @@ enum class RemedyId : std::uint8_t {
   MoreClearance,
   ShorterMotions,
   LongerMotions,
-  TurnLeastRisky,
-  TurnPart,
+  RotateToMinRiskyArea,
+  OrientPart,
   StandBest,
   NarrowVoxels,
   ScaleUp,
@@ -42,7 +42,7 @@ enum class RemedyId : std::uint8_t {
   UsualCell,
   LargerCell,
   PrintFlat,
-  ChooseWay,
+  ChooseStrategy,
   PrintOnPlate,
   PrintByLayer
 };

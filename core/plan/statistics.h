@@ -38,8 +38,8 @@ struct StrengthStatistics {
   double interfaceFraction = 0.0; // Mean interface share of the sections, by area
   // The smallest section, the one with the greatest interface share, and their places: distance
   // from the part's end along the load
-  double leastSectionMm2 = 0.0, leastSectionAtMm = 0.0;
-  double mostInterfaceFraction = 0.0, mostInterfaceAtMm = 0.0;
+  double minSectionMm2 = 0.0, minSectionAtMm = 0.0;
+  double maxInterfaceFraction = 0.0, maxInterfaceAtMm = 0.0;
 };
 
 // Of tool-paths.
@@ -51,7 +51,7 @@ struct ToolpathStatistics {
   std::size_t simpleRegions = 0;                       // patches with one boundary loop
   double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area
   std::size_t gouges = 0;
-  double maxTurnDeg = 0.0, materialMm3 = 0.0;
+  double maxRotationDeg = 0.0, materialMm3 = 0.0;
   double rimSupportMm3 = 0.0;  // of support beads under low rims, included in materialMm3
   double layerVolumeMm3 = 0.0; // area x thickness of all solid parts of patches
   // Of the parts that sparse infill fills: area x thickness, and its beads. The target of

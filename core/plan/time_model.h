@@ -22,7 +22,7 @@ struct TimeModel {
   // Second speed law that some controllers are reported to use: a radian of TCP rotation takes as
   // long as this length of path; 0: no such law. Does not apply to motions for which the text gives
   // a time.
-  double turnMmPerRad = 0.0;
+  double rotationMmPerRad = 0.0;
 };
 
 } // namespace voluta::plan

@@ -17,8 +17,10 @@ FaceTable faceTable(const Piece& piece, const RiskRule& rule) {
   for (std::size_t t = 0; t < n; ++t) {
     f.normal.push_back(geometry::triangleNormal(mesh, t));
     f.area.push_back(geometry::triangleArea(mesh, t));
-    f.laid.push_back(piece.solid.tag[t] == kLaid || (piece.baseTag != kPlate && f.stands[t] != 0));
-    const bool risky = !f.stands[t] && !f.laid[t] && isRisky(f.normal[t], piece.base.normal, rule);
+    f.onPrinted.push_back(piece.solid.tag[t] == kOnPrinted ||
+                          (piece.baseTag != kPlate && f.stands[t] != 0));
+    const bool risky =
+        !f.stands[t] && !f.onPrinted[t] && isRisky(f.normal[t], piece.base.normal, rule);
     f.risky.push_back(risky ? f.area[t] : 0.0);
     f.standsMm2 += f.stands[t] ? f.area[t] : 0.0;
   }

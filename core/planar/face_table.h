@@ -16,7 +16,7 @@ struct FaceTable {
   std::vector<double> risky;           // its area if it needs support in the current piece, else 0
   std::vector<std::uint8_t> stands;    // 1: the piece stands on this face
   // 1: the face is on earlier material, whatever the print direction
-  std::vector<std::uint8_t> laid;
+  std::vector<std::uint8_t> onPrinted;
   std::vector<std::array<int, 3>> neighbour; // across side k; -1: none
   double standsMm2 = 0.0;
 };

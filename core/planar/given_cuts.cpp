@@ -61,13 +61,13 @@ double extent(const geometry::TriangleMesh& mesh, const Vector3d& direction) {
 // Returns the minimum of a piece's height over its base and its widths parallel to the base.
 double thinnest(const Piece& piece) {
   const PlaneFrame frame = frameOf(piece.base.normal);
-  double least = extent(piece.solid.mesh, piece.base.normal);
+  double minimum = extent(piece.solid.mesh, piece.base.normal);
   for (int k = 0; k < kWidths; ++k) {
     const double angle = base::kPi * k / kWidths;
-    least = std::min(least, extent(piece.solid.mesh,
-                                   std::cos(angle) * frame.across + std::sin(angle) * frame.along));
+    minimum = std::min(minimum, extent(piece.solid.mesh, std::cos(angle) * frame.across +
+                                                             std::sin(angle) * frame.along));
   }
-  return least;
+  return minimum;
 }
 
 [[noreturn]] void wrongCut(std::size_t index, const base::Message& what,
@@ -124,12 +124,12 @@ std::vector<Place> placesOf(const GivenCut& cut, std::int32_t tag, const std::ve
   return first;
 }
 
-void requireBead(const Piece& piece, std::size_t index, double leastMm) {
-  if (const double mm = thinnest(piece); mm < leastMm)
+void requireBead(const Piece& piece, std::size_t index, double minMm) {
+  if (const double mm = thinnest(piece); mm < minMm)
     wrongCut(index,
              base::message("leaves a piece only {thickness:.2g} thick, thinner than a "
                            "bead ({least})"_text,
-                           base::mm(mm), base::mm(leastMm)),
+                           base::mm(mm), base::mm(minMm)),
              "move the plane or remove it"_text);
 }
 
@@ -216,7 +216,7 @@ std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces) {
 }
 
 std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, const RiskRule& rule,
-                            double leastMm, const base::RunContext& ctx) {
+                            double minMm, const base::RunContext& ctx) {
   std::vector<Piece> pieces;
   pieces.push_back(std::move(whole));
   for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -235,9 +235,9 @@ std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, cons
     if (!cut)
       wrongCut(i, "leaves a piece without a base"_text,
                "move the plane, or point its normal to the side to cut off"_text);
-    requireBead(cut->below, i, leastMm);
+    requireBead(cut->below, i, minMm);
     for (const Piece& above : cut->above)
-      requireBead(above, i, leastMm);
+      requireBead(above, i, minMm);
     PieceCut one = joined(std::move(*cut));
     piece = std::move(one.below);
     pieces.push_back(std::move(one.above.front()));
@@ -247,7 +247,7 @@ std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, cons
 
 PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
                                     const std::vector<GivenCut>& cuts, const PlanarOptions& options,
-                                    double leastMm, const base::RunContext& ctx) {
+                                    double minMm, const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
     throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
                       "repair it, or use curved mode, which takes any mesh"_text);
@@ -256,7 +256,7 @@ PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
   Piece whole = wholePart(part, options.rule);
   out.riskyBeforeMm2 = riskyArea(whole, options.rule);
   std::vector<Piece> pieces =
-      cutApart(std::move(whole), cuts, options.rule, leastMm, ctx.sub(0.0, 0.9));
+      cutApart(std::move(whole), cuts, options.rule, minMm, ctx.sub(0.0, 0.9));
   out.pieces = printOrder(std::move(pieces), options, kOrderSpacingMm, out.blockedPieces);
   for (const Piece& piece : out.pieces) {
     out.riskyMm2 += riskyArea(piece, options.rule);

@@ -37,15 +37,15 @@ std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces);
 // Applies the cuts to `whole` in order, each where its plane intersects the remaining pieces
 // nearest to its point; sections are tagged by the cut's index in the list. The order of the pieces
 // is unspecified. Throws Error{UnusableInput} naming the cut if its plane misses the part, leaves a
-// piece without a base, or leaves one thinner than `leastMm`; Cancelled.
+// piece without a base, or leaves one thinner than `minMm`; Cancelled.
 std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, const RiskRule& rule,
-                            double leastMm, const base::RunContext& ctx);
+                            double minMm, const base::RunContext& ctx);
 
 // Returns cutApart() of a part, in print order. Precondition: `part` is closed, its faces point
 // outward and it is on z = 0. Throws as cutApart, and Error{UnusableInput} if the part is not
 // closed.
 PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
                                     const std::vector<GivenCut>& cuts, const PlanarOptions& options,
-                                    double leastMm, const base::RunContext& ctx);
+                                    double minMm, const base::RunContext& ctx);
 
 } // namespace voluta::planar

@@ -64,8 +64,8 @@ std::vector<Vector3d> frustumSamples(double lowMm, double highMm, double lowRadi
   const auto ring = [&](double z, double radius) {
     const int n = std::max(6, static_cast<int>(std::ceil(2.0 * base::kPi * radius / spacingMm)));
     for (int i = 0; i < n; ++i) {
-      const double turn = 2.0 * base::kPi * i / n;
-      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+      const double angle = 2.0 * base::kPi * i / n;
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     }
   };
   const int steps =

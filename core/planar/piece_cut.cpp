@@ -59,7 +59,7 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
                                  const CutRules& rules) {
   double lost = 0.0;
   const auto wanted = [&](const TaggedMesh& solid) {
-    if (geometry::volume(solid.mesh) < rules.leastVolumeMm3)
+    if (geometry::volume(solid.mesh) < rules.minVolumeMm3)
       return false;
     Piece as;
     as.solid = solid;
@@ -68,7 +68,7 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
     const std::vector<std::uint8_t> stands = standsOn(as, rules.rule);
     double before = 0.0, after = 0.0, contact = 0.0;
     for (std::size_t t = 0; t < stands.size(); ++t) {
-      if (solid.tag[t] == tag || solid.tag[t] == kLaid)
+      if (solid.tag[t] == tag || solid.tag[t] == kOnPrinted)
         continue;
       const Vector3d n = geometry::triangleNormal(solid.mesh, t);
       const double area = geometry::triangleArea(solid.mesh, t);
@@ -79,7 +79,7 @@ std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::in
       if (!(stands[t] && piece.baseTag != kPlate) && isRisky(n, plane.normal, rules.rule))
         after += area;
     }
-    if (before - after < rules.leastGainMm2 || lost + contact > rules.maxContactLossMm2 + 1e-6)
+    if (before - after < rules.minGainMm2 || lost + contact > rules.maxContactLossMm2 + 1e-6)
       return false;
     lost += contact;
     return true;
@@ -125,7 +125,7 @@ std::optional<PieceCut> splitPiece(const Piece& piece, const Plane& plane, std::
     out.sectionMiddles.push_back(sectionMiddle(sides.above[i], own));
     for (std::int32_t& t : sides.above[i].tag)
       if (t == piece.baseTag)
-        t = kLaid;
+        t = kOnPrinted;
     out.above.push_back({std::move(sides.above[i]), {plane.normal, sides.offsetMm}, own, -1, {}});
     if (!(baseArea(out.above.back(), rule) > 0.0))
       return std::nullopt;

@@ -12,8 +12,8 @@ namespace voluta::planar {
 // Conditions for cutting a solid off.
 struct CutRules {
   RiskRule rule;
-  double leastGainMm2 = 1.0;
-  double leastVolumeMm3 = 30.0;
+  double minGainMm2 = 1.0;
+  double minVolumeMm3 = 30.0;
   double maxContactLossMm2 = 0.0; // largest loss of the piece's contact area
 };
 

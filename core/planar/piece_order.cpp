@@ -11,7 +11,7 @@ namespace voluta::planar {
 
 PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
                    const std::vector<std::vector<std::int32_t>>& holds,
-                   const std::function<bool(std::size_t i, std::size_t j)>& inTheWay) {
+                   const std::function<bool(std::size_t i, std::size_t j)>& isBlocking) {
   const std::size_t n = standsOnTag.size();
   PieceOrder out;
   out.under.resize(n);
@@ -37,7 +37,7 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
   std::vector<std::vector<std::size_t>> waits(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      if (i != j && !over[j][i] && inTheWay(i, j))
+      if (i != j && !over[j][i] && isBlocking(i, j))
         waits[j].push_back(i);
   std::vector<bool> done(n, false);
   const auto standing = [&](std::size_t i) {
@@ -104,7 +104,7 @@ std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& op
     Piece piece = std::move(pieces[p]);
     piece.parent = -1;
     piece.under.clear();
-    double most = -1.0;
+    double maximum = -1.0;
     for (const int u : found.under[p]) {
       const auto at = static_cast<std::size_t>(place[static_cast<std::size_t>(u)]);
       double shared = 0.0;
@@ -112,8 +112,8 @@ std::vector<Piece> printOrder(std::vector<Piece> pieces, const PlanarOptions& op
         if (out[at].solid.tag[t] == piece.baseTag)
           shared += geometry::triangleArea(out[at].solid.mesh, t);
       piece.under.push_back(static_cast<int>(at));
-      if (shared > most) {
-        most = shared;
+      if (shared > maximum) {
+        maximum = shared;
         piece.parent = static_cast<int>(at);
       }
     }

@@ -18,10 +18,10 @@ struct PieceOrder {
 };
 
 // `standsOnTag[i]`: the tag of the section that piece i is printed on; `holds[i]`: the tags of its
-// other sections, sorted; inTheWay(i, j): returns whether j, if printed earlier, blocks the head at
-// i. Pieces on the plate come first.
+// other sections, sorted; isBlocking(i, j): returns whether j, if printed earlier, blocks the head
+// at i. Pieces on the plate come first.
 PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
                    const std::vector<std::vector<std::int32_t>>& holds,
-                   const std::function<bool(std::size_t i, std::size_t j)>& inTheWay);
+                   const std::function<bool(std::size_t i, std::size_t j)>& isBlocking);
 
 } // namespace voluta::planar

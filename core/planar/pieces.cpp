@@ -40,7 +40,7 @@ std::vector<bool> riskyFaces(const Piece& piece, const RiskRule& rule) {
   const std::vector<std::uint8_t> stands = standsOn(piece, rule);
   std::vector<bool> risky(stands.size());
   for (std::size_t t = 0; t < risky.size(); ++t)
-    risky[t] = !stands[t] && piece.solid.tag[t] != kLaid &&
+    risky[t] = !stands[t] && piece.solid.tag[t] != kOnPrinted &&
                isRisky(geometry::triangleNormal(piece.solid.mesh, t), piece.base.normal, rule);
   return risky;
 }

@@ -42,8 +42,8 @@ Piece wholePart(const geometry::TriangleMesh& part, const RiskRule& rule);
 bool isRisky(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction, const RiskRule& rule);
 
 // Returns whether each triangle needs support if the piece is printed along its base's normal.
-// Faces that the piece stands on do not: its base section and faces tagged kLaid, and on the plate
-// the faces up to contactMm (whole faces: see wholePart).
+// Faces that the piece stands on do not: its base section and faces tagged kOnPrinted, and on the
+// plate the faces up to contactMm (whole faces: see wholePart).
 std::vector<bool> riskyFaces(const Piece& piece, const RiskRule& rule);
 // Returns the area of these faces [mm2].
 double riskyArea(const Piece& piece, const RiskRule& rule);

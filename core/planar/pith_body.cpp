@@ -52,7 +52,7 @@ Rod rodOf(const Limb& limb, const PithRule& rule) {
       gain += rule.branchGain * fade(along, 2.0 * limb.partRadiusMm.front());
     if (limb.branchesLast)
       gain += rule.branchGain * fade(length - along, 2.0 * limb.partRadiusMm.back());
-    rod.radiusMm.push_back(gain * std::max(rule.leastRadiusMm, rule.share * limb.partRadiusMm[i]));
+    rod.radiusMm.push_back(gain * std::max(rule.minRadiusMm, rule.share * limb.partRadiusMm[i]));
   }
   return rod;
 }
@@ -75,7 +75,7 @@ geometry::TriangleMesh solidOf(const Rod& rod) {
   const auto addRing = [&](const Vector3d& centre, double radius) {
     const Vector3d v = t.cross(u);
     for (int k = 0; k < kSides; ++k) {
-      const double angle = base::kTurn * k / kSides;
+      const double angle = base::kTwoPi * k / kSides;
       mesh.vertices.push_back(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
     }
   };
@@ -130,7 +130,7 @@ geometry::TriangleMesh forFlow(const geometry::TriangleMesh& part) {
 
 PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
                   const base::RunContext& ctx) {
-  base::require(rule.share > 0.0 && rule.share < 1.0 && rule.leastRadiusMm > 0.0 &&
+  base::require(rule.share > 0.0 && rule.share < 1.0 && rule.minRadiusMm > 0.0 &&
                     rule.branchGain >= 0.0,
                 "pithBody: a share between 0 and 1, a radius above 0");
   if (part.empty() || !geometry::boundaryLoops(part).empty())
@@ -143,16 +143,15 @@ PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
     refuse("the part has no limbs"_text,
            "use infill that is dense along the part's middle (`sparsePattern=pith`)"_text);
   PithBody body;
-  body.leastRadiusMm = std::numeric_limits<double>::infinity();
+  body.minRadiusMm = std::numeric_limits<double>::infinity();
   std::optional<geometry::TriangleMesh> joined;
   for (const Limb& limb : limbs) {
     ctx.checkpoint();
     Rod rod = rodOf(limb, rule);
     ++body.limbs;
     body.lengthMm += limb.lengthMm();
-    body.leastRadiusMm = std::min(body.leastRadiusMm, *std::ranges::min_element(rod.radiusMm));
-    body.greatestRadiusMm =
-        std::max(body.greatestRadiusMm, *std::ranges::max_element(rod.radiusMm));
+    body.minRadiusMm = std::min(body.minRadiusMm, *std::ranges::min_element(rod.radiusMm));
+    body.maxRadiusMm = std::max(body.maxRadiusMm, *std::ranges::max_element(rod.radiusMm));
     if (!limb.branchesLast)
       extendEnd(rod);
     if (!limb.branchesFirst) {

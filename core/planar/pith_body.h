@@ -8,8 +8,8 @@
 namespace voluta::planar {
 
 struct PithRule {
-  double share = 0.35;       // radius of the pith, as a share of the part's radius at that place
-  double leastRadiusMm = 1.5;
+  double share = 0.35; // radius of the pith, as a share of the part's radius at that place
+  double minRadiusMm = 1.5;
   double branchGain = 0.4; // share by which the pith is thicker where it branches
 };
 
@@ -17,15 +17,15 @@ struct PithBody {
   geometry::TriangleMesh mesh; // closed, faces outward
   int limbs = 0;               // parts of the skeleton between branchings and ends
   double lengthMm = 0.0;       // of all limbs, to the part's surface
-  double leastRadiusMm = 0.0, greatestRadiusMm = 0.0;
+  double minRadiusMm = 0.0, maxRadiusMm = 0.0;
 };
 
 // Returns the pith of a closed part. Each limb extends to the part's surface, where the pith is cut
 // off. The part's radius at a place is the least distance from the skeleton to the surface across
 // the limb; the gain fades with the distance from the branching, over the part's radius there.
 // Limbs shorter than the part's radius at their branching are left out. Throws
-// Error{UnusableInput} if the part is not closed or has no limbs, or if the limbs cannot be joined or cut;
-// Cancelled.
+// Error{UnusableInput} if the part is not closed or has no limbs, or if the limbs cannot be joined
+// or cut; Cancelled.
 PithBody pithBody(const geometry::TriangleMesh& part, const PithRule& rule,
                   const base::RunContext& ctx);
 

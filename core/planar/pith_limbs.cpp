@@ -114,13 +114,13 @@ std::optional<double> distanceAlong(const geometry::MeshQuery& part, const Vecto
 double radiusAcross(const geometry::MeshQuery& part, const Vector3d& at, const Vector3d& tangent) {
   constexpr int kRays = 24;
   const Vector3d u = tangent.unitOrthogonal(), v = tangent.cross(u);
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kRays; ++k) {
-    const double angle = base::kTurn * k / kRays;
+    const double angle = base::kTwoPi * k / kRays;
     if (const auto mm = distanceAlong(part, at, std::cos(angle) * u + std::sin(angle) * v))
-      least = std::min(least, *mm);
+      minimum = std::min(minimum, *mm);
   }
-  return std::isfinite(least) ? least : 0.0;
+  return std::isfinite(minimum) ? minimum : 0.0;
 }
 
 // Extends the last point along the limb's direction to the surface.

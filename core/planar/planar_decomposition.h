@@ -32,7 +32,7 @@ struct PlanarOptions {
   RiskRule rule;
   process::HeadShape head; // must clear earlier pieces; empty: not checked
   PlanarPlatform platform;
-  double leastVolumeMm3 = 10.0; // smaller pieces are not cut off
+  double minVolumeMm3 = 10.0; // smaller pieces are not cut off
   // The first piece keeps these shares of the part's contact area and of the area of its convex
   // hull [mm2/mm2]. If the target is not reached that way, the shares are multiplied by 0.4 (but 1
   // stays 1).
@@ -46,7 +46,7 @@ struct PlanarOptions {
   double lowestZ = -0.71;             // lowest z of the normals (constraint II: 0)
   double stepMm = 2.0;                // distance between the offsets of planes
   std::size_t searchTriangles = 4000; // triangles of the simplified mesh used for the search
-  int mostCuts = 40;
+  int maxCuts = 40;
 };
 
 struct PlanarDecomposition {

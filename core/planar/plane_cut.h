@@ -13,12 +13,13 @@ namespace voluta::planar {
 // Tag of triangles on the part's own surface; cuts have tags >= 0.
 inline constexpr std::int32_t kSkin = -1;
 // Tag of triangles on earlier material: formerly the base of a piece that was cut.
-inline constexpr std::int32_t kLaid = -3;
+inline constexpr std::int32_t kOnPrinted = -3;
 
 // A closed mesh, oriented outward, with any number of components.
 struct TaggedMesh {
   geometry::TriangleMesh mesh;
-  std::vector<std::int32_t> tag; // per triangle: kSkin, kLaid, or the cut whose section it is on
+  std::vector<std::int32_t>
+      tag; // per triangle: kSkin, kOnPrinted, or the cut whose section it is on
 };
 
 TaggedMesh tagged(const geometry::TriangleMesh& mesh);

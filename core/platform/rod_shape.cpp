@@ -78,8 +78,8 @@ RadiusRange radiiBetween(const RodShape& rod, double x0, double x1) {
     for (const double x : {low, high}) {
       const double t = (x - a.x()) / (b.x() - a.x());
       const double radius = (1.0 - t) * a.y() + t * b.y();
-      range.leastMm = std::min(range.leastMm, radius * flatness(rod.sides));
-      range.mostMm = std::max(range.mostMm, radius);
+      range.minMm = std::min(range.minMm, radius * flatness(rod.sides));
+      range.maxMm = std::max(range.maxMm, radius);
     }
   }
   return range;
@@ -89,10 +89,10 @@ geometry::TriangleMesh meshOf(const RodShape& rod, double chordMm) {
   base::require(chordMm > 0.0, "a chord height");
   int n = rod.sides;
   if (n == 0) {
-    double most = 0.0;
+    double maximum = 0.0;
     for (const Eigen::Vector2d& p : rod.profile)
-      most = std::max(most, p.y());
-    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - chordMm / most));
+      maximum = std::max(maximum, p.y());
+    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - chordMm / maximum));
     n = std::max(kMinSides, static_cast<int>(std::ceil(2.0 * base::kPi / step)));
   }
   geometry::TriangleMesh mesh;

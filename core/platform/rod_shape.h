@@ -29,7 +29,7 @@ double radiusAt(const RodShape& rod, double x, double angle);
 // The minimum and maximum radius of the surface over [x0, x1]: for a prism at the middle of its
 // sides and at its corners. Preconditions: checkRod; the range intersects the rod.
 struct RadiusRange {
-  double leastMm = 0.0, mostMm = 0.0;
+  double minMm = 0.0, maxMm = 0.0;
 };
 RadiusRange radiiBetween(const RodShape& rod, double x0, double x1);
 

@@ -6,22 +6,22 @@
 namespace voluta::process {
 
 struct ChosenRange {
-  double usual = 0.0, least = 0.0, most = 0.0; // 0 < least <= usual <= most
+  double usual = 0.0, minimum = 0.0, maximum = 0.0; // 0 < minimum <= usual <= maximum
 };
 
 // Throws Error{UnusableInput} naming the key.
 inline ChosenRange readRange(const base::JsonNode& node) {
   node.allowOnly({"default", "min", "max"});
   ChosenRange range;
-  range.least = node.at("min").positive();
+  range.minimum = node.at("min").positive();
   range.usual = node.at("default").positive();
-  range.most = node.at("max").positive();
-  if (range.usual < range.least)
+  range.maximum = node.at("max").positive();
+  if (range.usual < range.minimum)
     node.at("default").fail(base::message("is {usual}, below 'min', which is {least}"_text,
-                                          base::number(range.usual), base::number(range.least)));
-  if (range.usual > range.most)
+                                          base::number(range.usual), base::number(range.minimum)));
+  if (range.usual > range.maximum)
     node.at("default").fail(base::message("is {usual}, above 'max', which is {most}"_text,
-                                          base::number(range.usual), base::number(range.most)));
+                                          base::number(range.usual), base::number(range.maximum)));
   return range;
 }
 

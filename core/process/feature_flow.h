@@ -3,6 +3,6 @@
 
 namespace voluta::process {
 
-inline constexpr double kLeastFlow = 0.5, kMostFlow = 2.0;
+inline constexpr double kMinFlow = 0.5, kMaxFlow = 2.0;
 
 } // namespace voluta::process

@@ -21,9 +21,9 @@ constexpr std::array<FeatureRow, kFeatures> kRows{{
 
 double readFlow(const JsonNode& node) {
   const double flow = node.positive();
-  if (flow < kLeastFlow || flow > kMostFlow)
-    node.fail(base::message("must be between {least} and {most}"_text, base::number(kLeastFlow),
-                            base::number(kMostFlow)));
+  if (flow < kMinFlow || flow > kMaxFlow)
+    node.fail(base::message("must be between {least} and {most}"_text, base::number(kMinFlow),
+                            base::number(kMaxFlow)));
   return flow;
 }
 

@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTipShare = 0.01; // Of the height: vertices that form the tip
-constexpr double kMostLevels = 4096.0;
+constexpr double kMaxLevels = 4096.0;
 constexpr double kSameMm = 1e-9;
-constexpr double kLeastHeightMm = 1.0;    // Lower meshes were drawn in another unit
-constexpr std::size_t kMostSections = 48; // Each costs time in collision checks
+constexpr double kMinHeightMm = 1.0;     // Lower meshes were drawn in another unit
+constexpr std::size_t kMaxSections = 48; // Each costs time in collision checks
 
 [[noreturn]] void refuse(base::Message reason, base::Message remedy = {}) {
   throw base::Error(base::ErrorCode::UnusableInput, std::move(reason), {}, std::move(remedy));
@@ -179,10 +179,10 @@ HeadShape headFromMesh(const geometry::TriangleMesh& given, double toleranceMm,
   const auto [low, high] =
       std::ranges::minmax(mesh.vertices, {}, [](const Vector3d& v) { return v.z(); });
   const double heightMm = high.z() - low.z();
-  if (heightMm > 0.0 && heightMm < kLeastHeightMm)
+  if (heightMm > 0.0 && heightMm < kMinHeightMm)
     refuse(base::message("the mesh is only {height} high"_text, base::mm(heightMm)),
            "export it in millimetres"_text);
-  const double levelMm = std::max(0.1 * toleranceMm, heightMm / kMostLevels);
+  const double levelMm = std::max(0.1 * toleranceMm, heightMm / kMaxLevels);
   const std::vector<Vector3d> vertices = aroundAxis(mesh, levelMm);
   std::vector<double> levels;
   for (const Vector3d& v : vertices)
@@ -205,7 +205,7 @@ HeadShape headFromMesh(const geometry::TriangleMesh& given, double toleranceMm,
     add(levels[i + 1], slabs[i].upper);
   }
   HeadShape head = simplified(sections, toleranceMm);
-  for (double mm = 2.0 * toleranceMm; head.sections.size() > kMostSections && mm < heightMm;
+  for (double mm = 2.0 * toleranceMm; head.sections.size() > kMaxSections && mm < heightMm;
        mm *= 2.0)
     head = simplified(sections, mm);
   return head;

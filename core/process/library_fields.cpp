@@ -14,8 +14,8 @@ namespace {
 using base::ParameterSpec;
 using base::ParameterValue;
 
-constexpr double kMostGPerCm3 = 30.0, kMostC = 1000.0, kHottestBedC = 250.0;
-constexpr double kMostPrice = 1e6, kMostMm = 1000.0, kMostMm3PerS = 1e7, kMostBridgeWidths = 1000.0;
+constexpr double kMaxGPerCm3 = 30.0, kMaxC = 1000.0, kHottestBedC = 250.0;
+constexpr double kMaxPrice = 1e6, kMaxMm = 1000.0, kMaxMm3PerS = 1e7, kMaxBridgeWidths = 1000.0;
 
 Process& processOf(LibraryItem& item) {
   return std::get<Process>(item.data);
@@ -82,7 +82,7 @@ LibraryField materialField(const Process& process) {
 }
 
 LibraryField densityField(base::Text group, Material& (*of)(LibraryItem&)) {
-  return {base::numberParameter("densityGPerCm3", "g/cm³", 0.0, 0.0, kMostGPerCm3, group,
+  return {base::numberParameter("densityGPerCm3", "g/cm³", 0.0, 0.0, kMaxGPerCm3, group,
                                 "density"_text, "Density of the printed material."_text),
           [of](const LibraryItem& item) {
             LibraryItem copy = item;
@@ -107,7 +107,7 @@ std::vector<LibraryField> processFields(const Process& process) {
 
 LibraryField celsiusField(const char* key, int Material::*value, base::Text label,
                           base::Text help) {
-  return {base::numberParameter(key, "°C", 0.0, 0.0, kMostC, "Temperatures"_text, label, help),
+  return {base::numberParameter(key, "°C", 0.0, 0.0, kMaxC, "Temperatures"_text, label, help),
           [value](const LibraryItem& item) {
             return ParameterValue(static_cast<double>(materialOf(item).*value));
           },
@@ -155,7 +155,7 @@ LibraryField materialText(ParameterSpec spec, std::string Material::*value) {
 }
 
 std::vector<LibraryField> temperatureFields() {
-  return {optionalField(base::numberParameter("nozzleC.default", "°C", 0.0, 0.0, kMostC,
+  return {optionalField(base::numberParameter("nozzleC.default", "°C", 0.0, 0.0, kMaxC,
                                               "Temperatures"_text, "nozzle temperature"_text,
                                               "Usual temperature of the nozzle."_text),
                         &Material::nozzleC, "unknown"_text),
@@ -184,16 +184,16 @@ std::vector<LibraryField> materialFields() {
                                                        "Part cooling of bridges, 0 to 1."_text),
                                  &Material::bridgeFan, "as elsewhere"_text));
   fields.push_back(
-      optionalField(base::numberParameter("maxFlowMm3PerS", "mm³/s", 0.0, 0.0, kMostMm3PerS,
+      optionalField(base::numberParameter("maxFlowMm3PerS", "mm³/s", 0.0, 0.0, kMaxMm3PerS,
                                           "Limits"_text, "maximum flow"_text,
                                           "Melted at most, whatever the process allows."_text),
                     &Material::maxFlowMm3PerS, "any"_text));
   fields.push_back(materialNumber(
-      base::numberParameter("bridgeWidths", "", 0.0, 0.0, kMostBridgeWidths, "Limits"_text,
+      base::numberParameter("bridgeWidths", "", 0.0, 0.0, kMaxBridgeWidths, "Limits"_text,
                             "bridge length in bead widths"_text,
                             "Length that a bead bridges, unless the process states it."_text),
       &Material::bridgeWidths));
-  fields.push_back(optionalField(base::numberParameter("bridgeMm", "mm", 0.0, -1.0, kMostMm,
+  fields.push_back(optionalField(base::numberParameter("bridgeMm", "mm", 0.0, -1.0, kMaxMm,
                                                        "Limits"_text, "longest bridge"_text,
                                                        "Whatever the process allows."_text),
                                  &Material::bridgeMm, "any"_text));
@@ -209,7 +209,7 @@ std::vector<LibraryField> materialFields() {
                                           "Age up to which a bead bonds with the next layer, "
                                           "unless the job states it."_text),
                     &Material::maxLayerTimeS, "any"_text));
-  fields.push_back(materialNumber(base::numberParameter("pricePerKg", "", 0.0, 0.0, kMostPrice,
+  fields.push_back(materialNumber(base::numberParameter("pricePerKg", "", 0.0, 0.0, kMaxPrice,
                                                         "Other"_text, "price per kg"_text,
                                                         "In your currency. 0: unknown."_text),
                                   &Material::pricePerKg));

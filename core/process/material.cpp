@@ -17,9 +17,9 @@ namespace voluta::process {
 namespace {
 using base::JsonNode;
 
-constexpr const char* kFolder = "materials";                 // of base::dataFile()
-constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450;  // that print heads withstand
-constexpr double kLeastNozzleC = 1.0, kMostNozzleC = 1000.0; // Of any material
+constexpr const char* kFolder = "materials";                // of base::dataFile()
+constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
+constexpr double kMinNozzleC = 1.0, kMaxNozzleC = 1000.0;   // Of any material
 constexpr double kHottestBedC = 250.0;
 constexpr double kLongestMinS = 3600.0, kLongestMaxS = 36000.0; // as the parameters of a job
 
@@ -31,13 +31,13 @@ bool isColour(const std::string& text) {
 
 void readNozzle(const JsonNode& node, Material& m) {
   const ChosenRange range = readRange(node);
-  if (range.least < kLeastNozzleC)
+  if (range.minimum < kMinNozzleC)
     node.at("min").fail("is below 1"_text);
-  if (range.most > kMostNozzleC)
+  if (range.maximum > kMaxNozzleC)
     node.at("max").fail("is above 1000"_text);
   m.nozzleC = static_cast<int>(range.usual);
-  m.nozzleMinC = static_cast<int>(range.least);
-  m.nozzleMaxC = static_cast<int>(range.most);
+  m.nozzleMinC = static_cast<int>(range.minimum);
+  m.nozzleMaxC = static_cast<int>(range.maximum);
 }
 
 double readShare(const JsonNode& node) {
@@ -112,9 +112,9 @@ Material loadFile(const std::filesystem::path& file) {
 } // namespace
 
 double readDensity(const JsonNode& node) {
-  constexpr double kMostGPerCm3 = 30.0; // Above all metals
+  constexpr double kMaxGPerCm3 = 30.0; // Above all metals
   const double density = node.positive();
-  if (density > kMostGPerCm3)
+  if (density > kMaxGPerCm3)
     node.fail("is above 30 g/cm3: check the unit"_text);
   return density;
 }

@@ -59,9 +59,9 @@ MeasuredSize sizeOfRow(const std::vector<std::string_view>& words, const base::M
     refuse("not a kind, an axis and two sizes"_text, place);
   MeasuredSize size{row->kind, row->hasAxis ? words[1].front() : 'x', sizeOf(words[first], place),
                     sizeOf(words[first + 1], place)};
-  constexpr double kMostShare = 0.2, kMostMm = 2.0;
+  constexpr double kMaxShare = 0.2, kMaxMm = 2.0;
   const double error = std::abs(size.measuredMm - size.nominalMm);
-  if (error > kMostMm && error > kMostShare * size.nominalMm)
+  if (error > kMaxMm && error > kMaxShare * size.nominalMm)
     refuse(base::message("{measured} is too far from {nominal}"_text, base::mm(size.measuredMm),
                          base::mm(size.nominalMm)),
            place);

@@ -24,18 +24,18 @@ bool isInRange(const ProcessNumber& row) {
 }
 
 // Throws if a number is so large that its unit must be another.
-void checkMost(const JsonNode& node, double value, const ProcessNumber& row) {
+void checkMaximum(const JsonNode& node, double value, const ProcessNumber& row) {
   if (value > row.maximum)
     node.fail(base::message("is above {most} {unit}: check the unit"_text,
                             base::number(row.maximum), row.unit));
 }
 
-void readSize(const JsonNode& top, std::string_view key, double& usual, double& least,
-              double& most) {
+void readSize(const JsonNode& top, std::string_view key, double& usual, double& minimum,
+              double& maximum) {
   const ChosenRange range = readRange(top.at(key));
   usual = range.usual;
-  least = range.least;
-  most = range.most;
+  minimum = range.minimum;
+  maximum = range.maximum;
 }
 
 void readNumbers(const JsonNode& top, Process& p) {
@@ -48,7 +48,7 @@ void readNumbers(const JsonNode& top, Process& p) {
       continue;
     if (isInRange(row)) {
       const std::size_t dot = row.key.find('.');
-      checkMost(top.at(row.key.substr(0, dot)).at(row.key.substr(dot + 1)), p.*row.value, row);
+      checkMaximum(top.at(row.key.substr(0, dot)).at(row.key.substr(dot + 1)), p.*row.value, row);
       continue;
     }
     if (row.optional && !top.has(row.key))
@@ -59,7 +59,7 @@ void readNumbers(const JsonNode& top, Process& p) {
                                       : node.positive();
     if (p.*row.value < row.minimum)
       node.fail(base::message("is below {least}"_text, base::number(row.minimum)));
-    checkMost(node, p.*row.value, row);
+    checkMaximum(node, p.*row.value, row);
   }
 }
 
@@ -68,14 +68,14 @@ Tape readTape(const JsonNode& node) {
                   "ironSpeedMmPerS", "densityGPerCm3"});
   const Tape tape{.widthMm = node.at("widthMm").positive(),
                   .thicknessMm = node.at("thicknessMm").positive(),
-                  .leastLengthMm = node.at("leastLengthMm").positive(),
-                  .leastBendRadiusMm = node.at("leastBendRadiusMm").positive(),
+                  .minLengthMm = node.at("leastLengthMm").positive(),
+                  .minBendRadiusMm = node.at("leastBendRadiusMm").positive(),
                   .cutAheadMm = node.at("cutAheadMm").positive()};
   if (tape.thicknessMm >= tape.widthMm)
     node.at("thicknessMm").fail("is not less than 'widthMm'"_text);
-  if (tape.leastBendRadiusMm < 0.5 * tape.widthMm)
+  if (tape.minBendRadiusMm < 0.5 * tape.widthMm)
     node.at("leastBendRadiusMm").fail("is less than half of 'widthMm'"_text);
-  if (tape.cutAheadMm >= tape.leastLengthMm)
+  if (tape.cutAheadMm >= tape.minLengthMm)
     node.at("cutAheadMm").fail("is not less than 'leastLengthMm'"_text);
   return tape;
 }

@@ -29,9 +29,9 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm);
 // A tape of continuous fibre, ironed onto a layer.
 struct Tape {
   double widthMm = 5.0, thicknessMm = 0.08;
-  double leastLengthMm = 20.0;     // Shorter pieces cannot be fed
-  double leastBendRadiusMm = 30.0; // Bends within the surface that are narrower fold the tape
-  double cutAheadMm = 10.0;        // Length between the cutter and the place that is ironed on
+  double minLengthMm = 20.0;     // Shorter pieces cannot be fed
+  double minBendRadiusMm = 30.0; // Bends within the surface that are narrower fold the tape
+  double cutAheadMm = 10.0;      // Length between the cutter and the place that is ironed on
 
   bool operator==(const Tape&) const = default;
 };

@@ -48,8 +48,8 @@ void writeTape(const Process& p, Json& json) {
   json["material"] = p.material.label;
   json["tape"] = {{"widthMm", tape.widthMm},
                   {"thicknessMm", tape.thicknessMm},
-                  {"leastLengthMm", tape.leastLengthMm},
-                  {"leastBendRadiusMm", tape.leastBendRadiusMm},
+                  {"leastLengthMm", tape.minLengthMm},
+                  {"leastBendRadiusMm", tape.minBendRadiusMm},
                   {"cutAheadMm", tape.cutAheadMm},
                   {"ironSpeedMmPerS", p.speedMmPerS},
                   {"densityGPerCm3", p.material.densityGPerCm3}};

@@ -37,10 +37,10 @@ std::vector<base::Message> ofTime(const plan::TimeModel& time) {
     said.push_back(base::message("Look-ahead of {motions} motions."_text, time.lookAhead));
   else
     said.emplace_back("Unlimited look-ahead."_text);
-  if (time.turnMmPerRad > 0.0)
+  if (time.rotationMmPerRad > 0.0)
     said.push_back(base::message("Tool rotation may be limited separately (1 rad = {way:.0f} of "
                                  "path); the slower of the two sets the flow."_text,
-                                 base::mm(time.turnMmPerRad)));
+                                 base::mm(time.rotationMmPerRad)));
   return said;
 }
 
@@ -48,11 +48,11 @@ std::vector<base::Message> ofTime(const plan::TimeModel& time) {
 
 std::vector<base::Message> assumptionsOf(const Dialect& dialect) {
   std::vector<base::Message> said = ofTime(dialect.time);
-  if (dialect.merge.leastS > 0.0)
+  if (dialect.merge.minS > 0.0)
     said.push_back(base::message("Points of a bead closer than {time} ms or {way} are "
                                  "merged if the bead stays the same."_text,
-                                 base::number(1000.0 * dialect.merge.leastS),
-                                 base::mm(dialect.merge.leastMm)));
+                                 base::number(1000.0 * dialect.merge.minS),
+                                 base::mm(dialect.merge.minMm)));
   if (dialect.merge.motionS > 0.0)
     said.push_back(base::message("Motions shorter than {time} ms are stretched to that time and "
                                  "their flow is reduced to match."_text,

@@ -42,12 +42,12 @@ constexpr plan::TimeModel kMelfaTime = {
     .accelerationMmPerS2 = kMelfaMmPerS2, .jointAccelerationRadPerS2 = 20.0, .cycleS = 0.00711};
 // Usual machine data of KUKA have 10 m/s2. The controller knows as many motions ahead as $ADVANCE,
 // at most 5. Two cycles of its interpolation.
-constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMaxMmPerS2,
                                       .jointAccelerationRadPerS2 = 10.0,
                                       .jointsInPercent = true,
                                       .lookAhead = 5};
-constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
-constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
+constexpr MergeLimits kKrlMerge = {.minS = 0.024, .minMm = 0.5, .jointRad = kSameJointRad};
+constexpr MergeLimits kMelfaMerge = {.minS = 0.0213, .jointRad = kSameJointRad};
 
 // Of languages that can select a tool, let material flow out at rest, and wait for the operator;
 // and those for which they have outputs.
@@ -95,7 +95,7 @@ const std::vector<Dialect>& dialects() {
        .showsTexts = true,
        .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
-       .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
+       .time = {.cycleS = 0.008, .rotationMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = urscriptOptions,
@@ -197,8 +197,7 @@ const std::vector<Dialect>& dialects() {
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
-       .merge =
-           {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
+       .merge = {.minS = 0.024, .minMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = rapidOptions,
        .states = {OperatorStop, Payload},
@@ -348,7 +347,7 @@ const std::vector<Dialect>& dialects() {
        .events = eventsOfTools({kRelease, kLock, kMark}),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
-       .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
+       .merge = {.minS = 0.02, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder},
        .states = {OperatorStop, TargetFrame, Payload},
        .fullFlowAt = "10 V",
@@ -480,7 +479,7 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
   // Around a rod, merged motions would cost 1 % of the coverage (measured on two tubes).
   const bool turnsRod = !input.cell.externalAxes().empty();
   if (turnsRod)
-    limits.leastS = limits.leastMm = 0.0;
+    limits.minS = limits.minMm = 0.0;
   // Where poses are written, the pieces of a joint motion determine its path.
   if (turnsRod || isForeign(dialect, input.cell))
     limits.jointRad = 0.0;
@@ -565,15 +564,15 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   const Dialect& dialect = findDialect(id);
   plan::ReadProgram program;
   program.format = dialect.id;
-  if (!tellNoTexts(files, program.defects, dialect.isBinary)) {
+  if (!reportNoTexts(files, program.defects, dialect.isBinary)) {
     ReadBeadWords words = takeBeadWords(files, id, dialect.remark, tooling);
     program = readWithStream(dialect, words.files.empty() ? files : words.files, tooling, ctx);
     addBeadWords(std::move(words.facts), program);
     if (program.defects.empty())
-      tellMixedLineEnds(files, program.defects, dialect.isBinary);
+      reportMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())
-      tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
-                    program.defects);
+      reportLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
+                      program.defects);
   }
   std::ranges::move(statedFullFlow(files), std::back_inserter(program.facts));
   program.neededFacts.insert(program.neededFacts.end(), dialect.states.begin(),

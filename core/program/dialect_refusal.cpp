@@ -93,16 +93,16 @@ void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions) {
   if (dialect.tiltsNozzle)
     return;
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Eigen::Vector3d& n : directions)
-    most = std::max(most, geometry::angleBetween(n, Eigen::Vector3d::UnitZ()));
-  if (most <= kUprightRad)
+    maximum = std::max(maximum, geometry::angleBetween(n, Eigen::Vector3d::UnitZ()));
+  if (maximum <= kUprightRad)
     return;
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} cannot tilt the nozzle, but this job tilts it by "
                     "{angle}"_text,
-                    dialect.id, base::degrees(base::radiansToDegrees(most))),
+                    dialect.id, base::degrees(base::radiansToDegrees(maximum))),
       {},
       base::message("use {formats}, or a mode with flat layers"_text,
                     formatsThat([](const Dialect& d) { return d.tiltsNozzle; })));

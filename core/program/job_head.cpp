@@ -115,11 +115,11 @@ bool hasEvent(const ProgramInput& input, plan::EventKind kind) {
 } // namespace
 
 std::string toolName(const process::Tooling& tooling, int tool) {
-  constexpr std::size_t kMostNamed = 16; // so that questions with it are short enough
+  constexpr std::size_t kMaxNameLength = 16; // so that questions with it are short enough
   const process::Process& process = tooling.at(tool).process;
   std::string text =
-      joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id, kMostNamed), ", ",
-              plainText(process.material.label, kMostNamed)});
+      joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id, kMaxNameLength), ", ",
+              plainText(process.material.label, kMaxNameLength)});
   if (process.material.nozzleC)
     text += joined({", ", std::to_string(*process.material.nozzleC), " C"});
   return text + ")";
@@ -183,8 +183,8 @@ std::optional<std::string_view> behindMark(std::string_view line, std::string_vi
   return line.substr(at + word.size());
 }
 
-std::string plainText(std::string_view text, std::size_t most) {
-  std::string plain(text.substr(0, most));
+std::string plainText(std::string_view text, std::size_t maxLength) {
+  std::string plain(text.substr(0, maxLength));
   for (char& c : plain)
     if (c < ' ' || c > '~' || c == '"' || c == '\\')
       c = '_';
@@ -336,18 +336,18 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   return lines;
 }
 
-std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) {
+std::vector<std::string> headLines(const ProgramInput& input, std::size_t maxLength) {
   constexpr std::size_t kNamed = 2; // number of lines with names
   std::vector<std::string> lines;
   for (const std::string& whole : headLines(input)) {
     if (lines.size() < kNamed) {
-      lines.push_back(whole.substr(0, most));
+      lines.push_back(whole.substr(0, maxLength));
       continue;
     }
     std::string_view rest = whole;
-    while (rest.size() > most) {
-      const std::size_t blank = rest.rfind(' ', most);
-      const std::size_t end = blank == std::string_view::npos || blank == 0 ? most : blank;
+    while (rest.size() > maxLength) {
+      const std::size_t blank = rest.rfind(' ', maxLength);
+      const std::size_t end = blank == std::string_view::npos || blank == 0 ? maxLength : blank;
       lines.emplace_back(rest.substr(0, end));
       rest = trimmed(rest.substr(end));
     }

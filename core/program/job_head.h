@@ -15,8 +15,8 @@
 namespace voluta::program {
 
 // Returns `text` in a form valid in a comment or quoted string of any dialect: printable ASCII
-// without quotes, backslashes and line ends (each becomes '_'), at most `most` characters.
-std::string plainText(std::string_view text, std::size_t most = 60);
+// without quotes, backslashes and line ends (each becomes '_'), at most `maxLength` characters.
+std::string plainText(std::string_view text, std::size_t maxLength = 60);
 
 // Returns 16 hexadecimal digits that identify the motion and the machine: joints, times, material
 // and kinds of the motions, cell, robot and process. Programs of the same motion have the same hash
@@ -31,9 +31,9 @@ int plateC(const ProgramInput& input);
 // duration; temperatures and fan, if known; the ranges and the start values of the joints (unless
 // foreign: those of the cell's own arm); how programs with marks are started.
 std::vector<std::string> headLines(const ProgramInput& input);
-// Same for controllers that limit lines to `most` characters: longer lines are continued in the
-// next one at a blank; lines that names from files make too long are cut.
-std::vector<std::string> headLines(const ProgramInput& input, std::size_t most);
+// Same for controllers that limit lines to `maxLength` characters: longer lines are continued in
+// the next one at a blank; lines that names from files make too long are cut.
+std::vector<std::string> headLines(const ProgramInput& input, std::size_t maxLength);
 
 // A program's origin as stated in its head: the inverse of headLines. Missing fields are empty.
 struct JobHead {

@@ -64,19 +64,19 @@ private:
     constexpr double kSharpRad = 0.35;
     return limits_.inBase && !arcs_.empty() && arcs_.back().point + 1 == out_.pointCount() &&
            from > 0 && from + 1 < in_.pointCount() &&
-           turnRad(targets_[from].tipMm - targets_[from - 1].tipMm,
-                   targets_[from + 1].tipMm - targets_[from].tipMm) > kSharpRad;
+           angleRad(targets_[from].tipMm - targets_[from - 1].tipMm,
+                    targets_[from + 1].tipMm - targets_[from].tipMm) > kSharpRad;
   }
 
   // Returns a point on an arc that replaces more motions than the line to `to`, and sets `to` to
   // its end.
   std::optional<Eigen::Vector3d> arcInstead(std::size_t from, std::size_t& to) const {
-    constexpr std::size_t kLeastMotions = 3;
+    constexpr std::size_t kMinMotions = 3;
     std::optional<Eigen::Vector3d> via;
     if (!(limits_.arcMm > 0.0) || slowsAtCorner(from))
       return via;
     for (std::size_t end = from + 1; end < in_.pointCount() && isPrint(in_, end); ++end) {
-      if (end >= from + kLeastMotions) {
+      if (end >= from + kMinMotions) {
         const std::optional<Eigen::Vector3d> next = fit_.arcVia(from, end);
         if (!next)
           break;
@@ -95,8 +95,8 @@ private:
     return (targets_[to].tipMm - targets_[from].tipMm).norm();
   }
   bool isShort(std::size_t from, std::size_t to) const {
-    return isPrint(in_, to) && (limits_.all || in_.timeS[to] - in_.timeS[from] < limits_.leastS ||
-                                lengthMm(from, to) < limits_.leastMm);
+    return isPrint(in_, to) && (limits_.all || in_.timeS[to] - in_.timeS[from] < limits_.minS ||
+                                lengthMm(from, to) < limits_.minMm);
   }
   // A bead's last point is kept, and so is the point before an event.
   bool canGoOn(std::size_t to) const {
@@ -114,15 +114,15 @@ private:
   // Returns whether all points in between are on the line between both in joint space, each further
   // along it. Where the arm does not move, a print ends or is resumed; such points are kept.
   bool onJointLine(std::size_t from, std::size_t to) const {
-    const Eigen::VectorXd a = joints(from), way = joints(to) - a;
-    const double squared = way.squaredNorm();
+    const Eigen::VectorXd a = joints(from), step = joints(to) - a;
+    const double squared = step.squaredNorm();
     if (!(squared > 0.0))
       return false;
     double last = 0.0;
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double u = (joints(i) - a).dot(way) / squared;
+      const double u = (joints(i) - a).dot(step) / squared;
       if (!(u > last && u < 1.0 - kSlack) ||
-          (joints(i) - a - u * way).cwiseAbs().maxCoeff() > limits_.jointRad)
+          (joints(i) - a - u * step).cwiseAbs().maxCoeff() > limits_.jointRad)
         return false;
       last = u;
     }
@@ -139,13 +139,13 @@ private:
 };
 
 // All later points are delayed accordingly.
-void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
+void slowShortMotions(plan::Trajectory& trajectory, double minS) {
   double before = trajectory.timeS.empty() ? 0.0 : trajectory.timeS.front(), late = 0.0;
   for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
     const double takes = trajectory.timeS[i] - before;
     before = trajectory.timeS[i];
     // A motion without duration does not move.
-    late += takes > 0.0 ? std::max(0.0, leastS - takes) : 0.0;
+    late += takes > 0.0 ? std::max(0.0, minS - takes) : 0.0;
     trajectory.timeS[i] += late;
   }
 }
@@ -155,7 +155,7 @@ void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
   const plan::Trajectory& planned = input.trajectory;
-  const bool joins = limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0 ||
+  const bool joins = limits.minS > 0.0 || limits.minMm > 0.0 || limits.jointRad > 0.0 ||
                      limits.all || limits.arcMm > 0.0;
   std::vector<std::size_t> pointOf(planned.pointCount());
   std::iota(pointOf.begin(), pointOf.end(), std::size_t{0});

@@ -15,7 +15,7 @@
 namespace voluta::program {
 
 struct MergeLimits {
-  double leastS = 0.0, leastMm = 0.0; // shorter printing motions are merged with the next; 0: none
+  double minS = 0.0, minMm = 0.0; // shorter printing motions are merged with the next; 0: none
   // Tolerances between omitted points and the merged motion: position of the tip, nozzle axis, and
   // relative bead section.
   double toleranceMm = 0.004, toleranceRad = 0.01, sectionShare = 0.02;

@@ -18,14 +18,14 @@ constexpr double kMaxRadiusMm = 1000.0, kMinRadiusMm = 0.2;
 // Controllers limit arcs to less than a turn, and the point on it to its middle part.
 constexpr double kMaxSweepRad = base::kPi;
 // Of the nozzle on arcs in Base or in a plane of X and Y. Others turn it evenly along the arc.
-constexpr double kArcTurnRad = 2e-3;
+constexpr double kArcRotationRad = 2e-3;
 // Larger turns of the arm's tool would take another way.
-constexpr double kMaxArcTurnRad = 0.5 * base::kPi;
+constexpr double kMaxArcRotationRad = 0.5 * base::kPi;
 // A part that turns while its TCP moves along an arc moves on another curve below the nozzle.
-constexpr double kPartTurnRad = 2e-5, kSameTurnRad = 1e-7;
+constexpr double kPartRotationRad = 2e-5, kSameRotationRad = 1e-7;
 constexpr double kSameHeightMm = 1e-3;
 // Further turns about the nozzle's axis would move the arm elsewhere.
-constexpr double kTcpTurnRad = 0.05;
+constexpr double kTcpRotationRad = 0.05;
 } // namespace
 
 MotionFit::MotionFit(const ProgramInput& input, const MergeLimits& limits,
@@ -56,40 +56,40 @@ bool MotionFit::hasDirection(std::size_t from, std::size_t to, std::size_t point
                              double share) const {
   const Vector3d axis =
       ((1.0 - share) * targets_[from].direction + share * targets_[to].direction).normalized();
-  return turnRad(axis, targets_[point].direction) <= limits_.toleranceRad;
+  return angleRad(axis, targets_[point].direction) <= limits_.toleranceRad;
 }
 
 bool MotionFit::turnsPart(std::size_t from, std::size_t to, double rad) const {
-  return targets_[from].tcpTurn.angularDistance(targets_[to].tcpTurn) > rad;
+  return targets_[from].tcpRotation.angularDistance(targets_[to].tcpRotation) > rad;
 }
 
 Vector3d MotionFit::tipOnLine(std::size_t from, std::size_t to, double share) const {
   const MotionTarget &a = targets_[from], &b = targets_[to];
-  if (!heldInBase_ || !turnsPart(from, to, kSameTurnRad))
+  if (!heldInBase_ || !turnsPart(from, to, kSameRotationRad))
     return a.tipMm + share * (b.tipMm - a.tipMm);
   Eigen::Isometry3d tcp = Eigen::Isometry3d::Identity();
-  tcp.linear() = a.tcpTurn.slerp(share, b.tcpTurn).toRotationMatrix();
+  tcp.linear() = a.tcpRotation.slerp(share, b.tcpRotation).toRotationMatrix();
   tcp.translation() = a.tcpMm + share * (b.tcpMm - a.tcpMm);
   return cell_.work_T_toolOfFlange(tcp * cell_.flange_T_moved().inverse(), cell_.home())
       .translation();
 }
 
 bool MotionFit::isLine(std::size_t from, std::size_t to) const {
-  const Vector3d a = targets_[from].tipMm, way = targets_[to].tipMm - a;
-  const double length = way.norm();
+  const Vector3d a = targets_[from].tipMm, span = targets_[to].tipMm - a;
+  const double length = span.norm();
   if (!(length > 0.0) || !hasSection(from, to, length) ||
       (limits_.all && !hasSpeed(from, to, length)))
     return false;
   for (std::size_t i = from + 1; i <= to; ++i) {
-    const double u = (targets_[i].tipMm - a).dot(way) / (length * length);
+    const double u = (targets_[i].tipMm - a).dot(span) / (length * length);
     if (u < -kSlack || u > 1.0 + kSlack)
       return false;
-    const Vector3d tip = limits_.all ? tipOnLine(from, to, u) : Vector3d(a + u * way);
+    const Vector3d tip = limits_.all ? tipOnLine(from, to, u) : Vector3d(a + u * span);
     if ((targets_[i].tipMm - tip).norm() > limits_.toleranceMm || !hasDirection(from, to, i, u))
       return false;
-    if (limits_.all &&
-        targets_[from].tcpTurn.slerp(u, targets_[to].tcpTurn).angularDistance(targets_[i].tcpTurn) >
-            kTcpTurnRad)
+    if (limits_.all && targets_[from]
+                               .tcpRotation.slerp(u, targets_[to].tcpRotation)
+                               .angularDistance(targets_[i].tcpRotation) > kTcpRotationRad)
       return false;
   }
   return true;
@@ -110,20 +110,20 @@ bool MotionFit::fits(const Arc& arc, std::size_t from, std::size_t to) const {
   return true;
 }
 
-bool MotionFit::canTurn(std::size_t from, std::size_t to) const {
+bool MotionFit::canRotate(std::size_t from, std::size_t to) const {
   for (std::size_t i = from + 1; i <= to; ++i)
     if (((limits_.inBase || limits_.levelArcs) &&
-         turnRad(targets_[from].direction, targets_[i].direction) > kArcTurnRad) ||
-        (heldInBase_ && turnsPart(from, i, kPartTurnRad)) ||
+         angleRad(targets_[from].direction, targets_[i].direction) > kArcRotationRad) ||
+        (heldInBase_ && turnsPart(from, i, kPartRotationRad)) ||
         (limits_.levelArcs &&
          std::abs(targets_[i].tipMm.z() - targets_[from].tipMm.z()) > kSameHeightMm) ||
-        targets_[from].tcpTurn.angularDistance(targets_[i].tcpTurn) > kMaxArcTurnRad)
+        targets_[from].tcpRotation.angularDistance(targets_[i].tcpRotation) > kMaxArcRotationRad)
       return false;
   return true;
 }
 
 std::optional<Vector3d> MotionFit::arcVia(std::size_t from, std::size_t to) const {
-  if (!canTurn(from, to))
+  if (!canRotate(from, to))
     return std::nullopt;
   const Vector3d &start = targets_[from].tipMm, &end = targets_[to].tipMm;
   Vector3d via = targets_[from + (to - from) / 2].tipMm;
@@ -135,16 +135,16 @@ std::optional<Vector3d> MotionFit::arcVia(std::size_t from, std::size_t to) cons
     if (!arc || arc->radiusMm > kMaxRadiusMm || arc->radiusMm < kMinRadiusMm ||
         arc->sweepRad > kMaxSweepRad)
       return std::nullopt;
-    double least = 0.0, most = 0.0;
+    double minimum = 0.0, maximum = 0.0;
     for (std::size_t i = from + 1; i <= to; ++i)
       for (const Vector3d& p :
            {targets_[i].tipMm, Vector3d(0.5 * (targets_[i - 1].tipMm + targets_[i].tipMm))}) {
         const double off = (p - arc->centre).norm() - arc->radiusMm;
-        least = std::min(least, off);
-        most = std::max(most, off);
+        minimum = std::min(minimum, off);
+        maximum = std::max(maximum, off);
       }
     const double angle = 0.5 * arc->sweepRad;
-    via = arc->at(angle) + 0.5 * (least + most) * (arc->at(angle) - arc->centre).normalized();
+    via = arc->at(angle) + 0.5 * (minimum + maximum) * (arc->at(angle) - arc->centre).normalized();
   }
   arc = arcThrough(start, via, end);
   if (!arc || arc->sweepRad > kMaxSweepRad || !fits(*arc, from, to) ||

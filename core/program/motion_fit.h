@@ -34,7 +34,7 @@ private:
   bool hasSpeed(std::size_t from, std::size_t to, double lengthMm) const;
   bool hasDirection(std::size_t from, std::size_t to, std::size_t point, double share) const;
   Eigen::Vector3d tipOnLine(std::size_t from, std::size_t to, double share) const;
-  bool canTurn(std::size_t from, std::size_t to) const;
+  bool canRotate(std::size_t from, std::size_t to) const;
   bool fits(const Arc& arc, std::size_t from, std::size_t to) const;
   bool turnsPart(std::size_t from, std::size_t to, double rad) const;
 

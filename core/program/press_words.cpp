@@ -53,9 +53,9 @@ private:
   std::string fixedFrame() const {
     // Turned about x by half a turn, the nozzle's frame has z from the part towards the nozzle.
     const Eigen::Isometry3d& nozzle = cell_.base_T_fixed();
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(nozzle.linear()) * Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
-    const Vector3d vector = rotationVector(turn);
+    const Vector3d vector = rotationVector(rotation);
     std::string text = "p[";
     for (int k = 0; k < 3; ++k)
       text += joined({k > 0 ? "," : "", fixedText(nozzle.translation()[k] / 1000.0, kDecimals)});

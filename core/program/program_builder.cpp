@@ -20,11 +20,11 @@ ProgramBuilder::ProgramBuilder(std::string_view format, process::Tooling tooling
 void ProgramBuilder::expectMotionsOf(const std::vector<plan::ProgramFile>& files) {
   // minimum length of a line with a motion; shorter ones have none
   constexpr std::size_t kMinBytes = 16;
-  std::size_t most = 0;
+  std::size_t upperBound = 0;
   for (const plan::ProgramFile& one : files)
-    most += std::min(static_cast<std::size_t>(std::ranges::count(one.text, '\n')) + 1,
-                     one.text.size() / kMinBytes + 1);
-  program_.motions.reserve(most);
+    upperBound += std::min(static_cast<std::size_t>(std::ranges::count(one.text, '\n')) + 1,
+                           one.text.size() / kMinBytes + 1);
+  program_.motions.reserve(upperBound);
 }
 
 void ProgramBuilder::beginOutputs() {
@@ -49,14 +49,14 @@ bool ProgramBuilder::tool(const Eigen::Isometry3d& flange_T_tcp,
   return true;
 }
 
-void ProgramBuilder::turn(bool on) {
+void ProgramBuilder::setExtruder(bool on) {
   const std::size_t happened = program_.motions.size() + program_.pauses.size();
   // Switched on and off with nothing in between: a prime whose wait is missing.
   if (outputs_.on() && !on && happened == onSince_)
     pause(0.0, 0.0);
   if (on && !outputs_.on())
     onSince_ = happened;
-  outputs_.turn(on);
+  outputs_.setExtruder(on);
 }
 
 void ProgramBuilder::send(std::string_view text, std::string_view to) {
@@ -73,7 +73,7 @@ void ProgramBuilder::send(std::string_view text, std::string_view to) {
   const double value = static_cast<double>(command->value);
   switch (command->word) {
   case 'G':
-    turn(command->value > 0);
+    setExtruder(command->value > 0);
     flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / tooling_.fullFlowMm3PerS());
     drawsMm3PerS_ = std::max(0.0, -castelliFlowMm3PerS(command->value));
     return;
@@ -82,7 +82,7 @@ void ProgramBuilder::send(std::string_view text, std::string_view to) {
       defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
                            base::number(value), material().label));
     state(plan::FactKind::NozzleHeat, value);
-    wordAt("M", kAside);
+    wordAt("M", kOutsidePrint);
     return;
   case 'R':
     wordAt("R", kSetUp);
@@ -108,7 +108,7 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
 
 void ProgramBuilder::motion(plan::ProgramMotion m) {
   settleTool();
-  tellCutterOut();
+  reportCutterOut();
   const std::optional<Statement> speed = std::exchange(jointSpeed_, std::nullopt);
   if (speed && !m.jointInterpolated && !program_.motions.empty())
     defects_.add(
@@ -132,11 +132,11 @@ void ProgramBuilder::pauseByOutputs(double seconds) {
   const double before = drawnMm3_;
   double out = 0.0;
   std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);
-  tellDrawn(drawnMm3_ / filamentArea(kCastelliFilamentMm));
+  reportDrawn(drawnMm3_ / filamentArea(kCastelliFilamentMm));
   pause(seconds, out, std::abs(drawnMm3_ - before) / filamentArea(kCastelliFilamentMm));
 }
 
-void ProgramBuilder::tellDrawn(double mm) {
+void ProgramBuilder::reportDrawn(double mm) {
   if (mm > kMaxDrawnBackMm)
     defect(
         base::message("{length:.0f} of filament retracted: out of the hot end"_text, base::mm(mm)));
@@ -163,7 +163,7 @@ void ProgramBuilder::motionByAxis(plan::ProgramMotion m, double mm) {
 
 void ProgramBuilder::pauseByAxis(double seconds, double mm) {
   const double before = axis_.drawnBackMm(), outMm = axis_.to(mm);
-  tellDrawn(axis_.drawnBackMm());
+  reportDrawn(axis_.drawnBackMm());
   pause(seconds, outMm * filamentArea(), std::abs(axis_.drawnBackMm() - before));
 }
 
@@ -259,15 +259,15 @@ void ProgramBuilder::setCutter(bool on) {
     seconds += program_.pauses[p].durationS;
   }
   cutterOut_.reset();
-  tellCutLasts(seconds);
+  reportCutLasts(seconds);
 }
 
 void ProgramBuilder::cutFor(double seconds) {
   state(plan::FactKind::TapeCut);
-  tellCutLasts(seconds);
+  reportCutLasts(seconds);
 }
 
-void ProgramBuilder::tellCutLasts(double seconds) {
+void ProgramBuilder::reportCutLasts(double seconds) {
   if (!(seconds >= kMinCutPulseS && seconds <= kMaxCutPulseS))
     defect(base::message("the tape's cutter is out for {time:.2f}: it needs {least:.1f} to "
                          "{most:.1f}"_text,
@@ -275,7 +275,7 @@ void ProgramBuilder::tellCutLasts(double seconds) {
                          base::seconds(kMaxCutPulseS)));
 }
 
-void ProgramBuilder::tellCutterOut() {
+void ProgramBuilder::reportCutterOut() {
   if (const auto out = std::exchange(cutterOut_, std::nullopt))
     defects_.add(out->file, out->line, "the tape's cutter is not drawn back"_text);
 }
@@ -328,8 +328,8 @@ void ProgramBuilder::load(std::string_view word, double kg,
 }
 
 void ProgramBuilder::loadCentre(std::string_view word, const Eigen::Vector3d& centreMm) {
-  constexpr double kSameMm = 1e-6, kMostMm = 1e5;
-  if (!(centreMm.cwiseAbs().maxCoeff() < kMostMm))
+  constexpr double kSameMm = 1e-6, kMaxMm = 1e5;
+  if (!(centreMm.cwiseAbs().maxCoeff() < kMaxMm))
     defect("a payload's centre is no sensible place"_text);
   else if (program_.load && !program_.load->centreMm)
     program_.load->centreMm = centreMm;
@@ -338,7 +338,7 @@ void ProgramBuilder::loadCentre(std::string_view word, const Eigen::Vector3d& ce
 }
 
 plan::ReadProgram ProgramBuilder::take(bool complete) {
-  tellCutterOut();
+  reportCutterOut();
   program_.complete = complete;
   return std::move(program_);
 }

@@ -35,7 +35,7 @@ public:
 
   // Extruder by outputs. At the beginning of a file their state is unknown.
   void beginOutputs();
-  void turn(bool on);
+  void setExtruder(bool on);
   void flow(double share) { outputs_.flow(share); }
   // A text to the castelli-serial extruder, instead of both outputs, by that port or connection. A
   // defect if texts before it went another way.
@@ -118,10 +118,10 @@ private:
   // Selects the tool by the outputs that were set.
   void settleTool();
   // Adds a defect if too much filament is retracted.
-  void tellDrawn(double mm);
-  void tellCutLasts(double seconds);
+  void reportDrawn(double mm);
+  void reportCutLasts(double seconds);
   // Adds a defect if the tape's cutter is out.
-  void tellCutterOut();
+  void reportCutterOut();
 
   const process::Material& material() const { return tooling_.at(selected_).process.material; }
 

@@ -17,8 +17,8 @@ struct ItemChoices {
   // True: planning searches for the way of building and sets mode and platform to the chosen way's.
   // All other choices stay.
   bool automatic = false;
-  bool platformStays = false; // with automatic: keep the user's platform
-  std::string automaticWay;   // with automatic: the way chosen last (pipeline/automatic.h)
+  bool platformStays = false;    // with automatic: keep the user's platform
+  std::string automaticStrategy; // with automatic: the way chosen last (pipeline/automatic.h)
   std::string mode = "curved";
   curved::GrowthScheme growth;
   Platform platform;

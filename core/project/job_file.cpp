@@ -54,7 +54,7 @@ geometry::Placement readPlacement(const Json& j) {
 Json itemJson(const ItemChoices& c) {
   return Json{{"automatic", c.automatic},
               {"platformStays", c.platformStays},
-              {"automaticWay", c.automaticWay},
+              {"automaticWay", c.automaticStrategy},
               {"mode", c.mode},
               {"growth", c.growth.id()},
               {"platform", c.platform.text()},
@@ -87,8 +87,8 @@ ItemChoices readItem(const Json& j) {
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
   // Older versions stored an index into a list that has changed since.
-  if (const auto way = j.find("automaticWay"); way != j.end() && way->is_string())
-    way->get_to(c.automaticWay);
+  if (const auto strategy = j.find("automaticWay"); strategy != j.end() && strategy->is_string())
+    strategy->get_to(c.automaticStrategy);
   j.at("mode").get_to(c.mode);
   c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
   c.platform = Platform(j.at("platform").get<std::string>());

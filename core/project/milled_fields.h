@@ -22,7 +22,7 @@ constexpr auto fieldsOf(std::type_identity<MillingReport>) {
                     Field{"lineMm", &R::lineMm, "mm"},
                     Field{"finePassMm", &R::finePassMm, "mm"},
                     Field{"blockMm", &R::blockMm, "mm"},
-                    Field{"laidDown", &R::laidDown},
+                    Field{"laidDown", &R::millingOrientation},
                     Field{"moves", &R::moves},
                     Field{"removedMm3", &R::removedMm3, "mm³"},
                     Field{"deepestMm", &R::deepestMm, "mm"},

@@ -23,7 +23,7 @@ struct MillingReport {
   int teeth = 0;
   double rpm = 0.0, feedMmPerMin = 0.0, lineMm = 0.0, finePassMm = 0.0;
   Eigen::Vector3d blockMm = Eigen::Vector3d::Zero();
-  LaidDownReport laidDown;
+  LaidDownReport millingOrientation;
   std::size_t moves = 0; // of the program
   double removedMm3 = 0.0, deepestMm = 0.0, residueMm = 0.0;
   bool complete = false; // nothing is left in space that should be free

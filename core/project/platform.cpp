@@ -24,7 +24,7 @@ std::vector<double> usualSizes(const PlatformKind& kind) {
 }
 
 bool within(const PlatformField& field, double mm) {
-  return mm >= field.least && mm <= field.most;
+  return mm >= field.minimum && mm <= field.maximum;
 }
 
 std::vector<double> readSizes(const PlatformKind& kind, std::string_view text,
@@ -53,7 +53,7 @@ std::vector<double> readSizes(const PlatformKind& kind, std::string_view text,
                                 field.name, base::mm(sizes[i])),
                   {},
                   base::message("give {field} from {least#} to {most}"_text, field.name,
-                                base::mm(field.least), base::mm(field.most)));
+                                base::mm(field.minimum), base::mm(field.maximum)));
   return sizes;
 }
 } // namespace

@@ -17,7 +17,7 @@ enum class PlatformUse { Plate, Rod, Body };
 struct PlatformField {
   std::string_view name; // "DIAMETER", as in "disc:DIAMETER"
   base::Text label;      // "Diameter"
-  double least, most, usual;
+  double minimum, maximum, usual;
 };
 
 struct PlatformKind {

@@ -82,8 +82,8 @@ struct ReplayReport {
 
 // A way of building that mode auto tried.
 struct TriedReport {
-  std::string way = {};    // its id; empty: a mode that is not in mode auto's table
-  base::Message name = {}; // "flat layers with supports"
+  std::string strategy = {}; // its id; empty: a mode that is not in mode auto's table
+  base::Message name = {};   // "flat layers with supports"
   std::string mode, platform;
   bool passed = false, taken = false;
   std::string stage = {};    // in which it ended
@@ -93,7 +93,7 @@ struct TriedReport {
 // How the part is built and with which values: from the user's choices, the mode's defaults or the
 // way that mode auto chose.
 struct ChosenReport {
-  std::string way = {}; // of mode auto; empty: chosen by hand
+  std::string strategy = {}; // of mode auto; empty: chosen by hand
   base::Message name = {};
   std::string mode, platform;
   std::string supports = {}; // empty: the mode has no supports

@@ -71,10 +71,10 @@ constexpr auto fieldsOf(std::type_identity<plan::StrengthStatistics>) {
                     Field{"alignedFraction", &R::alignedFraction, "%"},
                     Field{"interfaceMm2", &R::interfaceMm2, "mm²"},
                     Field{"interfaceFraction", &R::interfaceFraction, "%"},
-                    Field{"leastSectionMm2", &R::leastSectionMm2, "mm²"},
-                    Field{"leastSectionAtMm", &R::leastSectionAtMm, "mm"},
-                    Field{"mostInterfaceFraction", &R::mostInterfaceFraction, "%"},
-                    Field{"mostInterfaceAtMm", &R::mostInterfaceAtMm, "mm"}};
+                    Field{"leastSectionMm2", &R::minSectionMm2, "mm²"},
+                    Field{"leastSectionAtMm", &R::minSectionAtMm, "mm"},
+                    Field{"mostInterfaceFraction", &R::maxInterfaceFraction, "%"},
+                    Field{"mostInterfaceAtMm", &R::maxInterfaceAtMm, "mm"}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
   using R = plan::ToolpathStatistics;
@@ -87,7 +87,7 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"coveredFraction", &R::coveredFraction, "%"},
                     Field{"overlapFraction", &R::overlapFraction, "%"},
                     Field{"gouges", &R::gouges},
-                    Field{"maxTurnDeg", &R::maxTurnDeg, "deg"},
+                    Field{"maxTurnDeg", &R::maxRotationDeg, "deg"},
                     Field{"materialMm3", &R::materialMm3, "mm³"},
                     Field{"sparseMm3", &R::sparseMm3, "mm³", true},
                     Field{"sparseBeadMm3", &R::sparseBeadMm3, "mm³", true},
@@ -186,7 +186,7 @@ constexpr auto fieldsOf(std::type_identity<ItemReplayReport>) {
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {
   using R = TriedReport;
-  return std::tuple{Field{"way", &R::way, "", true},
+  return std::tuple{Field{"way", &R::strategy, "", true},
                     Field{"name", &R::name, "", true},
                     Field{"mode", &R::mode},
                     Field{"platform", &R::platform},
@@ -198,7 +198,7 @@ constexpr auto fieldsOf(std::type_identity<TriedReport>) {
 constexpr auto fieldsOf(std::type_identity<ChosenReport>) {
   using R = ChosenReport;
   return std::tuple{
-      Field{"way", &R::way},           Field{"name", &R::name},
+      Field{"way", &R::strategy},      Field{"name", &R::name},
       Field{"mode", &R::mode},         Field{"platform", &R::platform},
       Field{"supports", &R::supports}, Field{"layerHeightMm", &R::layerHeightMm, "mm"}};
 }

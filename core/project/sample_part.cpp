@@ -34,10 +34,10 @@ geometry::TriangleMesh samplePart() {
   for (int level = 0; level <= kLevels; ++level) {
     const double t = static_cast<double>(level) / kLevels, z = t * kHeight;
     // The axis starts upright; flutes fade out towards the foot and turn with height.
-    const double axisX = 8.0 * ease(t) - 3.0, flute = 0.05 * ease(t), turn = 0.8 * t;
+    const double axisX = 8.0 * ease(t) - 3.0, flute = 0.05 * ease(t), rotation = 0.8 * t;
     for (int j = 0; j < kAround; ++j) {
       const double angle = 2.0 * base::kPi * j / kAround;
-      const double radius = radiusAt(z) * (1.0 + flute * std::cos(6.0 * (angle - turn)));
+      const double radius = radiusAt(z) * (1.0 + flute * std::cos(6.0 * (angle - rotation)));
       mesh.vertices.emplace_back(axisX + radius * std::cos(angle), radius * std::sin(angle), z);
     }
   }

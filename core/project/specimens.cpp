@@ -48,8 +48,8 @@ TriangleMesh arcOf(double angleDeg, double halfWidth, int steps,
   std::vector<Section> sections;
   for (int i = 0; i <= steps; ++i) {
     const double angle = base::degreesToRadians(angleDeg) * (static_cast<double>(i) / steps - 0.5);
-    const Vector3d low = lower(angle), high = upper(angle), aside(0, halfWidth, 0);
-    sections.push_back({low + aside, low - aside, high - aside, high + aside});
+    const Vector3d low = lower(angle), high = upper(angle), lateral(0, halfWidth, 0);
+    sections.push_back({low + lateral, low - lateral, high - lateral, high + lateral});
   }
   return barOf(sections);
 }

@@ -9,29 +9,29 @@
 
 namespace voluta::project {
 
-Eigen::Vector3d turnDegrees(const Eigen::Quaterniond& turn) {
+Eigen::Vector3d rotationDegrees(const Eigen::Quaterniond& rotation) {
   constexpr double kSteps = 1000.0; // steps per degree
-  const Eigen::Vector3d angles = geometry::anglesOf(turn, Eigen::Vector3d::Zero());
+  const Eigen::Vector3d angles = geometry::anglesOf(rotation, Eigen::Vector3d::Zero());
   // + 0.0 turns -0 into 0.
   return (kSteps * angles.unaryExpr(&base::radiansToDegrees)).array().round() / kSteps + 0.0;
 }
 
-Eigen::Quaterniond turnOfDegrees(const Eigen::Vector3d& degrees) {
+Eigen::Quaterniond rotationOfDegrees(const Eigen::Vector3d& degrees) {
   return geometry::rotationOf(degrees.unaryExpr(&base::degreesToRadians));
 }
 
-std::string turnText(const Eigen::Quaterniond& turn) {
-  const Eigen::Vector3d degrees = turnDegrees(turn);
+std::string rotationText(const Eigen::Quaterniond& rotation) {
+  const Eigen::Vector3d degrees = rotationDegrees(rotation);
   return fmt::format("{:g},{:g},{:g}", degrees.x(), degrees.y(), degrees.z());
 }
 
-Eigen::Quaterniond parsedTurn(const std::string& text) {
+Eigen::Quaterniond parsedRotation(const std::string& text) {
   Eigen::Vector3d degrees;
   if (!base::readNumbers(text, ',', {&degrees.x(), &degrees.y(), &degrees.z()}))
     throw base::Error(base::ErrorCode::Usage,
                       base::message("turn '{turn}' is not three angles"_text, text), {},
                       "give degrees about x, y and z: 90,0,0"_text);
-  return turnOfDegrees(degrees);
+  return rotationOfDegrees(degrees);
 }
 
 } // namespace voluta::project

@@ -7,12 +7,12 @@
 namespace voluta::project {
 
 // Returns the angles rounded to a thousandth of a degree; of equivalent triples the smallest.
-Eigen::Vector3d turnDegrees(const Eigen::Quaterniond& turn);
-Eigen::Quaterniond turnOfDegrees(const Eigen::Vector3d& degrees);
+Eigen::Vector3d rotationDegrees(const Eigen::Quaterniond& rotation);
+Eigen::Quaterniond rotationOfDegrees(const Eigen::Vector3d& degrees);
 
-// Returns turnDegrees() as text, e.g. "90,0,-45.5".
-std::string turnText(const Eigen::Quaterniond& turn);
+// Returns rotationDegrees() as text, e.g. "90,0,-45.5".
+std::string rotationText(const Eigen::Quaterniond& rotation);
 // Throws Error{Usage}.
-Eigen::Quaterniond parsedTurn(const std::string& text);
+Eigen::Quaterniond parsedRotation(const std::string& text);
 
 } // namespace voluta::project

@@ -40,13 +40,13 @@ void append(PlannedRun& run, const Vector3d& tip, double timeS, double mm3, bool
 // Appends the inner vertices of a joint motion.
 void appendArc(PlannedRun& run, const plan::Trajectory& trajectory, const robot::Cell& cell,
                std::size_t point) {
-  constexpr double kMostMm = 2.0, kMostRad = 0.02;
-  constexpr int kMostPieces = 2000;
+  constexpr double kMaxMm = 2.0, kMaxRad = 0.02;
+  constexpr int kMaxPieces = 2000;
   const robot::JointVector from = jointsAt(trajectory, point - 1), to = jointsAt(trajectory, point);
   const double straight = (cell.work_T_tool(to).translation() - run.tip.back()).norm();
-  const double turn = (to - from).cwiseAbs().maxCoeff();
+  const double angle = (to - from).cwiseAbs().maxCoeff();
   const int pieces = std::clamp(
-      static_cast<int>(std::ceil(std::max(straight / kMostMm, turn / kMostRad))), 1, kMostPieces);
+      static_cast<int>(std::ceil(std::max(straight / kMaxMm, angle / kMaxRad))), 1, kMaxPieces);
   const double fromS = trajectory.timeS[point - 1], toS = trajectory.timeS[point];
   for (int k = 1; k < pieces; ++k) {
     const double share = static_cast<double>(k) / pieces;

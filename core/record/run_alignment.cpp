@@ -58,22 +58,22 @@ constexpr std::size_t kFollowed = 200; // samples that decide where a record mee
 // nodes that follow `node`, taken greedily [mm2].
 double costFrom(const std::vector<Vector3d>& tip, const std::vector<std::size_t>& moving,
                 std::size_t first, const Nodes& nodes, std::size_t node) {
-  constexpr std::size_t kLeastAhead = 12, kMostAhead = 2000;
+  constexpr std::size_t kMinAhead = 12, kMaxAhead = 2000;
   const std::size_t end = std::min(moving.size(), first + kFollowed);
   double sum = 0.0;
   for (std::size_t k = first; k < end; ++k) {
     const double movedMm = k > first ? (tip[moving[k]] - tip[moving[k - 1]]).norm() : 0.0;
     const std::size_t ahead = std::clamp(
-        static_cast<std::size_t>(std::ceil(1.5 * movedMm / kNodeMm)) + 1, kLeastAhead, kMostAhead);
-    double least = kInfinite;
+        static_cast<std::size_t>(std::ceil(1.5 * movedMm / kNodeMm)) + 1, kMinAhead, kMaxAhead);
+    double minimum = kInfinite;
     std::size_t at = node;
     for (std::size_t j = node; j < std::min(node + ahead, nodes.tip.size()); ++j)
-      if (const double d = (nodes.tip[j] - tip[moving[k]]).squaredNorm(); d < least) {
-        least = d;
+      if (const double d = (nodes.tip[j] - tip[moving[k]]).squaredNorm(); d < minimum) {
+        minimum = d;
         at = j;
       }
     node = at;
-    sum += std::min(least, kNearMm * kNearMm);
+    sum += std::min(minimum, kNearMm * kNearMm);
   }
   return sum / static_cast<double>(end - first);
 }
@@ -208,14 +208,14 @@ private:
           skipped = cost;
           skippedFrom = next;
         }
-      double least = skipped;
+      double minimum = skipped;
       std::size_t at = skippedFrom;
       for (std::size_t j = std::min<std::size_t>(begin, kBand); j < end; ++j)
-        if (last_.cost[j] <= least) {
-          least = last_.cost[j];
+        if (last_.cost[j] <= minimum) {
+          minimum = last_.cost[j];
           at = j;
         }
-      row.cost[k] = least + own(r, node);
+      row.cost[k] = minimum + own(r, node);
       from[k] = static_cast<std::uint8_t>(at);
     }
     if (isLost(r, row.low))
@@ -235,11 +235,11 @@ private:
   // the node `best` of the row before.
   void searchAhead(std::size_t r, std::size_t best, Row& row,
                    std::array<std::uint8_t, kBand>& from) {
-    constexpr std::size_t kMostWait = 50; // bounds the searches of a record that stays away
+    constexpr std::size_t kMaxWait = 50; // bounds the searches of a record that stays away
     constexpr double kFollowsMm2 = 0.25 * kNearMm * kNearMm;
     if (r < nextSearch_)
       return;
-    searches_ = std::min(searches_ + 1, kMostWait);
+    searches_ = std::min(searches_ + 1, kMaxWait);
     nextSearch_ = r + searches_;
     const auto met = meetingOf(tip_, moving_, r, nodes_, row.low + kBand);
     if (!met || met->costMm2 > kFollowsMm2)
@@ -267,13 +267,13 @@ AlignedSample nearest(const Vector3d& p, const PlannedRun& planned, double fromM
     const double begin = planned.alongMm[s - 1], end = planned.alongMm[s];
     if (begin > toMm)
       break;
-    const Vector3d &a = planned.tip[s - 1], way = planned.tip[s] - a;
+    const Vector3d &a = planned.tip[s - 1], chord = planned.tip[s] - a;
     const double length = end - begin;
-    double share = length > 0.0 ? (p - a).dot(way) / (length * length) : 1.0;
+    double share = length > 0.0 ? (p - a).dot(chord) / (length * length) : 1.0;
     const double low = length > 0.0 ? std::clamp((fromMm - begin) / length, 0.0, 1.0) : 1.0;
     const double high = length > 0.0 ? std::clamp((toMm - begin) / length, low, 1.0) : 1.0;
     share = std::clamp(share, low, high);
-    if (const double d = (p - a - share * way).norm(); d < best.distanceMm)
+    if (const double d = (p - a - share * chord).norm(); d < best.distanceMm)
       best = {std::max(fromMm, begin + share * length), d};
   }
   return best;
@@ -306,9 +306,9 @@ std::optional<PathAlignment> alignRecord(const std::vector<Vector3d>& tip,
                         kNodeMm;
     for (std::size_t i = moving[r]; i < until; ++i) {
       // A sample between two moving ones is beside the first of them.
-      const double most = i == moving[r] ? nodes.alongMm[node[r]] + kNodeMm : high;
+      const double maximum = i == moving[r] ? nodes.alongMm[node[r]] + kNodeMm : high;
       const AlignedSample at =
-          nearest(tip[i], planned, std::max(reached, low), std::max(reached, most));
+          nearest(tip[i], planned, std::max(reached, low), std::max(reached, maximum));
       reached = at.alongMm;
       out.samples.push_back(at);
     }

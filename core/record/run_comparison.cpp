@@ -149,18 +149,18 @@ private:
     result_.curve.flow.push_back(static_cast<float>(errors.flow));
     result_.pathMaxMm = std::max(result_.pathMaxMm, sample.distanceMm);
     pathSumMm_ += sample.distanceMm;
-    widen(errors.speed, result_.speedMostSlow, result_.speedMostFast);
-    widen(errors.flow, result_.flowMostLess, result_.flowMostMore);
+    widen(errors.speed, result_.speedSlowest, result_.speedFastest);
+    widen(errors.flow, result_.flowLowest, result_.flowHighest);
     watch(ErrorKind::Path, sample.distanceMm, tolerances_.pathMm, sample);
     watch(ErrorKind::Speed, errors.speed, tolerances_.speed, sample);
     watch(ErrorKind::Flow, errors.flow, tolerances_.flow, sample);
   }
 
-  static void widen(double value, double& least, double& most) {
+  static void widen(double value, double& minimum, double& maximum) {
     if (std::isnan(value))
       return;
-    least = std::min(least, value);
-    most = std::max(most, value);
+    minimum = std::min(minimum, value);
+    maximum = std::max(maximum, value);
   }
 
   // Begins, extends or closes the stretch of one kind of error.
@@ -202,7 +202,7 @@ private:
   // Beads between consecutive samples are recorded, unless the record has passed over them or was
   // not near the path.
   void addBeads() {
-    constexpr double kLeastMm = 2.0;
+    constexpr double kMinMm = 2.0;
     for (std::size_t k = 1; k < samples_.size(); ++k) {
       const PlannedPlace &a = samples_[k - 1].place, &b = samples_[k].place;
       const double movedMm =
@@ -212,7 +212,7 @@ private:
         if (planned_.prints[s] != 0)
           beadMm += std::max(0.0, std::min(b.alongMm, planned_.alongMm[s]) -
                                       std::max(a.alongMm, planned_.alongMm[s - 1]));
-      if (beadMm < kLeastMm + 2.0 * movedMm) {
+      if (beadMm < kMinMm + 2.0 * movedMm) {
         if (std::max(samples_[k - 1].distanceMm, samples_[k].distanceMm) <= kNearMm)
           result_.printedMm += beadMm;
         continue;

@@ -54,8 +54,8 @@ struct RunComparison {
   // Of the samples on beads
   double pathMeanMm = 0.0, pathMaxMm = 0.0;
   double speedMean = 0.0; // planned time of the beads by recorded time, less 1
-  double speedMostSlow = 0.0, speedMostFast = 0.0; // of windows of kWindowMm
-  double flowMean = 0.0, flowMostLess = 0.0, flowMostMore = 0.0;
+  double speedSlowest = 0.0, speedFastest = 0.0; // of windows of kWindowMm
+  double flowMean = 0.0, flowLowest = 0.0, flowHighest = 0.0;
   bool flowIsRecorded = false; // else it is the one that the planned flow rate gives at this speed
   double printedMm = 0.0, missingMm = 0.0; // planned length of beads: recorded, and passed over
   double beadsMm = 0.0;                    // planned length of all beads

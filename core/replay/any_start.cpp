@@ -22,15 +22,15 @@ std::vector<std::pair<std::size_t, std::size_t>> outputsOf(std::size_t machines)
   return outputs;
 }
 
-std::vector<std::array<double, plan::kMostMachines>> delaysOf(std::size_t machines) {
-  constexpr double kMostS = 600.0, kStepS = 7.0;
-  std::vector<std::array<double, plan::kMostMachines>> delays(1);
+std::vector<std::array<double, plan::kMaxMachines>> delaysOf(std::size_t machines) {
+  constexpr double kMaxS = 600.0, kStepS = 7.0;
+  std::vector<std::array<double, plan::kMaxMachines>> delays(1);
   for (std::size_t k = 0; k < machines; ++k)
     for (const bool isLate : {true, false}) {
-      std::array<double, plan::kMostMachines>& own = delays.emplace_back();
+      std::array<double, plan::kMaxMachines>& own = delays.emplace_back();
       const std::size_t first = isLate ? (k == 0 ? 1 : 0) : k; // machine that starts first
       for (std::size_t j = 0; j < machines; ++j)
-        own.at(j) = (j == k) == isLate ? kMostS + kStepS * static_cast<double>(first)
+        own.at(j) = (j == k) == isLate ? kMaxS + kStepS * static_cast<double>(first)
                                        : kStepS * static_cast<double>(j);
     }
   return delays;
@@ -55,8 +55,8 @@ std::size_t passedBy(const MachineClock& clock, const std::vector<PassedMark>& m
 std::vector<Start> startsOf(std::size_t machines) {
   const auto outputs = outputsOf(machines);
   std::vector<Start> states;
-  const bool areAll = outputs.size() < 10 && (std::size_t{1} << outputs.size()) <= kMostStates;
-  const std::size_t count = areAll ? std::size_t{1} << outputs.size() : kMostStates;
+  const bool areAll = outputs.size() < 10 && (std::size_t{1} << outputs.size()) <= kMaxStates;
+  const std::size_t count = areAll ? std::size_t{1} << outputs.size() : kMaxStates;
   std::mt19937_64 random(7);
   for (std::size_t state = 0; state < count; ++state) {
     // The last of a sample has all signals on, the first none.

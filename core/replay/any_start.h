@@ -13,9 +13,9 @@
 namespace voluta::replay {
 
 // Returns starts of this many machines: every state of the signals between two machines; up to
-// kMostStates of those of more, the same ones each time; each with every machine as the first and
-// as the last one, by up to ten minutes. Precondition: 2 to plan::kMostMachines machines.
-inline constexpr std::size_t kMostStates = 512;
+// kMaxStates of those of more, the same ones each time; each with every machine as the first and
+// as the last one, by up to ten minutes. Precondition: 2 to plan::kMaxMachines machines.
+inline constexpr std::size_t kMaxStates = 512;
 std::vector<Start> startsOf(std::size_t machines);
 
 // Returns the first mark that a machine passes before the other one has reached it.

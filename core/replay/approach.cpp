@@ -44,16 +44,16 @@ std::vector<TextFinding> judgeApproach(const plan::ReadProgram& program, const p
     return found;
   const double clear = clearMm(program, plan, platform);
   const process::Process& process = tooling.at(program.motions[program.firstMotion].tool).process;
-  for (const plan::ProgramApproach& way : program.approaches) {
-    const TextPlace place{way.file + 1, way.line};
-    if (!way.heightMm || !(*way.heightMm >= clear - kSameMm))
+  for (const plan::ProgramApproach& approach : program.approaches) {
+    const TextPlace place{approach.file + 1, approach.line};
+    if (!approach.heightMm || !(*approach.heightMm >= clear - kSameMm))
       found.push_back(
           textFinding(program, StatementChanged, place,
                       {{"statement", base::Message("the nozzle's height beside the print"_text)},
-                       {"found", way.heightMm ? base::Value(base::mm(*way.heightMm))
-                                              : base::Value(base::Message("none"_text))},
+                       {"found", approach.heightMm ? base::Value(base::mm(*approach.heightMm))
+                                                   : base::Value(base::Message("none"_text))},
                        {"planned", base::message("at least {height:.1f}"_text, base::mm(clear))}}));
-    if (way.mmPerS > firstMmPerS(process) || way.radPerS > kFirstRadPerS)
+    if (approach.mmPerS > firstMmPerS(process) || approach.radPerS > kFirstRadPerS)
       found.push_back(textFinding(program, FirstMotionFast, place, {}));
   }
   return found;

@@ -28,19 +28,19 @@ std::vector<LimitViolation> speedViolations(const ExecutedPath& path, const robo
     double excess = kSpeedSlack;
     for (std::size_t k = 0; k < dof; ++k) {
       const double limit = cell.limits()[k].velocity;
-      double turn = std::abs(q1[k] - q0[k]);
-      const double jump = robot::fromTurn(path.kinds[k], kJumpRad);
-      if (turn > jump) {
-        worst = {LimitKind::BranchJump, m, static_cast<int>(k), turn, jump};
+      double angle = std::abs(q1[k] - q0[k]);
+      const double jump = robot::fromAngle(path.kinds[k], kJumpRad);
+      if (angle > jump) {
+        worst = {LimitKind::BranchJump, m, static_cast<int>(k), angle, jump};
         break;
       }
-      turn -= (path.armFraction[a] - from) * stepOf(k);
-      if (turn < 1e-6 || time <= 0.0)
+      angle -= (path.armFraction[a] - from) * stepOf(k);
+      if (angle < 1e-6 || time <= 0.0)
         continue;
-      if (turn / time > excess * limit) {
-        excess = turn / time / limit;
+      if (angle / time > excess * limit) {
+        excess = angle / time / limit;
         worst.joint = static_cast<int>(k);
-        worst.value = turn / time;
+        worst.value = angle / time;
         worst.limit = limit;
       }
     }

@@ -53,16 +53,16 @@ public:
   // Sums lines^2 lines of a column of cells; returns whether all cross the part equally often.
   bool sum(int i, std::size_t j, int lines, Scratch& scratch) const {
     std::fill(scratch.fill.begin(), scratch.fill.end(), 0.0f);
-    std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
+    std::size_t minimum = std::numeric_limits<std::size_t>::max(), maximum = 0;
     for (int u = 0; u < lines; ++u)
       for (int v = 0; v < lines; ++v) {
         const std::size_t crossings = addLine(
             grid_.origin.x() + grid_.pitch * (i + (u + 0.5) / lines),
             grid_.origin.y() + grid_.pitch * (static_cast<double>(j) + (v + 0.5) / lines), scratch);
-        least = std::min(least, crossings);
-        most = std::max(most, crossings);
+        minimum = std::min(minimum, crossings);
+        maximum = std::max(maximum, crossings);
       }
-    return least == most;
+    return minimum == maximum;
   }
 
 private:

@@ -214,16 +214,17 @@ void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground) {
     pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double widthMaxMm) {
-  std::vector<LaidPiece> laid;
-  laid.reserve(pieces.size());
+std::vector<DepositedPiece> depositedPieces(const std::vector<BeadPiece>& pieces,
+                                            double widthMaxMm) {
+  std::vector<DepositedPiece> deposited;
+  deposited.reserve(pieces.size());
   for (const BeadPiece& piece : pieces)
-    laid.push_back({piece.motion, piece.run, piece.runMm,
-                    static_cast<float>(2.0 * sectionOf(piece, widthMaxMm).widthMm)});
-  return laid;
+    deposited.push_back({piece.motion, piece.run, piece.runMm,
+                         static_cast<float>(2.0 * sectionOf(piece, widthMaxMm).widthMm)});
+  return deposited;
 }
 
-std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<DepositedPiece>& pieces,
                                                std::size_t motions) {
   std::vector<std::uint32_t> first(motions + 1);
   std::size_t p = 0;
@@ -283,10 +284,10 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
     if (pieces[p].waste || pieces[p].shot)
       continue;
     const double length = (pieces[p].to - pieces[p].from).norm();
-    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
-    inTheAir.add(p, length, goesOn, found[p].carried <= 0.0);
-    unsupported.add(p, length, goesOn, !found[p].supported);
-    halfCarried.add(p, length, goesOn, found[p].carried < 0.5);
+    const bool continues = p > 0 && pieces[p].run == pieces[p - 1].run;
+    inTheAir.add(p, length, continues, found[p].carried <= 0.0);
+    unsupported.add(p, length, continues, !found[p].supported);
+    halfCarried.add(p, length, continues, found[p].carried < 0.5);
     result.lengthMm += length;
     if (result.lengthOfItemMm.size() <= pieces[p].item) {
       result.lengthOfItemMm.resize(pieces[p].item + 1U);

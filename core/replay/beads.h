@@ -55,18 +55,19 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground);
 
 // The data of a deposited piece that remain necessary after its support was checked.
-struct LaidPiece {
+struct DepositedPiece {
   std::uint32_t motion = 0, run = 0;
   float runMm = 0.0f; // as in BeadPiece
   // length of its bead that is still soft at the piece's end [mm]: two widths
   float recentMm = 0.0f;
 };
 // Widths as returned by sectionOf().
-std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double widthMaxMm);
+std::vector<DepositedPiece> depositedPieces(const std::vector<BeadPiece>& pieces,
+                                            double widthMaxMm);
 
 // Returns per motion the index of the first piece of that motion or of a later one; motions + 1
 // entries.
-std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<DepositedPiece>& pieces,
                                                std::size_t motions);
 
 // Support of a piece.

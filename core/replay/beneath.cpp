@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // within 1.25 heights of the tip except the last ring, which handles cells that straddle two
 // layers.
 struct Ring {
-  double depth, aside;
+  double depth, lateral;
 };
 constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
 constexpr int kAzimuths = 12;
@@ -29,23 +29,23 @@ constexpr std::array<double, 3> kMiddle = {-0.15, 0.0, 0.15}; // in widths
 // where there are neighbouring beads. The test extends beyondMm past the piece's ends, since a cell
 // may be assigned to a neighbouring piece.
 bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
-  const Vector3d way = piece.to - piece.from;
-  const double length = way.norm();
+  const Vector3d step = piece.to - piece.from;
+  const double length = step.norm();
   if (!(length > 1e-9))
     return false;
-  const double along = way.dot(point - piece.from) / length;
+  const double along = step.dot(point - piece.from) / length;
   if (along < -beyondMm || along > length + beyondMm)
     return false;
   const double t = std::clamp(along / length, 0.0, 1.0);
   const Vector3d up = ((1.0 - t) * piece.fromDirection + t * piece.toDirection).normalized();
-  const Vector3d off = point - (piece.from + t * way);
+  const Vector3d off = point - (piece.from + t * step);
   const BeadSection section = sectionOf(piece, widestOf(piece));
   const double planned = (1.0 - t) * static_cast<double>(piece.fromHeightMm) +
                          t * static_cast<double>(piece.toHeightMm);
   const double depth = -off.dot(up);
   // A section lower than planned keeps its bottom at the planned position.
   return depth >= planned - section.heightMm && depth <= planned &&
-         std::abs(off.dot(up.cross(way).normalized())) <= 0.5 * section.widthMm;
+         std::abs(off.dot(up.cross(step).normalized())) <= 0.5 * section.widthMm;
 }
 
 // Returns whether a point is lower than a piece's bottom.
@@ -73,11 +73,11 @@ Beneath::Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index,
 bool Beneath::supported() const {
   const Vector3d other = up_.cross(side_);
   for (const Ring& ring : kRings) {
-    const int count = ring.aside > 0.0 ? kAzimuths : 1;
+    const int count = ring.lateral > 0.0 ? kAzimuths : 1;
     for (int a = 0; a < count; ++a) {
       const double angle = 2.0 * base::kPi * a / kAzimuths;
       if (holds(tip_ - ring.depth * height_ * up_ +
-                ring.aside * height_ * (std::cos(angle) * side_ + std::sin(angle) * other)))
+                ring.lateral * height_ * (std::cos(angle) * side_ + std::sin(angle) * other)))
         return true;
     }
   }
@@ -91,8 +91,8 @@ double Beneath::carriedShare() const {
   return static_cast<double>(carried) / kAcross;
 }
 
-bool Beneath::carriedAt(double asideMm) const {
-  const Vector3d at = tip_ + asideMm * side_;
+bool Beneath::carriedAt(double lateralMm) const {
+  const Vector3d at = tip_ + lateralMm * side_;
   return std::ranges::any_of(kDepths,
                              [&](double depth) { return holds(at - depth * height_ * up_); });
 }

@@ -22,7 +22,7 @@ public:
   double carriedShare() const;
   // Returns whether there is support directly below, at this distance to the left (up x way) of its
   // middle.
-  bool carriedAt(double asideMm) const;
+  bool carriedAt(double lateralMm) const;
 
   // Returns the last piece whose own section, without displaced material, is directly below the
   // middle third of this one's width; kNeverFilled if there is none.

@@ -81,13 +81,13 @@ private:
   // Material that flows out at rest: a prime, a purge, a shot.
   void flows() {
     for (const plan::ProgramPause& p : program_.pauses) {
-      const double most = process::flowLimit(tooling_.at(p.tool).process);
-      if (p.volumeMm3 <= kMinMm3 || p.volumeMm3 <= kFlowSlack * most * p.durationS)
+      const double maximum = process::flowLimit(tooling_.at(p.tool).process);
+      if (p.volumeMm3 <= kMinMm3 || p.volumeMm3 <= kFlowSlack * maximum * p.durationS)
         continue;
       const double flow = p.volumeMm3 / std::max(p.durationS, kPauseS);
       add(plan::FindingKind::Flow, placeOfPause(p),
           {{"flow", base::Quantity{flow, base::Unit::Mm3PerS}},
-           {"limit", base::Quantity{most, base::Unit::Mm3PerS}}});
+           {"limit", base::Quantity{maximum, base::Unit::Mm3PerS}}});
     }
   }
 
@@ -96,9 +96,11 @@ private:
     std::vector<const plan::ProgramPause*> unplanned;
     double seconds = 0.0;
     for (const plan::ProgramPause& p : program_.pauses) {
-      const bool amid = p.before > program_.firstMotion && p.before < program_.motions.size();
+      const bool duringPrint =
+          p.before > program_.firstMotion && p.before < program_.motions.size();
       const double over = p.durationS - (1.0 + kPauseShare) * plannedPauseS(p);
-      if (!amid || p.cuts || p.volumeMm3 > kMinMm3 || over <= kPauseS || waitsBefore(p.before))
+      if (!duringPrint || p.cuts || p.volumeMm3 > kMinMm3 || over <= kPauseS ||
+          waitsBefore(p.before))
         continue;
       unplanned.push_back(&p);
       seconds += over;
@@ -107,7 +109,7 @@ private:
       return;
     unplanned.resize(std::min(unplanned.size(), kMaxPauses));
     for (const plan::ProgramPause* p : unplanned)
-      add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
+      add(StandsDuringPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
   }
   bool waitsBefore(std::size_t motion) const { return planned_.secondsAt(motion) > 0.0; }
   // Planned duration of a pause without flow.
@@ -128,20 +130,20 @@ private:
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;
-    const plan::ProgramPause* most = nullptr;
+    const plan::ProgramPause* maximum = nullptr;
     for (const plan::ProgramPause& p : program_.pauses) {
       if (p.before > firstBead_ || planned_.purgeAt(p.before) > 0.0)
         continue;
       volume += p.volumeMm3;
-      if (!most || p.volumeMm3 > most->volumeMm3)
-        most = &p;
+      if (!maximum || p.volumeMm3 > maximum->volumeMm3)
+        maximum = &p;
     }
     if (std::abs(volume - planned) <= std::max(kMinMm3, kPrimeTolerance * planned))
       return;
     // Programs prime where the arm is at the program's start.
     const std::size_t motion =
         std::min({program_.firstMotion + 1, firstBead_, program_.motions.size() - 1});
-    add(PrimeChanged, most ? placeOfPause(*most) : placeOf(program_, motion),
+    add(PrimeChanged, maximum ? placeOfPause(*maximum) : placeOf(program_, motion),
         {{"volume", base::mm3(volume)}, {"planned", base::mm3(planned)}});
   }
 
@@ -193,11 +195,11 @@ private:
       return;
     const plan::ProgramMotion& m = program_.motions[first];
     // Machines without an arm travel so from home.
-    const double most = m.target == plan::TargetKind::ToolPoint
-                            ? firstMmPerS(tooling_.at(m.tool).process)
-                            : kFirstMmPerS;
+    const double maximum = m.target == plan::TargetKind::ToolPoint
+                               ? firstMmPerS(tooling_.at(m.tool).process)
+                               : kFirstMmPerS;
     if (m.jointSpeedRadPerS > kFirstRadPerS || m.jointAccelerationRadPerS2 > kFirstRadPerS2 ||
-        m.speedMmPerS > most)
+        m.speedMmPerS > maximum)
       add(FirstMotionFast, placeOf(program_, first), {});
   }
 
@@ -208,7 +210,7 @@ private:
     if (m.jointInterpolated) {
       allowed = INFINITY;
       for (const robot::JointLimits& limit : cell_.limits())
-        allowed = std::min(allowed, robot::asTurn(limit.kind, limit.acceleration));
+        allowed = std::min(allowed, robot::asAngle(limit.kind, limit.acceleration));
     } else {
       const double time = path_.durationS[i], before = path_.durationS[i - 1];
       const double speed = time > 0.0 ? path_.commandedMm[i] / time : 0.0;

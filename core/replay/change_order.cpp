@@ -137,11 +137,11 @@ private:
     for (std::size_t i = 0; i < stated.size(); ++i)
       for (std::size_t j = i + 1; j < stated.size(); ++j)
         if (stated[i].step > stated[j].step && isOfChange(stated[i]) && isOfChange(stated[j])) {
-          tellBefore(stated[i], stated[j].step);
+          reportBefore(stated[i], stated[j].step);
           break;
         }
   }
-  void tellBefore(const Stated& early, Step late) {
+  void reportBefore(const Stated& early, Step late) {
     found_.push_back(
         textFinding(program_, StatementChanged, early.place,
                     {{"statement", nameOf(early.step)},
@@ -271,7 +271,7 @@ private:
     if (stop)
       compareText(*stop, trajectory_.toolAt(firstPoint_));
     if (stop && selected && selected < stop)
-      tellBefore({Step::Select, {selected->file + 1U, selected->line}, selected}, Step::Stop);
+      reportBefore({Step::Select, {selected->file + 1U, selected->line}, selected}, Step::Stop);
   }
 
   const program::Dialect& dialect() const { return program::findDialect(program_.format); }

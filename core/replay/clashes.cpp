@@ -171,7 +171,7 @@ double timeOfSample(const ExecutedPath& path, std::size_t s) {
 
 } // namespace
 
-std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
+std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<DepositedPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const Underside& underside,
                                const process::Process& process, const GroundSolids& ground,
@@ -190,7 +190,7 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidP
             std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
         PrintState moment;
         if (p > 0) {
-          const LaidPiece& last = pieces[p - 1];
+          const DepositedPiece& last = pieces[p - 1];
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
         }
         walk.step(s, path.tip[s], path.direction[s], moment, chunks[begin / kGrain]);

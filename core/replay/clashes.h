@@ -39,7 +39,7 @@ struct Clash {
 // `firstPiece`: per motion the index of the first piece of this or a later motion, with one more
 // entry (beads.h: firstPieceOfMotions). Motions for which `known` is true are skipped; empty: none.
 // Throws Cancelled.
-std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
+std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<DepositedPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const Underside& underside,
                                const process::Process& process, const GroundSolids& ground,

@@ -40,8 +40,8 @@ struct Stuck {
 
 // How programs are started, and what an earlier run has left.
 struct Start {
-  std::array<double, plan::kMostMachines> delayS{};                      // not negative
-  std::array<std::bitset<plan::kMarkSignals>, plan::kMostMachines> on{}; // outputs of marks
+  std::array<double, plan::kMaxMachines> delayS{};                      // not negative
+  std::array<std::bitset<plan::kMarkSignals>, plan::kMaxMachines> on{}; // outputs of marks
 };
 
 // Times of all programs; a machine sees a signal of another one (plan/marks.h) kSignalS after it.
@@ -51,7 +51,7 @@ struct CommonClock {
   std::optional<Stuck> stuck; // the times are then those until then
 };
 // motionS: duration of each motion of each program [s]. Preconditions: at least two programs, at
-// most plan::kMostMachines; all pointers are valid.
+// most plan::kMaxMachines; all pointers are valid.
 CommonClock commonClock(std::span<const plan::ReadProgram* const> programs,
                         std::span<const std::vector<double>> motionS, const Start& start = {});
 

@@ -67,11 +67,11 @@ private:
 
   // Returns the least acceleration of the arm's turning joints.
   double armRadPerS2() const {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const robot::JointLimits& limits : in_.cell.robot().limits)
       if (limits.kind == robot::JointKind::Turning)
-        least = std::min(least, limits.acceleration);
-    return std::isfinite(least) ? least : 0.0;
+        minimum = std::min(minimum, limits.acceleration);
+    return std::isfinite(minimum) ? minimum : 0.0;
   }
 
   // Returns the distance of samples: as many per width of the narrowest bead as for 1.2 mm.
@@ -91,7 +91,7 @@ private:
     followLags(in_.program, path(), in_.trajectory, alignment_, in_.tooling);
     Verification& verdict = out_.verdict;
     verdict.armChecked = path().arm;
-    verdict.motionS = controllerTimes(in_.program, path(), TurnLaw::Text);
+    verdict.motionS = controllerTimes(in_.program, path(), RotationLaw::Text);
     verdict.durationS = std::accumulate(seconds().begin(), seconds().end(), 0.0);
     for (const plan::ProgramPause& p : in_.program.pauses)
       verdict.durationS += p.durationS;
@@ -160,13 +160,13 @@ private:
 
   // Material that falls on the part is a reason to refuse the program; on the plate, to look.
   void addDrops() {
-    std::vector<TextFinding> refused, told;
+    std::vector<TextFinding> refused, reported;
     for (TextFinding& drop :
          purgeDrops(in_.program, in_.trajectory, alignment_, stops_,
                     dropTargets(in_.plan, in_.platform), in_.cell, in_.firstPoint))
-      (drop.finding.kind == PurgeOnPart ? refused : told).push_back(std::move(drop));
+      (drop.finding.kind == PurgeOnPart ? refused : reported).push_back(std::move(drop));
     addDeviations(std::move(refused));
-    addFindings(out_.verdict, std::move(told));
+    addFindings(out_.verdict, std::move(reported));
   }
 
   void numberPoints(std::vector<std::size_t> pointOf) {
@@ -223,12 +223,12 @@ private:
 
   void addTimes() {
     SectionErrors worst;
-    for (const TurnLaw law : {TurnLaw::Text, TurnLaw::WaySpeed}) {
-      if (law == TurnLaw::WaySpeed && in_.program.time.turnMmPerRad <= 0.0)
+    for (const RotationLaw law : {RotationLaw::Text, RotationLaw::PathSpeed}) {
+      if (law == RotationLaw::PathSpeed && in_.program.time.rotationMmPerRad <= 0.0)
         continue;
       const SectionErrors errors = sectionErrors(
           in_.program, path(), in_.trajectory, out_.run.pointOf,
-          law == TurnLaw::Text ? seconds() : controllerTimes(in_.program, path(), law));
+          law == RotationLaw::Text ? seconds() : controllerTimes(in_.program, path(), law));
       if (errors.fraction > worst.fraction)
         worst = errors;
     }
@@ -269,9 +269,9 @@ private:
       const double flow = motion.volumeMm3 >= 0.0 && path().durationS[m] > 0.0
                               ? volume / path().durationS[m]
                               : (motion.extruding ? motion.flowMm3PerS : 0.0);
-      const double most = process::flowLimit(in_.tooling.at(out_.run.tool[m]).process);
-      if (flow > 1.05 * most)
-        all.push_back({LimitKind::Flow, m, -1, flow, most});
+      const double maximum = process::flowLimit(in_.tooling.at(out_.run.tool[m]).process);
+      if (flow > 1.05 * maximum)
+        all.push_back({LimitKind::Flow, m, -1, flow, maximum});
     }
     std::stable_sort(all.begin(), all.end(), [](const LimitViolation& a, const LimitViolation& b) {
       return a.motion < b.motion;
@@ -286,9 +286,9 @@ private:
     for (std::size_t k = 0; k < all.size(); ++k) {
       const LimitViolation& v = all[k];
       // A violation that continues over the following motions counts once.
-      const bool goesOn = k > 0 && all[k - 1].kind == v.kind && all[k - 1].joint == v.joint &&
-                          all[k - 1].motion + 1 >= v.motion;
-      if (goesOn)
+      const bool continues = k > 0 && all[k - 1].kind == v.kind && all[k - 1].joint == v.joint &&
+                             all[k - 1].motion + 1 >= v.motion;
+      if (continues)
         continue;
       ++out_.verdict.limitViolations;
       if (++listed > kMaxListed + 1)

@@ -69,14 +69,14 @@ base::Message lineOf(const plan::ReadProgram& program, std::size_t motion) {
                      : base::message("line {line}"_text, line);
 }
 
-void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajectory,
-                    const plan::ReadProgram& program, Report& report) {
+void reportDeviations(const Alignment& alignment, const plan::Trajectory& trajectory,
+                      const plan::ReadProgram& program, Report& report) {
   using enum plan::FindingKind;
-  constexpr double kToldMm = 0.05;
+  constexpr double kReportedMm = 0.05;
   for (const Deviation& d : alignment.deviations) {
     switch (d.kind) {
     case DeviationKind::Moved:
-      if (d.distanceMm > kToldMm)
+      if (d.distanceMm > kReportedMm)
         report.atMotion(WaypointMoved, d.motion, {{"distance", base::mm(d.distanceMm)}});
       else
         report.atMotion(WaypointTilted, d.motion, {{"angle", degreesOf(d.angleRad)}});
@@ -111,7 +111,7 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
 // Returns whether the nozzle passes there on its straight path to that point of the plan. A table's
 // rotation between two directions need not be the shortest: the tilt may deviate by as much again
 // as the angle between them.
-bool goesStraightBy(const PlannedNozzle& planned, const plan::Trajectory& trajectory,
+bool passesStraight(const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                     std::size_t point, const Vector3d& tip, const Vector3d& direction) {
   constexpr double kSameMm = 0.02, kSameRad = 0.01;
   if (point == 0 || point >= trajectory.pointCount() ||
@@ -149,12 +149,12 @@ WholeMotion wholeMotion(const plan::ReadProgram& program, const ExecutedPath& pa
 
 // The sequences without the motions marked as aside, and the conversion of a result for them to
 // indices of all motions.
-class WithoutAside {
+class WithoutDetours {
 public:
-  WithoutAside(const plan::ReadProgram& program, const std::vector<Vector3d>& tip,
-               const std::vector<Vector3d>& direction) {
+  WithoutDetours(const plan::ReadProgram& program, const std::vector<Vector3d>& tip,
+                 const std::vector<Vector3d>& direction) {
     for (std::size_t m = 0; m < program.motions.size(); ++m)
-      if (!program.motions[m].aside) {
+      if (!program.motions[m].detour) {
         motions_.push_back(m);
         tip_.push_back(tip[m]);
         direction_.push_back(direction[m]);
@@ -210,18 +210,18 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
   const std::vector<Vector3d> upOfMotions(program.tellsDirections ? 0 : path.motionCount(),
                                           Vector3d::UnitZ()),
       upOfPoints(program.tellsDirections ? 0 : planned.tip.size(), Vector3d::UnitZ());
-  const WithoutAside own(program, path.targetTip,
-                         program.tellsDirections ? path.targetDirection : upOfMotions);
+  const WithoutDetours own(program, path.targetTip,
+                           program.tellsDirections ? path.targetDirection : upOfMotions);
   const auto isVia = [&](std::size_t k, std::size_t point) {
     const std::size_t m = own.motion(k);
     const plan::ProgramMotion& motion = program.motions[m];
     if (program.beadsByJoints)
-      return goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]);
+      return passesStraight(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]);
     if (motion.target != plan::TargetKind::ToolPoint)
       return false;
     return (!motion.extruding && arcs.passes(point, path.targetTip[m], path.targetDirection[m])) ||
-           (!motion.way.empty() &&
-            goesStraightBy(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]));
+           (!motion.viaPoints.empty() &&
+            passesStraight(planned, trajectory, point, path.targetTip[m], path.targetDirection[m]));
   };
   const Alignment found = alignToPlan(
       own.poses(), {planned.tip, program.tellsDirections ? planned.direction : upOfPoints},
@@ -306,11 +306,11 @@ private:
 
   void compareJoints(const Pair& pair) {
     const auto off = [&](int first, int last) {
-      double most = 0.0;
+      double maximum = 0.0;
       for (int k = first; k < last; ++k)
-        most = std::max(most, std::abs(path_.turnOf(k, path_.jointsAt(pair.motion)[k] -
-                                                           trajectory_.at(pair.point)[k])));
-      return most;
+        maximum = std::max(maximum, std::abs(path_.angleOf(k, path_.jointsAt(pair.motion)[k] -
+                                                                  trajectory_.at(pair.point)[k])));
+      return maximum;
     };
     if (const double rad = off(0, path_.armDof); rad > options_.jointRad)
       report_.atMotion(plan::FindingKind::OtherConfiguration, pair.motion,
@@ -323,11 +323,11 @@ private:
   // Returns whether the extruder is on or off as planned.
   bool compareExtruder(const Pair& pair) {
     if (!pair.print && pair.extruding &&
-        (pair.motion > 0 || pair.whole.volumeMm3 > options_.leastMm3)) {
+        (pair.motion > 0 || pair.whole.volumeMm3 > options_.minMm3)) {
       report_.atMotion(plan::FindingKind::ExtruderOnTravel, pair.motion);
       return false;
     }
-    if (pair.print && !pair.extruding && pair.expectedMm3 > options_.leastMm3) {
+    if (pair.print && !pair.extruding && pair.expectedMm3 > options_.minMm3) {
       report_.atMotion(plan::FindingKind::ExtruderOffPrint, pair.motion);
       return false;
     }
@@ -340,7 +340,7 @@ private:
     if (first == 0 || pair.point == 0)
       return false;
     std::size_t before = first - 1; // the motion to the start of this one
-    while (before > 0 && program_.motions[before].aside)
+    while (before > 0 && program_.motions[before].detour)
       --before;
     return inPlace(before) && alignment_.pointOf[before] + 1 == pair.point;
   }
@@ -351,11 +351,11 @@ private:
     if (m == 0 || !path_.arm || !motion.jointInterpolated || options_.armRadPerS2 <= 0.0 ||
         motion.jointAccelerationRadPerS2 <= 0.0)
       return 0.0;
-    double turn = 0.0;
+    double angle = 0.0;
     for (int k = 0; k < path_.armDof; ++k)
-      turn = std::max(turn,
-                      std::abs(path_.turnOf(k, path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k])));
-    return 2.0 * std::sqrt(turn / options_.armRadPerS2);
+      angle = std::max(angle,
+                       std::abs(path_.angleOf(k, path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k])));
+    return 2.0 * std::sqrt(angle / options_.armRadPerS2);
   }
 
   // A motion's duration is length divided by speed; a bead may be slower where the extruder reaches
@@ -366,18 +366,17 @@ private:
     const double time = pair.whole.durationS;
     const bool known = !(program_.time.jointsInPercent && motion.jointInterpolated);
     const auto tolerance = [&](double s) {
-      return std::max(options_.leastS, options_.rateTolerance * s);
+      return std::max(options_.minS, options_.rateTolerance * s);
     };
-    const double most = std::max(planned, rampsS(pair.motion));
+    const double maximum = std::max(planned, rampsS(pair.motion));
     const bool slow = known && planned > 0.0 && time > 0.0 &&
-                      (time < planned - tolerance(planned) || time > most + tolerance(most));
+                      (time < planned - tolerance(planned) || time > maximum + tolerance(maximum));
     if (slow)
       report_.atMotion(plan::FindingKind::SpeedChanged, pair.motion,
                        {{"time", base::seconds(time)}, {"planned", base::seconds(planned)}});
     const double volume = pair.whole.volumeMm3, expected = pair.expectedMm3;
     if (pair.print && pair.extruding && !motion.trailing && !(slow && motion.volumeMm3 < 0.0) &&
-        std::abs(volume - expected) >
-            std::max(options_.leastMm3, options_.rateTolerance * expected))
+        std::abs(volume - expected) > std::max(options_.minMm3, options_.rateTolerance * expected))
       report_.atMotion(plan::FindingKind::FlowChanged, pair.motion,
                        {{"volume", base::mm3(volume)}, {"planned", base::mm3(expected)}});
   }
@@ -402,7 +401,7 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
   Report report(program, path);
   for (const plan::ProgramDefect& d : program.defects)
     report.add(UnreadableLine, {d.file + 1, d.line}, {{"defect", d.reason}});
-  tellDeviations(alignment, trajectory, program, report);
+  reportDeviations(alignment, trajectory, program, report);
   const bool cut =
       std::any_of(alignment.deviations.begin(), alignment.deviations.end(),
                   [](const Deviation& d) { return d.kind == DeviationKind::CutShort; });

@@ -56,8 +56,8 @@ TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
 struct ComparisonOptions {
   double sameMm = 0.05;        // as in AlignmentOptions
   double rateTolerance = 0.05; // relative, of time and of material
-  double leastS = 1e-3;        // smaller differences in time are rounding errors
-  double leastMm3 = 0.005;     // smaller differences in material are rounding errors
+  double minS = 1e-3;          // smaller differences in time are rounding errors
+  double minMm3 = 0.005;       // smaller differences in material are rounding errors
   double jointRad = 0.02;      // an arm joint that differs by more is in another configuration
   // an external axis that differs by more is misplaced: the nozzle's path on the part may be the
   // same, but the arm's is not

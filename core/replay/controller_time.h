@@ -20,9 +20,9 @@
 namespace voluta::replay {
 
 // The limit on the TCP's rotation.
-enum class TurnLaw {
-  Text,    // as stated in the text
-  WaySpeed // the text and the model's turnMmPerRad
+enum class RotationLaw {
+  Text,     // as stated in the text
+  PathSpeed // the text and the model's rotationMmPerRad
 };
 
 // Returns the duration [s] of joint motion m, m >= 1, at the text's speed with ramps of `radPerS2`;
@@ -32,6 +32,6 @@ double jointMotionS(const ExecutedPath& path, std::size_t m, double radPerS2);
 // Returns the duration [s] of each motion; 0 for the first, whose start is unknown. If the model
 // accelerates instantaneously, these are the path's own durations.
 std::vector<double> controllerTimes(const plan::ReadProgram& program, const ExecutedPath& path,
-                                    TurnLaw law);
+                                    RotationLaw law);
 
 } // namespace voluta::replay

@@ -18,7 +18,7 @@ struct TimedPiece {
   double share = 0.0; // of its motion, at its middle
 };
 
-std::vector<TimedPiece> timedPieces(const std::vector<LaidPiece>& pieces,
+std::vector<TimedPiece> timedPieces(const std::vector<DepositedPiece>& pieces,
                                     const std::vector<std::uint32_t>& firstPiece, const Run& run) {
   const auto startMm = [&](std::size_t p) {
     return p > 0 && pieces[p - 1].run == pieces[p].run ? static_cast<double>(pieces[p - 1].runMm)
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> piecesBelow(const std::vector<BeadPiece>& pieces,
   return below;
 }
 
-CoveredBeads coveredBeads(const std::vector<LaidPiece>& pieces,
+CoveredBeads coveredBeads(const std::vector<DepositedPiece>& pieces,
                           const std::vector<std::uint32_t>& below,
                           const std::vector<std::uint32_t>& firstPiece, const Run& run,
                           const plan::LayerTimes& limits) {
@@ -91,9 +91,9 @@ CoveredBeads coveredBeads(const std::vector<LaidPiece>& pieces,
     sum += time * mm;
     const auto above = std::ranges::upper_bound(kLayerTimeClassesS, time);
     figures.lengthMm[static_cast<std::size_t>(above - kLayerTimeClassesS.begin())] += mm;
-    if (limits.leastS > 0.0 && time < (1.0 - kTolerance) * limits.leastS)
+    if (limits.minS > 0.0 && time < (1.0 - kTolerance) * limits.minS)
       out.youngMm += mm;
-    if (limits.greatestS > 0.0 && time > (1.0 + kTolerance) * limits.greatestS)
+    if (limits.maxS > 0.0 && time > (1.0 + kTolerance) * limits.maxS)
       out.oldMm += mm;
   }
   if (length == 0.0)

@@ -37,7 +37,7 @@ struct CoveredBeads {
 // Both times are those of the middles of the pieces. `below` as from piecesBelow(); `firstPiece` as
 // from firstPieceOfMotions(), for the motions of `run`. Beads on those printed before a resumed
 // program begins are left out.
-CoveredBeads coveredBeads(const std::vector<LaidPiece>& pieces,
+CoveredBeads coveredBeads(const std::vector<DepositedPiece>& pieces,
                           const std::vector<std::uint32_t>& below,
                           const std::vector<std::uint32_t>& firstPiece, const Run& run,
                           const plan::LayerTimes& limits);

@@ -29,7 +29,7 @@ struct Share {
 };
 
 // Returns whether a bead continues from one piece into the other without a sharp bend.
-bool goesOn(const BeadPiece& from, const BeadPiece& to) {
+bool continues(const BeadPiece& from, const BeadPiece& to) {
   constexpr double kSharp = 0.5; // cosine of 60 degrees
   constexpr double kSameMm = 1e-6;
   const Eigen::Vector3d a = from.to - from.from, b = to.to - to.from;
@@ -162,8 +162,8 @@ private:
                height = static_cast<float>(slab.height);
     const float half = 0.5f * height, flat = halfWidth - half;
     // On a bend the outside is longer than the inside.
-    const Eigen::Vector3d way = slab.piece.to - slab.piece.from;
-    const auto widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
+    const Eigen::Vector3d span = slab.piece.to - slab.piece.from;
+    const auto widens = static_cast<float>(span.dot(slab.side1 - slab.side0) / span.squaredNorm());
     // Lines are shifted against each other by fractions related to the golden ratio, so that no row
     // of them is in step with the cells.
     constexpr float kR1 = 0.7548776662466927f, kR2 = 0.5698402909980532f;
@@ -304,9 +304,10 @@ void makeFootprints(Chunk& chunk, const std::vector<BeadPiece>& pieces, std::siz
       chunk.end.push_back(chunk.shares.size());
       continue;
     }
-    const BeadPiece* before = i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
+    const BeadPiece* before =
+        i > 0 && continues(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
     const BeadPiece* after =
-        i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
+        i + 1 < pieces.size() && continues(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
     chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
     chunk.end.push_back(chunk.shares.size());
   }
@@ -327,7 +328,7 @@ void layBatch(const Batch& batch, const std::vector<BeadPiece>& pieces, std::siz
                                                    chunk.end[in] - begin, index, piece.ofPart);
     result.pieceExcessMm3[first + p] = static_cast<float>(left * cellVolume);
     result.excessMm3 += left * cellVolume;
-    result.laidMm3 += piece.volumeMm3;
+    result.depositedMm3 += piece.volumeMm3;
   }
 }
 

@@ -66,7 +66,7 @@ struct BeadGrid {
   base::ZeroedArray<std::uint32_t> filler;
   // Returns that piece, or kNeverFilled.
   std::uint32_t filledBy(std::size_t cell) const { return filler[cell] - 1u; }
-  double laidMm3 = 0.0;              // volume of all pieces
+  double depositedMm3 = 0.0;         // volume of all pieces
   double excessMm3 = 0.0;            // of it, the volume that found no room
   std::vector<float> pieceExcessMm3; // per piece
 };

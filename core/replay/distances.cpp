@@ -120,7 +120,7 @@ struct Simplex {
 
   Vector3d reduceToNearest() {
     Vector3d best = w[0];
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     Simplex kept;
     // Checks all faces: at most fifteen subsets of four points, each in closed form.
     for (int set = 1; set < (1 << size); ++set) {
@@ -132,8 +132,8 @@ struct Simplex {
       if (!face.projection(v))
         continue;
       const double squared = v.squaredNorm();
-      if (squared < least) {
-        least = squared;
+      if (squared < minimum) {
+        minimum = squared;
         best = v;
         kept = face;
       }
@@ -334,11 +334,11 @@ double HeadSolid::distance(const Eigen::Vector3d& point) const {
   return std::sqrt(nearest);
 }
 
-bool HeadSolid::within(double asideSquared, double z, double reach) const {
+bool HeadSolid::within(double lateralSquared, double z, double reach) const {
   // Nearly all queried points are below the tip.
   if (z < sections_.front().zMm - reach || z > sections_.back().zMm + reach)
     return false;
-  const Vector2d p(std::sqrt(asideSquared), z);
+  const Vector2d p(std::sqrt(lateralSquared), z);
   for (const Slant& side : slants_) {
     const double over = side.outward.dot(p) - side.at;
     if (over > reach || z < side.low.zMm - reach || z > side.high.zMm + reach)

@@ -55,7 +55,7 @@ public:
   double distance(const Eigen::Vector3d& point) const;
   // Returns distance(point) <= reach, faster, for a point given by its squared distance from the
   // axis and its position along it.
-  bool within(double asideSquared, double z, double reach) const;
+  bool within(double lateralSquared, double z, double reach) const;
   // Returns the height of its lowest point over the plane z = 0 of a frame in which the tip is at
   // tipZ and the axis makes the angle with cosine `axisZ` with z.
   double lowest(double tipZ, double axisZ) const;

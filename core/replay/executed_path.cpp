@@ -51,7 +51,7 @@ public:
     path_.targetTip.resize(n);
     path_.targetDirection.resize(n);
     path_.commandedMm.assign(n, 0.0);
-    path_.turnRad.assign(n, 0.0);
+    path_.angleRad.assign(n, 0.0);
     path_.cornerRad.assign(n, 0.0);
     path_.durationS.assign(n, 0.0);
     path_.startS.assign(n, 0.0);
@@ -119,10 +119,10 @@ private:
     return q;
   }
   // Texts give one unit for all axes: degrees for turning axes, mm for sliding ones.
-  double externalOf(int axis, double told) const {
+  double externalOf(int axis, double stated) const {
     const bool slides = cell_->externalAxes()[static_cast<std::size_t>(axis)].limits.kind ==
                         robot::JointKind::Sliding;
-    return slides ? base::radiansToDegrees(told) : told;
+    return slides ? base::radiansToDegrees(stated) : stated;
   }
 
   std::vector<double> externalsOf(const JointVector& q) const {
@@ -162,7 +162,7 @@ private:
 
   static Isometry3d poseOf(const Target& t) {
     Isometry3d pose = Isometry3d::Identity();
-    pose.linear() = t.turn.toRotationMatrix();
+    pose.linear() = t.rotation.toRotationMatrix();
     pose.translation() = t.position;
     return pose;
   }
@@ -220,7 +220,7 @@ private:
           base::require(cell_ != nullptr, "replay: a program for an arm needs a cell");
           const Isometry3d pose = poseOfTarget(m, motion.frame_T_tcp);
           t.position = pose.translation();
-          t.turn = Quaterniond(pose.linear());
+          t.rotation = Quaterniond(pose.linear());
         }
         nozzleOf(t, isToolPoint(m), path_.targetTip[m], path_.targetDirection[m]);
       }
@@ -228,37 +228,38 @@ private:
   }
 
   void findWays() {
-    way_.resize(motions_.size());
+    viaPoints_.resize(motions_.size());
     for (std::size_t m = 1; m < motions_.size(); ++m) {
       Isometry3d pose = motions_[m].frame_T_tcp;
-      for (const plan::NozzlePoint& point : motions_[m].way) {
+      for (const plan::NozzlePoint& point : motions_[m].viaPoints) {
         pose.translation() = point.position;
-        way_[m].push_back(isToolPoint(m) ? point.position : poseOfTarget(m, pose).translation());
+        viaPoints_[m].push_back(isToolPoint(m) ? point.position
+                                               : poseOfTarget(m, pose).translation());
       }
     }
   }
-  // Point 0 of the path of motion m is its start, way_[m].size() + 1 its end.
+  // Point 0 of the path of motion m is its start, viaPoints_[m].size() + 1 its end.
   const Vector3d& pathPoint(std::size_t m, std::size_t k) const {
-    return k == 0                ? targets_[m - 1].position
-           : k <= way_[m].size() ? way_[m][k - 1]
-                                 : targets_[m].position;
+    return k == 0                      ? targets_[m - 1].position
+           : k <= viaPoints_[m].size() ? viaPoints_[m][k - 1]
+                                       : targets_[m].position;
   }
   Vector3d chord(std::size_t m, std::size_t k) const {
     return pathPoint(m, k + 1) - pathPoint(m, k);
   }
   double lengthOf(std::size_t m) const {
-    return geometry::polylineLength(way_[m].size() + 2,
+    return geometry::polylineLength(viaPoints_[m].size() + 2,
                                     [&](std::size_t k) { return pathPoint(m, k); });
   }
 
   void findLengths() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
-      const Vector3d way = chord(m, 0);
+      const Vector3d leaving = chord(m, 0);
       path_.commandedMm[m] = lengthOf(m);
-      path_.turnRad[m] = targets_[m].turn.angularDistance(targets_[m - 1].turn);
+      path_.angleRad[m] = targets_[m].rotation.angularDistance(targets_[m - 1].rotation);
       if (m > 1) {
-        const Vector3d before = chord(m - 1, way_[m - 1].size());
-        path_.cornerRad[m - 1] = std::atan2(before.cross(way).norm(), before.dot(way));
+        const Vector3d before = chord(m - 1, viaPoints_[m - 1].size());
+        path_.cornerRad[m - 1] = std::atan2(before.cross(leaving).norm(), before.dot(leaving));
       }
       const double blends = motions_[m].blendMm + motions_[m - 1].blendMm;
       if (blends > path_.commandedMm[m] + 1e-6 && isStraight(m) && motions_[m].blendMm > 0.0 &&
@@ -279,19 +280,19 @@ private:
   // corners.
   Target onPath(std::size_t m, double s) const {
     const Target &from = targets_[m - 1], &to = targets_[m];
-    if (way_[m].empty())
+    if (viaPoints_[m].empty())
       return between(from, to, s);
-    const double at = s * static_cast<double>(way_[m].size() + 1);
-    const std::size_t piece = std::min(static_cast<std::size_t>(at), way_[m].size());
+    const double at = s * static_cast<double>(viaPoints_[m].size() + 1);
+    const std::size_t piece = std::min(static_cast<std::size_t>(at), viaPoints_[m].size());
     const auto point = [&](std::size_t k) {
       Target t = k == 0 ? from : to;
       t.position = pathPoint(m, k);
-      if (k > 0 && k <= way_[m].size())
-        t.direction = motions_[m].way[k - 1].direction;
+      if (k > 0 && k <= viaPoints_[m].size())
+        t.direction = motions_[m].viaPoints[k - 1].direction;
       return t;
     };
     Target t = between(point(piece), point(piece + 1), at - static_cast<double>(piece));
-    t.turn = from.turn.slerp(s, to.turn);
+    t.rotation = from.rotation.slerp(s, to.rotation);
     return t;
   }
 
@@ -388,8 +389,8 @@ private:
         if (m == 0) {
           walk.push(m, 1.0, target);
         } else {
-          const double turn = robot::largestTurn(target - q, cell_->limits());
-          const int steps = stepsOf(turn / kArmStepJointRad);
+          const double rotation = robot::largestRotation(target - q, cell_->limits());
+          const int steps = stepsOf(rotation / kArmStepJointRad);
           for (int k = 1; k <= steps; ++k) {
             const double u = static_cast<double>(k) / steps;
             walk.push(m, u, q + u * (target - q));
@@ -420,16 +421,16 @@ private:
   }
   int armSteps(std::size_t m) const {
     const Target &a = targets_[m - 1], &b = targets_[m];
-    double turn = a.turn.angularDistance(b.turn), external = 0.0;
+    double rotation = a.rotation.angularDistance(b.rotation), external = 0.0;
     if (externals_ > 0) {
       const JointVector from = withExternals(m, 0.0, cell_->home()),
                         to = withExternals(m, 1.0, cell_->home());
-      external = robot::largestTurn(to - from, cell_->limits());
-      turn = Quaterniond(flangeOf(a, from).linear())
-                 .angularDistance(Quaterniond(flangeOf(b, to).linear()));
+      external = robot::largestRotation(to - from, cell_->limits());
+      rotation = Quaterniond(flangeOf(a, from).linear())
+                     .angularDistance(Quaterniond(flangeOf(b, to).linear()));
     }
-    return stepsOf(std::max(
-        {path_.commandedMm[m] / kArmStepMm, turn / kArmStepRad, external / kArmStepExternalRad}));
+    return stepsOf(std::max({path_.commandedMm[m] / kArmStepMm, rotation / kArmStepRad,
+                             external / kArmStepExternalRad}));
   }
 
   // Sets q to the joints nearest to it that reach motion m at s; leaves the arm's joints unchanged
@@ -453,7 +454,7 @@ private:
     if (scratch.empty())
       return false;
     const auto away = [&](const JointVector& candidate) {
-      return robot::asTurns(candidate - q.head(arm), cell_->limits()).squaredNorm();
+      return robot::asAngles(candidate - q.head(arm), cell_->limits()).squaredNorm();
     };
     q.head(arm) = *std::min_element(
         scratch.begin(), scratch.end(),
@@ -465,7 +466,7 @@ private:
                   std::vector<LimitViolation>& violations) const {
     for (int k = 0; k < path_.dof; ++k) {
       const robot::JointLimits& limits = cell_->limits()[static_cast<std::size_t>(k)];
-      const double slack = robot::fromTurn(limits.kind, kRangeSlackRad);
+      const double slack = robot::fromAngle(limits.kind, kRangeSlackRad);
       if (q[k] < limits.min - slack || q[k] > limits.max + slack)
         violations.push_back(
             {LimitKind::JointRange, m, k, q[k], q[k] < limits.min ? limits.min : limits.max});
@@ -480,7 +481,7 @@ private:
       if (motion.durationS > 0.0) {
         duration = motion.durationS;
       } else if (m > 0 && path_.arm && motion.jointInterpolated && motion.jointSpeedRadPerS > 0.0) {
-        duration = robot::largestTurn(jointsOf(m) - jointsOf(m - 1), cell_->limits()) /
+        duration = robot::largestRotation(jointsOf(m) - jointsOf(m - 1), cell_->limits()) /
                    motion.jointSpeedRadPerS;
       } else if (m > 0 && motion.speedMmPerS > 0.0) {
         duration = path_.commandedMm[m] / motion.speedMmPerS;
@@ -543,13 +544,13 @@ private:
     Vector3d last = path_.targetTip[m - 1], direction;
     double longest = 0.0;
     constexpr int kChords = 8;
-    const bool straight = way_[m].empty();
+    const bool straight = viaPoints_[m].empty();
     const bool plain =
         straight && (isToolPoint(m) || (isStraight(m) && externals_ > 0) ||
                      (isStraight(m) && path_.commandedMm[m] < 2.0 &&
-                      targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02));
+                      targets_[m - 1].rotation.angularDistance(targets_[m].rotation) < 0.02));
     if (!straight && isToolPoint(m)) {
-      const std::size_t pieces = way_[m].size() + 1;
+      const std::size_t pieces = viaPoints_[m].size() + 1;
       for (std::size_t k = 0; k < pieces; ++k)
         longest = std::max(longest, static_cast<double>(pieces) / kChords * chord(m, k).norm());
     } else if (plain) {
@@ -563,9 +564,9 @@ private:
       }
     }
     if (!straight)
-      longest = std::max(
-          longest, step / kChords *
-                       chordsOfArc(path_.commandedMm[m], chord(m, 0), chord(m, way_[m].size())));
+      longest = std::max(longest, step / kChords *
+                                      chordsOfArc(path_.commandedMm[m], chord(m, 0),
+                                                  chord(m, viaPoints_[m].size())));
     // Chords are shorter than the curve.
     const double count = std::ceil(longest * kChords / (plain ? step : 0.98 * step) - 1e-3);
     return static_cast<std::uint32_t>(std::clamp(count, 1.0, 20000.0));
@@ -581,7 +582,7 @@ private:
   int externals_ = 0;   // number of axes
   std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
-  std::vector<std::vector<Vector3d>> way_; // per motion: points that it passes, as its target
+  std::vector<std::vector<Vector3d>> viaPoints_; // per motion: points that it passes, as its target
   ExecutedPath path_;
 };
 

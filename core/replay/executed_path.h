@@ -16,7 +16,7 @@
 //   target states others;
 // - durations are length / speed without ramps, as programmed (controller_time.h models the
 //   controller's own timing); for joint motions max |dq| / joint speed. Where joints are compared
-//   with each other, sliding ones count as robot::asTurn converts them;
+//   with each other, sliding ones count as robot::asAngle converts them;
 // - an axis that is programmed at multiples of a step turns evenly between them; its speed limit is
 //   checked against its motion less one step.
 #pragma once
@@ -51,7 +51,7 @@ struct ExecutedPath {
   std::vector<Eigen::Vector3d> targetTip, targetDirection; // work frame, mm; unit, -tool z
   // length to which the speed refers: the TCP's in Base, or the tip's
   std::vector<double> commandedMm;
-  std::vector<double> turnRad;   // rotation of the same frame during the motion; 0 for ToolPoint
+  std::vector<double> angleRad;  // rotation of the same frame during the motion; 0 for ToolPoint
   std::vector<double> cornerRad; // between this motion and the next; 0 at the end
   std::vector<double> durationS, startS;
   int dof = 0, armDof = 0;             // all axes; those before the external ones
@@ -74,8 +74,8 @@ struct ExecutedPath {
 
   std::size_t motionCount() const { return startS.size(); }
   // Returns a step of axis k as a rotation [rad].
-  double turnOf(int k, double step) const {
-    return robot::asTurn(kinds[static_cast<std::size_t>(k)], step);
+  double angleOf(int k, double step) const {
+    return robot::asAngle(kinds[static_cast<std::size_t>(k)], step);
   }
   // Precondition: arm.
   const double* jointsAt(std::size_t motion) const {

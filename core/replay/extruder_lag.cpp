@@ -10,7 +10,7 @@ namespace voluta::replay {
 namespace {
 
 constexpr double kSlackS = 0.05;
-constexpr double kMostShare = 0.4; // maximum tolerance in stop lags
+constexpr double kMaxShare = 0.4; // maximum tolerance in stop lags
 
 class LagFollower {
 public:
@@ -72,7 +72,7 @@ private:
             const Volume& volumeMm3) {
     const double gapS = std::max(seconds(first), seconds(first - 1));
     const double toleranceS =
-        std::max(kSlackS, std::min(0.5 * gapS, kMostShare * lagOf(first).stopS));
+        std::max(kSlackS, std::min(0.5 * gapS, kMaxShare * lagOf(first).stopS));
     std::size_t end = first;
     double restS = 0.0;
     for (; end < flows.size() && !flows[end] && prints_[end]; ++end)

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 // Size of a neighbourhood: motion of the tip, its part along the axis, motion of the axis' end,
 // pieces printed in between.
-constexpr double kWayMm = 2.0, kAlongMm = 0.1, kTurn = 0.03;
+constexpr double kShiftMm = 2.0, kAlongMm = 0.1, kRotation = 0.03;
 constexpr std::uint32_t kPieces = 16;
 constexpr double kRoundingMm = 1e-9;
 
@@ -19,10 +19,10 @@ constexpr double kRoundingMm = 1e-9;
 
 bool HeadFollower::isNear(const Vector3d& tip, const Vector3d& direction,
                           const PrintState& moment) const {
-  const Vector3d way = tip - tip_;
-  return moment.before <= before_ && way.squaredNorm() <= kWayMm * kWayMm &&
-         std::abs(way.dot(direction)) <= kAlongMm &&
-         (direction - direction_).squaredNorm() <= kTurn * kTurn;
+  const Vector3d step = tip - tip_;
+  return moment.before <= before_ && step.squaredNorm() <= kShiftMm * kShiftMm &&
+         std::abs(step.dot(direction)) <= kAlongMm &&
+         (direction - direction_).squaredNorm() <= kRotation * kRotation;
 }
 
 void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction,
@@ -32,7 +32,7 @@ void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction,
   before_ = moment.before + std::min(kPieces, kNeverFilled - moment.before);
   const double bottom = head_.lowest(0.0, 1.0), share = direction.lpNorm<1>() / std::sqrt(3.0);
   Eigen::AlignedBox3d box = head_.boxRound(tip, direction);
-  const Vector3d slack = Vector3d::Constant(kWayMm + kTurn * head_.reach());
+  const Vector3d slack = Vector3d::Constant(kShiftMm + kRotation * head_.reach());
   box = {box.min() - slack, box.max() + slack};
   blocks_.clear();
   part_.blocksWithin(
@@ -42,9 +42,9 @@ void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction,
         const double z = r.dot(direction), squared = r.squaredNorm();
         // A rotation moves points in proportion to their distance from the tip, along the axis and
         // across it.
-        const double turned = kTurn * (std::sqrt(squared) + reach);
+        const double turned = kRotation * (std::sqrt(squared) + reach);
         return z >= bottom - share * reach - kAlongMm - turned &&
-               head_.within(squared - z * z, z, reach + kWayMm + turned);
+               head_.within(squared - z * z, z, reach + kShiftMm + turned);
       },
       blocks_);
 }

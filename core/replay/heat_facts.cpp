@@ -98,13 +98,13 @@ private:
       if (const plan::ProgramMotion& m = program_.motions[motion_];
           !used && m.extruding && isOf(m.tool))
         used = motion_;
-    if (used && !isHot() && !isTold_)
-      tell(*used);
-    isTold_ = isTold_ && !isHot();
+    if (used && !isHot() && !isReported_)
+      report(*used);
+    isReported_ = isReported_ && !isHot();
   }
 
-  void tell(std::size_t motion) {
-    isTold_ = true;
+  void report(std::size_t motion) {
+    isReported_ = true;
     if (off_) {
       found_.push_back(textFinding(program_, StatementChanged, {off_->file + 1U, off_->line},
                                    {{"statement", heater_.name},
@@ -125,7 +125,7 @@ private:
   std::vector<TextFinding>& found_;
   std::size_t motion_ = 0, pause_ = 0;
   const bool isWaitNeeded_;
-  bool isOn_ = false, isWaited_ = false, isTold_ = false, isFirst_ = true;
+  bool isOn_ = false, isWaited_ = false, isReported_ = false, isFirst_ = true;
   double celsius_ = 0.0;            // commanded last
   const StatedFact* off_ = nullptr; // that turned it off
 };
@@ -156,7 +156,7 @@ std::vector<TextFinding> compareFan(const plan::ReadProgram& program, const plan
     return found;
   double fan = 0.0;
   std::size_t fact = 0, path = 0;
-  double toldFan = -1.0, toldPlanned = -1.0; // -1: nothing is reported here
+  double reportedFan = -1.0, reportedPlanned = -1.0; // -1: nothing is reported here
   for (std::size_t m = program.firstMotion;
        m < program.motions.size() && found.size() < kMaxFanFindings; ++m) {
     for (; fact < program.facts.size() && program.facts[fact].before <= m; ++fact)
@@ -171,12 +171,12 @@ std::vector<TextFinding> compareFan(const plan::ReadProgram& program, const plan
     const double planned =
         process::fanShare(tooling.of(plan.paths[path]).process.material, plan.paths[path]);
     const bool isSame = std::abs(fan - planned) < process::kSameFan;
-    if (!isSame && (fan != toldFan || planned != toldPlanned))
+    if (!isSame && (fan != reportedFan || planned != reportedPlanned))
       found.push_back(textFinding(program, FanChanged, placeOf(program, m),
                                   {{"found", base::number(std::round(100.0 * fan))},
                                    {"planned", base::number(std::round(100.0 * planned))}}));
-    toldFan = isSame ? -1.0 : fan;
-    toldPlanned = isSame ? -1.0 : planned;
+    reportedFan = isSame ? -1.0 : fan;
+    reportedPlanned = isSame ? -1.0 : planned;
   }
   return found;
 }

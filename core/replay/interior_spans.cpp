@@ -39,9 +39,9 @@ public:
     const PrintState moment{static_cast<std::uint32_t>(p), piece.run, piece.runMm,
                             static_cast<float>(2.0 * width)};
     const std::array<double, 2> sides{-kBeside * width, kBeside * width};
-    const bool isBeside = std::ranges::any_of(sides, [&](double aside) {
+    const bool isBeside = std::ranges::any_of(sides, [&](double lateral) {
       const std::uint32_t neighbour =
-          printed_.pieceAt(tip - 0.5 * height * up + aside * side, moment);
+          printed_.pieceAt(tip - 0.5 * height * up + lateral * side, moment);
       return neighbour != kNeverFilled && support_[neighbour].supported;
     });
     return isBeside ? Held::Beside : Held::InteriorGap;

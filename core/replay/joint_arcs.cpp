@@ -34,11 +34,11 @@ bool JointArcs::passes(std::size_t point, const Eigen::Vector3d& tip,
     return false;
   sample(point);
   for (std::size_t k = 1; k < tip_.size(); ++k) {
-    const Eigen::Vector3d way = tip_[k] - tip_[k - 1];
-    const double squared = way.squaredNorm();
+    const Eigen::Vector3d step = tip_[k] - tip_[k - 1];
+    const double squared = step.squaredNorm();
     const double t =
-        squared > 0.0 ? std::clamp(way.dot(tip - tip_[k - 1]) / squared, 0.0, 1.0) : 1.0;
-    if ((tip_[k - 1] + t * way - tip).norm() <= kSameMm &&
+        squared > 0.0 ? std::clamp(step.dot(tip - tip_[k - 1]) / squared, 0.0, 1.0) : 1.0;
+    if ((tip_[k - 1] + t * step - tip).norm() <= kSameMm &&
         (!directions_ || geometry::angleBetween((1.0 - t) * direction_[k - 1] + t * direction_[k],
                                                 direction) <= kSameRad))
       return true;

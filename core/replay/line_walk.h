@@ -32,31 +32,31 @@ template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i&
     const Floats first = none + kInside,
                  last = none + (static_cast<float>(size[static_cast<int>(k)]) - kInside);
     const Floats from = base::min(base::max(lines.from[k], first), last),
-                 to = base::min(base::max(lines.to[k], first), last), way = to - from;
-    const Ints at = base::intsOf(from), back = way < 0.0f;
+                 to = base::min(base::max(lines.to[k], first), last), step = to - from;
+    const Ints at = base::intsOf(from), back = step < 0.0f;
     cell += strides[k] * at;
     stride[k] = back ? Ints{} - strides[k] : Ints{} + strides[k];
-    across[k] = way == 0.0f ? none + 2.0f : 1.0f / base::absOf(way);
+    across[k] = step == 0.0f ? none + 2.0f : 1.0f / base::absOf(step);
     const Floats in = from - base::floatsOf(at);
-    next[k] = way == 0.0f ? none + 2.0f : (back ? in : 1.0f - in) * across[k];
+    next[k] = step == 0.0f ? none + 2.0f : (back ? in : 1.0f - in) * across[k];
   }
   Floats done = none;
   for (;;) {
-    const Floats least = base::min(base::min(next[0], next[1]), next[2]);
-    const Ints goesOn = least < 1.0f;
-    const Floats end = goesOn ? least : none + 1.0f;
+    const Floats minimum = base::min(base::min(next[0], next[1]), next[2]);
+    const Ints continues = minimum < 1.0f;
+    const Floats end = continues ? minimum : none + 1.0f;
     f(cell, end - done);
     bool any = false;
     for (int l = 0; l < kLanes; ++l)
-      any |= goesOn[l] != 0;
+      any |= continues[l] != 0;
     if (!any)
       return;
     done = end;
-    const Ints is0 = next[0] == least, is1 = ~is0 & (next[1] == least), is2 = ~(is0 | is1);
+    const Ints is0 = next[0] == minimum, is1 = ~is0 & (next[1] == minimum), is2 = ~(is0 | is1);
     next[0] += is0 ? across[0] : none;
     next[1] += is1 ? across[1] : none;
     next[2] += is2 ? across[2] : none;
-    cell += goesOn & ((is0 & stride[0]) | (is1 & stride[1]) | (is2 & stride[2]));
+    cell += continues & ((is0 & stride[0]) | (is1 & stride[1]) | (is2 & stride[2]));
   }
 }
 

@@ -163,7 +163,7 @@ private:
 } // namespace
 
 CommonClock runMarked(std::span<const std::vector<MarkedAction>> programs, const Start& start) {
-  base::require(programs.size() > 1 && programs.size() <= plan::kMostMachines,
+  base::require(programs.size() > 1 && programs.size() <= plan::kMaxMachines,
                 "runMarked: two to four machines");
   CommonClock clock;
   clock.machines.resize(programs.size());

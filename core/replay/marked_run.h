@@ -25,7 +25,7 @@ std::vector<MarkedAction> markedActions(const plan::ReadProgram& program,
 // Joins all motions and pauses between two statements of marks to one motion.
 std::vector<MarkedAction> joinedMotions(const std::vector<MarkedAction>& actions);
 
-// Precondition: two to plan::kMostMachines programs.
+// Precondition: two to plan::kMaxMachines programs.
 CommonClock runMarked(std::span<const std::vector<MarkedAction>> programs, const Start& start);
 
 } // namespace voluta::replay

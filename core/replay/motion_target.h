@@ -12,7 +12,7 @@ namespace voluta::replay {
 // there.
 struct MotionTarget {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
@@ -20,7 +20,7 @@ struct MotionTarget {
 inline MotionTarget between(const MotionTarget& a, const MotionTarget& b, double u) {
   MotionTarget t;
   t.position = a.position + u * (b.position - a.position);
-  t.turn = a.turn.slerp(u, b.turn);
+  t.rotation = a.rotation.slerp(u, b.rotation);
   const double angle =
       std::atan2(a.direction.cross(b.direction).norm(), a.direction.dot(b.direction));
   if (angle < 1e-9 || angle > base::kPi - 1e-9)
@@ -36,8 +36,8 @@ inline MotionTarget between(const MotionTarget& a, const MotionTarget& b, double
 // at its ends.
 inline double chordsOfArc(double lengthMm, const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
   constexpr double kSagittaMm = 0.002;
-  const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
-  return std::sqrt(lengthMm * turn / (8.0 * kSagittaMm));
+  const double rotation = std::atan2(in.cross(out).norm(), in.dot(out));
+  return std::sqrt(lengthMm * rotation / (8.0 * kSagittaMm));
 }
 
 } // namespace voluta::replay

@@ -59,7 +59,7 @@ private:
                               : (j > 0 ? j - 1 : 0));
     const std::size_t last = ofPolyline(std::min(j + 1, planned_.tip.size() - 1));
     const bool blended = program_.motions[m].blendMm > 0.0;
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t s = path_.firstSample[m]; s < path_.firstSample[m + 1]; ++s) {
       if (endOnly && s + 1 < path_.firstSample[m + 1])
         continue;
@@ -68,16 +68,16 @@ private:
         for (std::size_t k = first; k < last; ++k)
           d = std::min(d,
                        geometry::distanceToSegment(path_.tip[s], polyline()[k], polyline()[k + 1]));
-      most = std::max(most, d);
+      maximum = std::max(maximum, d);
     }
-    return most;
+    return maximum;
   }
 
   // Returns the largest distance of the omitted points from the motion that replaces them.
   double fromMotion(std::size_t m, std::size_t j) const {
     if (!whole_ || m == 0 || j == 0 || alignment_.pointOf[m] != j || pointBefore(m) + 1 != j)
       return 0.0;
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t i = whole_->lastOf[j - 1] + 1; i < whole_->lastOf[j]; ++i) {
       const Vector3d& point = whole_->planned.tip[i];
       Vector3d from =
@@ -87,9 +87,9 @@ private:
         d = std::min(d, geometry::distanceToSegment(point, from, path_.tip[s]));
         from = path_.tip[s];
       }
-      most = std::max(most, d);
+      maximum = std::max(maximum, d);
     }
-    return most;
+    return maximum;
   }
 
   const ExecutedPath& path_;

@@ -12,16 +12,18 @@ PrintedPart::PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pi
     Level level;
     level.cells = cells;
     level.size = (size.array() + (kBranch - 1)) / kBranch;
-    level.least.assign(static_cast<std::size_t>(level.size.x()) *
-                           static_cast<std::size_t>(level.size.y()) *
-                           static_cast<std::size_t>(level.size.z()),
-                       kNeverFilled);
+    level.earliest.assign(static_cast<std::size_t>(level.size.x()) *
+                              static_cast<std::size_t>(level.size.y()) *
+                              static_cast<std::size_t>(level.size.z()),
+                          kNeverFilled);
     std::size_t at = 0;
     for (int k = 0; k < size.z(); ++k)
       for (int j = 0; j < size.y(); ++j)
         for (int i = 0; i < size.x(); ++i, ++at) {
-          std::uint32_t& least = level.least[level.index({i / kBranch, j / kBranch, k / kBranch})];
-          least = std::min(least, levels_.empty() ? beads_.filledBy(at) : levels_.back().least[at]);
+          std::uint32_t& earliest =
+              level.earliest[level.index({i / kBranch, j / kBranch, k / kBranch})];
+          earliest = std::min(earliest,
+                              levels_.empty() ? beads_.filledBy(at) : levels_.back().earliest[at]);
         }
     size = level.size;
     levels_.push_back(std::move(level));

@@ -89,7 +89,7 @@ public:
   template <typename Within>
   std::optional<std::size_t> firstIn(const Block& block, const PrintState& moment,
                                      const Within& within) const {
-    if (levels_.front().least[block.index] >= moment.before)
+    if (levels_.front().earliest[block.index] >= moment.before)
       return std::nullopt;
     const Eigen::Vector3i first = kBranch * block.at, end = endOf(first, grid().size);
     for (int k = first.z(); k < end.z(); ++k)
@@ -109,11 +109,11 @@ private:
     std::uint32_t run;
     float runMm;
   };
-  // Blocks of `cells` cubed cells; `least`: the minimum filledBy in each.
+  // Blocks of `cells` cubed cells; `earliest`: the minimum filledBy in each.
   struct Level {
     int cells = 1;
     Eigen::Vector3i size;
-    std::vector<std::uint32_t> least;
+    std::vector<std::uint32_t> earliest;
     std::size_t index(const Eigen::Vector3i& b) const {
       return static_cast<std::size_t>(b.x()) +
              static_cast<std::size_t>(size.x()) *
@@ -153,7 +153,7 @@ private:
         for (int i = first.x(); i < end.x(); ++i) {
           const Eigen::Vector3i block(i, j, k);
           const std::size_t index = here.index(block);
-          if (here.least[index] >= before)
+          if (here.earliest[index] >= before)
             continue;
           const Eigen::Vector3d middle =
               grid().origin + width * (block.cast<double>() + Eigen::Vector3d::Constant(0.5));

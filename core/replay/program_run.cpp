@@ -37,13 +37,13 @@ public:
   }
 
   JudgedRun judge(KnownResults known) {
-    if (known.laid) {
-      out_.laid = std::move(known.laid);
+    if (known.deposited) {
+      out_.deposited = std::move(known.deposited);
       out_.figures = std::move(known.figures);
       out_.beads = std::move(known.beads);
     } else {
-      out_.laid = layBeads();
-      known.firstPiece = firstPieceOfMotions(out_.laid->pieces, path().motionCount());
+      out_.deposited = layBeads();
+      known.firstPiece = firstPieceOfMotions(out_.deposited->pieces, path().motionCount());
     }
     judgeLayerTimes(known.firstPiece);
     findClashes(known);
@@ -55,7 +55,7 @@ public:
 private:
   const ExecutedPath& path() const { return out_.run.path; }
 
-  std::shared_ptr<const LaidBeads> layBeads() {
+  std::shared_ptr<const DepositedBeads> layBeads() {
     std::vector<BeadPiece> pieces =
         beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge, out_.run.shotMm3);
     dropFallen(pieces, GroundProbe(in_.platform));
@@ -72,12 +72,12 @@ private:
       take(p);
     const double margin = maxOf(&process::Process::beadWidthMaxMm);
     const double stray = std::max(kStrayMm, kStrayWidths * margin);
-    const Vector3d mostLow = low - Vector3d::Constant(stray);
-    const Vector3d mostHigh = high + Vector3d::Constant(stray);
+    const Vector3d minLow = low - Vector3d::Constant(stray);
+    const Vector3d maxHigh = high + Vector3d::Constant(stray);
     for (const BeadPiece& piece : pieces)
       take(piece.to);
-    low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
-    high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
+    low = (low - Vector3d::Constant(margin)).cwiseMax(minLow);
+    high = (high + Vector3d::Constant(margin)).cwiseMin(maxHigh);
     // Support below a bead is searched for within a quarter of its height, which cells of more than
     // half a height would not resolve.
     const double ofWidth = 0.25 * minOf(&process::Process::beadWidthMm);
@@ -86,21 +86,21 @@ private:
     out_.figures.pitchMm = grid.pitch;
     DepositOptions options;
     options.widthMaxMm = 3.0 * maxOf(&process::Process::beadWidthMaxMm);
-    const auto laid = std::make_shared<LaidBeads>();
-    laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
-    laid->printed.emplace(laid->beads, pieces);
-    laid->underside.emplace(
+    const auto deposited = std::make_shared<DepositedBeads>();
+    deposited->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
+    deposited->printed.emplace(deposited->beads, pieces);
+    deposited->underside.emplace(
         process::erodedHead(firstProcess().head, firstProcess().contactToleranceMm), pieces,
         options.widthMaxMm);
-    judgeBeads(*laid, pieces);
-    laid->below = piecesBelow(pieces, *laid->printed, GroundProbe(in_.platform), ctx_);
-    laid->pieces = laidPieces(pieces, 2.0 * maxOf(&process::Process::beadWidthMaxMm));
+    judgeBeads(*deposited, pieces);
+    deposited->below = piecesBelow(pieces, *deposited->printed, GroundProbe(in_.platform), ctx_);
+    deposited->pieces = depositedPieces(pieces, 2.0 * maxOf(&process::Process::beadWidthMaxMm));
     // Collision checks need only the filling pieces.
-    laid->beads.fill = {};
-    laid->beads.otherFill = {};
-    laid->beads.rectangle = {};
-    base::freeStorage(laid->beads.pieceExcessMm3);
-    return laid;
+    deposited->beads.fill = {};
+    deposited->beads.otherFill = {};
+    deposited->beads.rectangle = {};
+    base::freeStorage(deposited->beads.pieceExcessMm3);
+    return deposited;
   }
 
   // The smallest and the largest value among the processes of the tools that print beads.
@@ -151,9 +151,9 @@ private:
     out_.beads.push_back({kind, std::move(values), where, motion, count, item});
   }
 
-  void judgeBeads(const LaidBeads& laid, const std::vector<BeadPiece>& pieces) {
-    judgeVolume(laid.beads, pieces);
-    judgeSupport(*laid.printed, pieces);
+  void judgeBeads(const DepositedBeads& deposited, const std::vector<BeadPiece>& pieces) {
+    judgeVolume(deposited.beads, pieces);
+    judgeSupport(*deposited.printed, pieces);
   }
 
   void judgeVolume(const BeadGrid& beads, const std::vector<BeadPiece>& pieces) {
@@ -304,8 +304,8 @@ private:
   }
 
   void judgeLayerTimes(const std::vector<std::uint32_t>& firstPiece) {
-    const CoveredBeads covered =
-        coveredBeads(out_.laid->pieces, out_.laid->below, firstPiece, out_.run, in_.layerTimes);
+    const CoveredBeads covered = coveredBeads(out_.deposited->pieces, out_.deposited->below,
+                                              firstPiece, out_.run, in_.layerTimes);
     out_.figures.layerTimes = covered.figures;
     if (covered.shortest)
       out_.figures.worst.layerTime = covered.shortest->where;
@@ -319,18 +319,19 @@ private:
                                    place->where,
                                    place->motion});
     };
-    report(CoolingTime, covered.shortest, covered.youngMm, in_.layerTimes.leastS);
-    report(BondTime, covered.longest, covered.oldMm, in_.layerTimes.greatestS);
+    report(CoolingTime, covered.shortest, covered.youngMm, in_.layerTimes.minS);
+    report(BondTime, covered.longest, covered.oldMm, in_.layerTimes.maxS);
   }
 
   void findClashes(const KnownResults& known) {
     ctx_.report(0.72, "checking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * minOf(&process::Process::beadWidthMm),
                               ctx_);
-    out_.head = headClashes(path(), out_.laid->pieces, known.firstPiece, *out_.laid->printed,
-                            *out_.laid->underside, firstProcess(), ground, known.headKnown, ctx_);
+    out_.head =
+        headClashes(path(), out_.deposited->pieces, known.firstPiece, *out_.deposited->printed,
+                    *out_.deposited->underside, firstProcess(), ground, known.headKnown, ctx_);
     ctx_.report(0.97, "checking for collisions"_text);
-    out_.arm = armClashes(path(), known.firstPiece, *out_.laid->printed, ground, in_.cell,
+    out_.arm = armClashes(path(), known.firstPiece, *out_.deposited->printed, ground, in_.cell,
                           known.armKnown, ctx_);
     out_.head.insert(out_.head.end(), known.head.begin(), known.head.end());
     out_.arm.insert(out_.arm.end(), known.arm.begin(), known.arm.end());

@@ -49,8 +49,8 @@ struct BeadFinding {
 };
 
 // The deposited material of a run.
-struct LaidBeads {
-  std::vector<LaidPiece> pieces;
+struct DepositedBeads {
+  std::vector<DepositedPiece> pieces;
   std::vector<std::uint32_t> below; // per piece: the last one directly below it, or kNeverFilled
   BeadGrid beads;                   // without fill
   std::optional<PrintedPart> printed;
@@ -60,7 +60,7 @@ struct LaidBeads {
 // A run and its results.
 struct JudgedRun {
   Run run; // without the arm's configurations between targets
-  std::shared_ptr<const LaidBeads> laid;
+  std::shared_ptr<const DepositedBeads> deposited;
   RunFigures figures; // collisions and collidingWaypoints are those of the clashes below
   std::vector<BeadFinding> beads;      // for the thresholds it was judged with
   std::vector<Clash> head, arm;        // unordered
@@ -70,10 +70,10 @@ struct JudgedRun {
 // Results of a run that are known before it is judged, say from another program with the same
 // motions. They are taken as they are. Motions are numbered as in the run that is judged.
 struct KnownResults {
-  std::shared_ptr<const LaidBeads> laid; // null: nothing is known; all else is then empty
-  RunFigures figures;                    // of the beads
-  std::vector<BeadFinding> beads;        // for the same thresholds
-  std::vector<std::uint32_t> firstPiece; // of each motion among laid->pieces (clashes.h)
+  std::shared_ptr<const DepositedBeads> deposited; // null: nothing is known; all else is then empty
+  RunFigures figures;                              // of the beads
+  std::vector<BeadFinding> beads;                  // for the same thresholds
+  std::vector<std::uint32_t> firstPiece; // of each motion among deposited->pieces (clashes.h)
   std::vector<char> headKnown, armKnown; // per motion: its clashes of head, arm are known
   std::vector<Clash> head, arm;          // all clashes that begin in known motions
 };

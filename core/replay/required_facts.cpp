@@ -215,18 +215,18 @@ private:
     if (!dialect.posture)
       return;
     const bool foreign = program::isForeign(dialect, cell_);
-    std::size_t told = 0;
+    std::size_t reported = 0;
     const auto text = [](const plan::ArmPosture& p) {
       return "(" + std::to_string(p.structure) + "," + std::to_string(p.turns) + ")";
     };
     for (const plan::StatedPosture& stated : program_.postures) {
       const std::size_t point = alignment_.pointOf[stated.motion];
-      if (point == kUnmatched || told == kMaxFlags)
+      if (point == kUnmatched || reported == kMaxFlags)
         continue;
       const plan::ArmPosture planned = dialect.posture(cell_, foreign, trajectory_.at(point));
       if (planned == stated.posture)
         continue;
-      ++told;
+      ++reported;
       add(PostureChanged, placeOf(program_, stated.motion),
           {{"found", text(stated.posture)}, {"planned", text(planned)}});
     }

@@ -23,7 +23,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using robot::BodyRole;
 
-constexpr std::size_t kMostMeetings = 20;
+constexpr std::size_t kMaxMeetings = 20;
 constexpr double kGridMm = 10.0;
 
 bool isStill(const robot::Cell& cell, const robot::Body& body) {
@@ -41,7 +41,7 @@ struct Solid {
 };
 
 // Points on the centrelines of beads, by place; work frame.
-class LaidPoints {
+class DepositedPoints {
 public:
   void add(const Vector3d& point, double whenS) {
     cells_[keyOf(cellOf(point))].push_back({point, whenS});
@@ -60,14 +60,14 @@ public:
       for (int y = low.y(); y <= high.y(); ++y)
         for (int x = low.x(); x <= high.x(); ++x)
           if (const auto cell = cells_.find(keyOf({x, y, z})); cell != cells_.end())
-            for (const Laid& laid : cell->second)
-              if (laid.whenS < nowS && isInside(laid.point))
-                return laid.point;
+            for (const Deposited& deposited : cell->second)
+              if (deposited.whenS < nowS && isInside(deposited.point))
+                return deposited.point;
     return std::nullopt;
   }
 
 private:
-  struct Laid {
+  struct Deposited {
     Vector3d point;
     double whenS;
   };
@@ -79,7 +79,7 @@ private:
     const auto part = [](int i) { return static_cast<std::uint64_t>(i + kOffset) & 0x1fffff; };
     return part(cell.x()) << 42 | part(cell.y()) << 21 | part(cell.z());
   }
-  std::unordered_map<std::uint64_t, std::vector<Laid>> cells_;
+  std::unordered_map<std::uint64_t, std::vector<Deposited>> cells_;
   Eigen::AlignedBox3d bounds_;
 };
 
@@ -119,7 +119,7 @@ public:
   Isometry3d shared_T_work() const {
     return frames_[static_cast<std::size_t>(machine_.cell.workFrame())];
   }
-  const LaidPoints& laid() const { return laid_; }
+  const DepositedPoints& deposited() const { return deposited_; }
   double beadRadiusMm() const { return 0.5 * machine_.process.beadWidthMm; }
 
   bool isAgainstObstacles(const Solid& s) const {
@@ -170,12 +170,12 @@ private:
   void layBeads() {
     const double below = 0.5 * machine_.process.layerHeightMm;
     for (const Vector3d& point : machine_.printedEarlier)
-      laid_.add(point, -std::numeric_limits<double>::infinity());
+      deposited_.add(point, -std::numeric_limits<double>::infinity());
     for (std::size_t m = 0; m < clock_.beginS.size(); ++m) {
       if (!machine_.program.motions[m].extruding)
         continue;
       for (std::size_t s = path_.firstSample[m]; s < path_.firstSample[m + 1]; ++s)
-        laid_.add(path_.tip[s] - below * path_.direction[s], clock_.endS[m]);
+        deposited_.add(path_.tip[s] - below * path_.direction[s], clock_.endS[m]);
     }
   }
 
@@ -209,7 +209,7 @@ private:
   const ExecutedPath& path_;
   const MachineClock& clock_;
   std::vector<Solid> solids_;
-  LaidPoints laid_;
+  DepositedPoints deposited_;
   std::size_t motion_ = 0, sample_ = 0;
   std::vector<Isometry3d> frames_;
   std::vector<Vector3d> centres_; // of the solids' balls
@@ -242,12 +242,12 @@ private:
       return;
     const double balls = (a_.centreOf(i) - b_.centreOf(j)).norm() - s.ball.radius - t.ball.radius;
     const bool bothMove = !s.isStill && !t.isStill;
-    if (balls > (bothMove ? out_.leastDistanceMm : 0.0) || !isChecked(s, t))
+    if (balls > (bothMove ? out_.minDistanceMm : 0.0) || !isChecked(s, t))
       return;
     const double mm = distanceBetween(s.shape, a_.poseOf(s), t.shape, b_.poseOf(t));
-    if (bothMove && mm < out_.leastDistanceMm) {
-      out_.leastDistanceMm = mm;
-      out_.leastAtS = now_;
+    if (bothMove && mm < out_.minDistanceMm) {
+      out_.minDistanceMm = mm;
+      out_.minDistanceAtS = now_;
     }
     if (mm <= 0.0)
       meet(s.body, t.body, 0.5 * (a_.centreOf(i) + b_.centreOf(j)), robot::nameOf(a_.bodyOf(s)),
@@ -277,7 +277,7 @@ private:
       const Isometry3d shape_T_work = (work_T_shared * one.poseOf(s)).inverse(Eigen::Isometry);
       // The eroded head may graze a bead's side, but not reach its centreline.
       const double reach = isHead ? 0.0 : other.beadRadiusMm();
-      const auto where = other.laid().find(
+      const auto where = other.deposited().find(
           work_T_shared * one.centreOf(i), s.ball.radius + reach, now_,
           [&](const Vector3d& p) { return distanceToPoint(s.shape, shape_T_work * p) <= reach; });
       if (!where)
@@ -299,7 +299,7 @@ private:
     if (std::ranges::find(before_, pair) != before_.end())
       return;
     ++out_.collisions;
-    if (out_.meetings.size() < kMostMeetings)
+    if (out_.meetings.size() < kMaxMeetings)
       out_.meetings.push_back({now_, where, machines_, {std::move(one), std::move(other)}});
   }
 
@@ -320,7 +320,7 @@ SharedRun runTogether(std::span<const PlacedProgram> machines, const base::RunCo
   for (const PlacedProgram& machine : machines) {
     programs.push_back(&machine.program);
     paths.push_back(executeProgram(machine.program, machine.cell, ctx));
-    times.push_back(controllerTimes(machine.program, paths.back(), TurnLaw::Text));
+    times.push_back(controllerTimes(machine.program, paths.back(), RotationLaw::Text));
   }
   out.unsafeStart = unsafeStart(programs, times);
   out.clock = commonClock(programs, times, out.unsafeStart ? out.unsafeStart->start : Start{});

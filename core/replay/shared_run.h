@@ -48,7 +48,7 @@ struct SharedRun {
   std::size_t collisions = 0;
   std::vector<Meeting> meetings; // the first ones
   // Of moving bodies of one machine to those of another.
-  double leastDistanceMm = kMachinesCapMm, leastAtS = 0.0;
+  double minDistanceMm = kMachinesCapMm, minDistanceAtS = 0.0;
 };
 
 // Looks for a start after which the programs do not keep together, and samples all runs after it,

@@ -14,15 +14,15 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr float kPassable = 0.5f;   // fill below which material flows through a cell
-constexpr double kAsideShare = 1.5; // of the cube root of the volume
+constexpr float kPassable = 0.5f;     // fill below which material flows through a cell
+constexpr double kLateralShare = 1.5; // of the cube root of the volume
 const std::array<Vector3i, 6> kNeighbours{Vector3i{1, 0, 0}, Vector3i{-1, 0, 0},
                                           Vector3i{0, 1, 0}, Vector3i{0, -1, 0},
                                           Vector3i{0, 0, 1}, Vector3i{0, 0, -1}};
 
 // A cell that the shot reaches.
 struct Reached {
-  double depthMm, asideMm; // of its centre, from the tip
+  double depthMm, lateralMm; // of its centre, from the tip
   std::size_t cell;
 };
 
@@ -30,7 +30,7 @@ class Pool {
 public:
   Pool(const BeadGrid& grid, const BeadPiece& shot)
       : grid_(grid), tip_(shot.from), up_(shot.fromDirection), deepMm_(shot.fromHeightMm),
-        wideMm_(kAsideShare * std::cbrt(static_cast<double>(shot.volumeMm3))) {}
+        wideMm_(kLateralShare * std::cbrt(static_cast<double>(shot.volumeMm3))) {}
 
   std::vector<Reached> reached() {
     visit(grid_.grid.cellOf(tip_ - 0.5 * grid_.grid.pitch * up_));
@@ -40,7 +40,8 @@ public:
         visit(at + step);
     }
     std::ranges::sort(reached_, [](const Reached& a, const Reached& b) {
-      return std::tuple(-a.depthMm, a.asideMm, a.cell) < std::tuple(-b.depthMm, b.asideMm, b.cell);
+      return std::tuple(-a.depthMm, a.lateralMm, a.cell) <
+             std::tuple(-b.depthMm, b.lateralMm, b.cell);
     });
     return std::move(reached_);
   }
@@ -51,12 +52,12 @@ private:
     if (!grid.contains(at.x(), at.y(), at.z()))
       return;
     const std::size_t cell = grid.index(at.x(), at.y(), at.z());
-    const Vector3d way = tip_ - grid.centre(at.x(), at.y(), at.z());
-    const double depth = way.dot(up_), aside = (way - depth * up_).norm();
-    if (depth < 0.0 || depth > deepMm_ + grid.pitch || aside > wideMm_ ||
+    const Vector3d offset = tip_ - grid.centre(at.x(), at.y(), at.z());
+    const double depth = offset.dot(up_), lateral = (offset - depth * up_).norm();
+    if (depth < 0.0 || depth > deepMm_ + grid.pitch || lateral > wideMm_ ||
         !seen_.insert(cell).second)
       return;
-    reached_.push_back({depth, aside, cell});
+    reached_.push_back({depth, lateral, cell});
     if (grid_.fill[cell] < kPassable)
       open_.push_back(at);
   }

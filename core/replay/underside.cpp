@@ -34,8 +34,8 @@ bool isBeneath(const RoundedQuad& quad, const FlatDisc& disc) {
 
 RoundedQuad solidOf(const BeadPiece& piece, double widthMaxMm) {
   const BeadSection section = sectionOf(piece, widthMaxMm);
-  const Vector3d way = piece.to - piece.from;
-  Vector3d side = (piece.fromDirection + piece.toDirection).cross(way);
+  const Vector3d step = piece.to - piece.from;
+  Vector3d side = (piece.fromDirection + piece.toDirection).cross(step);
   side = side.norm() > 1e-9 ? Vector3d(side.normalized()) : piece.toDirection.unitOrthogonal();
   // A section lower than planned keeps its bottom at the planned height.
   const auto middle = [&](const Vector3d& tip, const Vector3d& up, float plannedMm) -> Vector3d {

@@ -94,8 +94,8 @@ Eigen::Isometry3d straightened(const Eigen::Isometry3d& base_T_flange,
   if (!(z.z() > 0.0 && std::hypot(z.x(), z.y()) < 1.5 * kAlongAxisRad))
     return base_T_flange;
   Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
-  upright.linear() =
-      geometry::leastTurn(z, Eigen::Vector3d::UnitZ()).toRotationMatrix() * base_T_flange.linear();
+  upright.linear() = geometry::shortestRotation(z, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+                     base_T_flange.linear();
   upright.translation() =
       base_T_flange * flange_T_tool.translation() - upright.linear() * flange_T_tool.translation();
   return upright;
@@ -115,8 +115,8 @@ void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near
 }
 
 std::optional<JointVector> Cell::next(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
-                                      double mostRad) const {
-  auto q = nextBranch(robot(), base_T_flange(work_T_tool, near), near, mostRad);
+                                      double maxRad) const {
+  auto q = nextBranch(robot(), base_T_flange(work_T_tool, near), near, maxRad);
   if (q) {
     q->conservativeResize(dof());
     q->tail(dof() - armDof()) = near.tail(dof() - armDof());

@@ -116,7 +116,7 @@ public:
 
   // As robot::nextBranch.
   std::optional<JointVector> next(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
-                                  double mostRad) const;
+                                  double maxRad) const;
   // Returns 1 or -1 if the nozzle is on the axis of the arm's last joint, so that rotating the tool
   // about its z by an angle is rotating that joint by the angle times this sign; otherwise 0.
   int lastJointTurnsNozzle() const { return lastJointTurnsNozzle_; }
@@ -132,7 +132,7 @@ public:
   // nullopt: the planner chooses the place. None with a fixed nozzle.
   const std::optional<Eigen::Vector3d>& purgePlaceMm() const { return purgePlaceMm_; }
   // Acceleration of the arm's joints in travels with its load [rad/s²]; of a sliding joint by
-  // asTurn().
+  // asAngle().
   double travelAcceleration() const { return travelAcceleration_; }
 
   // Bodies and their frames. Frame indices, n being the number of the robot's joints: 0 robot base

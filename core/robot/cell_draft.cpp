@@ -227,7 +227,7 @@ CellDraft CellDraft::withRobot(const RobotModel& robot) const {
   for (const JointLimits& limit : robot.limits)
     if (cell.contains(kTravel) &&
         cell.at(kTravel).get<double>() >
-            base::radiansToDegrees(asTurn(limit.kind, limit.acceleration)))
+            base::radiansToDegrees(asAngle(limit.kind, limit.acceleration)))
       cell.erase(kTravel);
   cell["robot"] = robot.id;
   cell["homeDeg"] = std::move(home);

@@ -15,9 +15,9 @@ NozzleTurns::NozzleTurns(const Cell& cell, const Eigen::Isometry3d& work_T_tool,
     cell.robot().kinematics->inverse(cell.base_T_flange(work_T_tool_, near_), unturned_);
 }
 
-void NozzleTurns::at(double turn, std::vector<JointVector>& solutions) const {
+void NozzleTurns::at(double rotation, std::vector<JointVector>& solutions) const {
   Eigen::Isometry3d turned = work_T_tool_;
-  turned.linear() *= Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  turned.linear() *= Eigen::AngleAxisd(rotation, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   if (!once_) {
     cell_.inverse(turned, near_, solutions);
     return;
@@ -28,7 +28,7 @@ void NozzleTurns::at(double turn, std::vector<JointVector>& solutions) const {
   // Descriptions round right angles, so the nozzle may be slightly off the axis.
   const auto missed = [&](JointVector& q) {
     double& last = q[cell_.armDof() - 1];
-    last = wrappedAngle(last + cell_.lastJointTurnsNozzle() * turn);
+    last = wrappedAngle(last + cell_.lastJointTurnsNozzle() * rotation);
     const Eigen::Isometry3d flange = arm.flange(q);
     const bool isThere = (flange.translation() - base_T_flange.translation()).norm() < kSameMm &&
                          (flange.linear() - base_T_flange.linear()).norm() < kSameRad;

@@ -13,8 +13,8 @@ public:
   // `cell` must outlive this object. `near` as in Cell::inverse.
   NozzleTurns(const Cell& cell, const Eigen::Isometry3d& work_T_tool, JointVector near);
 
-  // As Cell::inverse of work_T_tool rotated by `turn` [rad] about the tool's z.
-  void at(double turn, std::vector<JointVector>& solutions) const;
+  // As Cell::inverse of work_T_tool rotated by `rotation` [rad] about the tool's z.
+  void at(double rotation, std::vector<JointVector>& solutions) const;
 
 private:
   const Cell& cell_;

@@ -82,7 +82,7 @@ std::optional<Prism> footOf(const Prism& plate, const std::vector<Shape>& shapes
   constexpr int kCorners = 24;
   std::vector<Vector2d> points = plate.polygon;
   for (int k = 0; k < kCorners; ++k) {
-    const double angle = base::kTurn * k / kCorners;
+    const double angle = base::kTwoPi * k / kCorners;
     points.push_back(meeting->at + meeting->radius * Vector2d(std::cos(angle), std::sin(angle)));
   }
   return Prism{geometry::convexPolygon(std::move(points)), plate.zMin,

@@ -24,20 +24,20 @@ std::vector<JointKind> kindsOf(const std::vector<JointLimits>& limits) {
   return kinds;
 }
 
-JointVector asTurns(const JointVector& step, const std::vector<JointLimits>& limits) {
+JointVector asAngles(const JointVector& step, const std::vector<JointLimits>& limits) {
   const auto count = std::min(step.size(), static_cast<Eigen::Index>(limits.size()));
   JointVector turns = step.head(count);
   for (Eigen::Index i = 0; i < count; ++i)
-    turns[i] = asTurn(limits[static_cast<std::size_t>(i)].kind, step[i]);
+    turns[i] = asAngle(limits[static_cast<std::size_t>(i)].kind, step[i]);
   return turns;
 }
 
-double largestTurn(const JointVector& step, const std::vector<JointLimits>& limits) {
+double largestRotation(const JointVector& step, const std::vector<JointLimits>& limits) {
   double largest = 0.0;
   const auto count = std::min(step.size(), static_cast<Eigen::Index>(limits.size()));
   for (Eigen::Index i = 0; i < count; ++i)
     largest =
-        std::max(largest, std::abs(asTurn(limits[static_cast<std::size_t>(i)].kind, step[i])));
+        std::max(largest, std::abs(asAngle(limits[static_cast<std::size_t>(i)].kind, step[i])));
   return largest;
 }
 
@@ -54,12 +54,12 @@ void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange
 
 std::optional<JointVector> nextBranch(const RobotModel& robot,
                                       const Eigen::Isometry3d& base_T_flange,
-                                      const JointVector& near, double mostRad) {
+                                      const JointVector& near, double maxRad) {
   if (robot.kinematics->isFast())
     return std::nullopt;
   JointVector q = near.head(robot.dof());
   if (!robot.kinematics->solveNear(base_T_flange, q) ||
-      largestTurn(q - near.head(robot.dof()), robot.limits) > mostRad)
+      largestRotation(q - near.head(robot.dof()), robot.limits) > maxRad)
     return std::nullopt;
   for (int i = 0; i < robot.dof(); ++i) {
     const JointLimits& limit = robot.limits[static_cast<std::size_t>(i)];
@@ -84,12 +84,13 @@ void keepWithinLimits(const RobotModel& robot, const JointVector& near,
       }
       if (std::abs(near[i] - q[i]) < 0.99 * base::kPi && q[i] >= limit.min && q[i] <= limit.max)
         continue; // The usual case
-      const double least = std::ceil((limit.min - kSlack - q[i]) / base::kTurn);
-      const double most = std::floor((limit.max + kSlack - q[i]) / base::kTurn);
-      if (least > most)
+      const double minimum = std::ceil((limit.min - kSlack - q[i]) / base::kTwoPi);
+      const double maximum = std::floor((limit.max + kSlack - q[i]) / base::kTwoPi);
+      if (minimum > maximum)
         return true;
-      const double turns = std::clamp(std::round((near[i] - q[i]) / base::kTurn), least, most);
-      q[i] = std::clamp(q[i] + base::kTurn * turns, limit.min, limit.max);
+      const double turns =
+          std::clamp(std::round((near[i] - q[i]) / base::kTwoPi), minimum, maximum);
+      q[i] = std::clamp(q[i] + base::kTwoPi * turns, limit.min, limit.max);
     }
     return false;
   };

@@ -28,11 +28,11 @@ struct JointLimits {
 };
 
 std::vector<JointKind> kindsOf(const std::vector<JointLimits>& limits);
-// Returns the steps of joints as rotations [rad] (see asTurn): as many as there are limits, or all
+// Returns the steps of joints as rotations [rad] (see asAngle): as many as there are limits, or all
 // if there are fewer.
-JointVector asTurns(const JointVector& step, const std::vector<JointLimits>& limits);
+JointVector asAngles(const JointVector& step, const std::vector<JointLimits>& limits);
 // Returns the maximum of their absolute values.
-double largestTurn(const JointVector& step, const std::vector<JointLimits>& limits);
+double largestRotation(const JointVector& step, const std::vector<JointLimits>& limits);
 
 // Angle [rad] between the axes of flange and base up to which the flange of an arm that cannot tilt
 // counts as upright.
@@ -107,10 +107,10 @@ void keepWithinLimits(const RobotModel& robot, const JointVector& near,
                       std::vector<JointVector>& solutions);
 
 // For arms without a fast inverse: returns the branch that continues from `near` (only the robot's
-// joints are read), with no joint turning by more than `mostRad` and all within their limits.
+// joints are read), with no joint turning by more than `maxRad` and all within their limits.
 // Returns nullopt if there is none, or if inverseNear is as fast: use that instead.
 std::optional<JointVector> nextBranch(const RobotModel& robot,
                                       const Eigen::Isometry3d& base_T_flange,
-                                      const JointVector& near, double mostRad);
+                                      const JointVector& near, double maxRad);
 
 } // namespace voluta::robot

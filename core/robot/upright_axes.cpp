@@ -46,14 +46,14 @@ public:
     const Vector3d row = between_.row(0);
     const double cosine = row.y() * d.y() + row.z() * d.z();
     const double sine = row.z() * d.y() - row.y() * d.z();
-    const double most = std::hypot(cosine, sine), wanted = up_.x() - row.x() * d.x();
-    if (std::abs(wanted) > most + kRounding)
+    const double maximum = std::hypot(cosine, sine), wanted = up_.x() - row.x() * d.x();
+    if (std::abs(wanted) > maximum + kRounding)
       return found;
     const double middle = std::atan2(sine, cosine);
-    const double aside = most > 0.0 ? std::acos(std::clamp(wanted / most, -1.0, 1.0)) : 0.0;
-    found.push_back({bothAxes(d, middle + aside), false});
-    if (aside > 0.0)
-      found.push_back({bothAxes(d, middle - aside), false});
+    const double offset = maximum > 0.0 ? std::acos(std::clamp(wanted / maximum, -1.0, 1.0)) : 0.0;
+    found.push_back({bothAxes(d, middle + offset), false});
+    if (offset > 0.0)
+      found.push_back({bothAxes(d, middle - offset), false});
     return found;
   }
 

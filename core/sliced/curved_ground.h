@@ -18,7 +18,7 @@ struct CurvedGround {
   // Where a level point goes, and how lengths change there.
   struct Mapped {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // Of directions
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity(); // Of directions
     // Lengths grow by `along` in the direction `axis` (level, unit), by `across` normal to it.
     Eigen::Vector2d axis = Eigen::Vector2d::UnitX();
     double along = 1.0, across = 1.0;
@@ -33,7 +33,7 @@ struct CurvedGround {
 };
 
 // Returns the factor of a bead's hatch, i.e. of the distance to its neighbours, where it runs in
-// the level direction `way` (not zero).
-double hatchFactor(const CurvedGround::Mapped& mapped, const Eigen::Vector2d& way);
+// the level direction `direction` (not zero).
+double hatchFactor(const CurvedGround::Mapped& mapped, const Eigen::Vector2d& direction);
 
 } // namespace voluta::sliced

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 // By centre, else by radius.
-std::optional<Vector2d> wayToCentre(const GcodeArc& arc) {
+std::optional<Vector2d> vectorToCentre(const GcodeArc& arc) {
   if (arc.toCentre)
     return arc.toCentre;
   const Vector2d chord = (arc.to - arc.from).head<2>();
@@ -30,11 +30,11 @@ std::optional<Vector2d> wayToCentre(const GcodeArc& arc) {
 } // namespace
 
 std::optional<std::vector<Vector3d>> pointsOf(const GcodeArc& arc) {
-  constexpr double kSagittaMm = 0.005, kOffMm = 0.05, kOffShare = 0.01, kMostPieces = 1e5;
-  const std::optional<Vector2d> way = wayToCentre(arc);
-  if (!way)
+  constexpr double kSagittaMm = 0.005, kOffMm = 0.05, kOffShare = 0.01, kMaxPieces = 1e5;
+  const std::optional<Vector2d> centreOffset = vectorToCentre(arc);
+  if (!centreOffset)
     return std::nullopt;
-  const Vector3d centre = arc.from + Vector3d(way->x(), way->y(), 0.0);
+  const Vector3d centre = arc.from + Vector3d(centreOffset->x(), centreOffset->y(), 0.0);
   Vector3d level = arc.to;
   level.z() = arc.from.z();
   const auto circle =
@@ -42,7 +42,7 @@ std::optional<std::vector<Vector3d>> pointsOf(const GcodeArc& arc) {
   if (!circle || circle->distanceMm(level) > std::max(kOffMm, kOffShare * circle->radiusMm))
     return std::nullopt;
   const double step = std::sqrt(8.0 * kSagittaMm / circle->radiusMm);
-  const double count = std::clamp(std::ceil(circle->sweepRad / step), 1.0, kMostPieces);
+  const double count = std::clamp(std::ceil(circle->sweepRad / step), 1.0, kMaxPieces);
   std::vector<Vector3d> points;
   for (double k = 1.0; k < count; ++k) {
     Vector3d point = circle->at(circle->sweepRad * k / count);

@@ -26,7 +26,7 @@ using base::ErrorCode;
 using Eigen::Vector3d;
 using program::GcodeWords;
 
-constexpr double kFarthestMm = 1e6, kInchMm = 25.4, kMinWayMm = 1e-6;
+constexpr double kFarthestMm = 1e6, kInchMm = 25.4, kMinLengthMm = 1e-6;
 constexpr double kThinnestMm = 0.01, kThickestMm = 1000.0; // Layers
 constexpr std::size_t kMaxPoints = 20'000'000;
 
@@ -340,13 +340,13 @@ private:
            filaments_[file_.header.oneNozzle ? 0 : tool_].push(length);
   }
 
-  // `wayMm`: of this motion; with G93 F is its inverse time.
-  void takeSpeed(GcodeWords& w, double wayMm) {
+  // `lengthMm`: of this motion; with G93 F is its inverse time.
+  void takeSpeed(GcodeWords& w, double lengthMm) {
     if (!w['F'])
       return;
     if (!(*w['F'] > 0.0))
       fail("a speed that is not positive"_text, "give F in mm per minute"_text);
-    speedMmPerS_ = (inverseTime_ ? wayMm : unitMm_) * *w['F'] / 60.0;
+    speedMmPerS_ = (inverseTime_ ? lengthMm : unitMm_) * *w['F'] / 60.0;
   }
 
   void takeDirection(const GcodeWords& w) {
@@ -381,7 +381,7 @@ private:
     const bool isArc = g > 1.0;
     if (isArc && table_.isUsed())
       fail("an arc on a table that tilts is not understood"_text, "export straight lines"_text);
-    if ((to - from).norm() < kMinWayMm && !isArc) {
+    if ((to - from).norm() < kMinLengthMm && !isArc) {
       extrudeAtRest(extruded);
       return;
     }
@@ -418,10 +418,10 @@ private:
 
   // All axes move linearly: on a table that turns meanwhile, the nozzle's way is bent.
   void addLine(const program::TablePose& from, double extruded) {
-    std::vector<plan::NozzlePoint> way = table_.way(from, table_.poseAt(position_));
-    way.push_back(nozzle());
-    for (const plan::NozzlePoint& point : way)
-      addPoint(point.position, point.direction, extruded / static_cast<double>(way.size()));
+    std::vector<plan::NozzlePoint> nozzlePath = table_.path(from, table_.poseAt(position_));
+    nozzlePath.push_back(nozzle());
+    for (const plan::NozzlePoint& point : nozzlePath)
+      addPoint(point.position, point.direction, extruded / static_cast<double>(nozzlePath.size()));
   }
 
   void extrudeAtRest(double extruded) {

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMarginMm = 10.0, kThinMm = 5.0, kChordMm = 0.01;
-constexpr double kMostAngle = 0.499 * base::kPi;
+constexpr double kMaxAngle = 0.499 * base::kPi;
 
 void quad(geometry::TriangleMesh& mesh, int a, int b, int c, int d) {
   mesh.triangles.push_back({a, b, c});
@@ -20,19 +20,19 @@ void quad(geometry::TriangleMesh& mesh, int a, int b, int c, int d) {
 }
 
 // Returns the distances along the ground from -most to most at which its chords are fine enough.
-std::vector<double> stations(const CurvedGround& ground, double mostMm) {
+std::vector<double> stations(const CurvedGround& ground, double maxMm) {
   const double step =
-      ground.isCurved() ? std::sqrt(8.0 * kChordMm * std::abs(ground.radiusMm)) : 2.0 * mostMm;
-  const double count = std::max(1.0, std::ceil(2.0 * mostMm / step));
+      ground.isCurved() ? std::sqrt(8.0 * kChordMm * std::abs(ground.radiusMm)) : 2.0 * maxMm;
+  const double count = std::max(1.0, std::ceil(2.0 * maxMm / step));
   std::vector<double> at;
   for (double k = 0.0; k <= count; ++k)
-    at.push_back(-mostMm + 2.0 * mostMm * k / count);
+    at.push_back(-maxMm + 2.0 * maxMm * k / count);
   return at;
 }
 
 double withMargin(const CurvedGround& ground, double reachMm) {
-  const double most = reachMm + kMarginMm;
-  return ground.isCurved() ? std::min(most, kMostAngle * std::abs(ground.radiusMm)) : most;
+  const double maximum = reachMm + kMarginMm;
+  return ground.isCurved() ? std::min(maximum, kMaxAngle * std::abs(ground.radiusMm)) : maximum;
 }
 
 // A prism along x: its section is the strip below the ground.
@@ -82,9 +82,9 @@ geometry::TriangleMesh cap(const CurvedGround& ground, const Eigen::AlignedBox3d
   double lowest = 0.0;
   for (int ring = 1; ring <= rings; ++ring)
     for (int s = 0; s < sectors; ++s) {
-      const double way = reach * ring / rings, turn = 2.0 * base::kPi * s / sectors;
+      const double distance = reach * ring / rings, angle = 2.0 * base::kPi * s / sectors;
       mesh.vertices.push_back(
-          ground.map({way * std::cos(turn), way * std::sin(turn), 0.0}).position);
+          ground.map({distance * std::cos(angle), distance * std::sin(angle), 0.0}).position);
       lowest = std::min(lowest, mesh.vertices.back().z());
     }
   const auto at = [&](int ring, int s) { return 1 + (ring - 1) * sectors + s % sectors; };

@@ -47,12 +47,12 @@ LayerMask::Region LayerMask::regionFrom(std::size_t seed) {
   return region;
 }
 
-int LayerMask::runThrough(std::size_t c, int di, int dj, int most) const {
+int LayerMask::runThrough(std::size_t c, int di, int dj, int limit) const {
   const int i = static_cast<int>(c % static_cast<std::size_t>(field.width));
   const int j = static_cast<int>(c / static_cast<std::size_t>(field.width));
   int run = 1;
   for (const int side : {-1, 1})
-    for (int k = 1; run <= most; ++k, ++run) {
+    for (int k = 1; run <= limit; ++k, ++run) {
       const int x = i + side * k * di, y = j + side * k * dj;
       if (x < 0 || y < 0 || x >= field.width || y >= field.depth ||
           (bits[index(x, y)] & kOfWall) != 0)

@@ -68,7 +68,7 @@ private:
     return static_cast<std::size_t>(i) +
            static_cast<std::size_t>(field.width) * static_cast<std::size_t>(j);
   }
-  int runThrough(std::size_t c, int di, int dj, int most) const;
+  int runThrough(std::size_t c, int di, int dj, int limit) const;
 };
 
 template <typename Take>
@@ -79,9 +79,9 @@ void LayerMask::eachNear(const Field& field, const plan::ToolPlan& plan, std::si
   const double height = 0.5 * (plan.heightMm[end - 1] + plan.heightMm[end]);
   const double half = 0.5 * process::hatchOf(width, height), reach = half + marginMm;
   const Eigen::Vector2d along = b - a;
-  const auto at = [&](double mm, int axis, int most) {
+  const auto at = [&](double mm, int axis, int limit) {
     return static_cast<int>(
-        std::clamp(std::floor((mm - field.origin[axis]) / field.pitch), 0.0, most - 1.0));
+        std::clamp(std::floor((mm - field.origin[axis]) / field.pitch), 0.0, limit - 1.0));
   };
   const int left = at(std::min(a.x(), b.x()) - reach, 0, field.width);
   const int right = at(std::max(a.x(), b.x()) + reach, 0, field.width);

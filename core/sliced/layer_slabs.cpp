@@ -7,7 +7,7 @@ namespace voluta::sliced {
 
 namespace {
 constexpr double kSameShare = 0.1; // [usual heights] bounds closer than this are one
-constexpr double kMostPerLayer = 3.0;
+constexpr double kMaxPerLayer = 3.0;
 
 struct Span {
   double low, high;
@@ -52,7 +52,7 @@ LayerSlabs::LayerSlabs(const plan::ToolPlan& plan, bool (*takes)(plan::PathKind)
   const double usual = *middle;
   const auto [low, high] = std::ranges::minmax(edges);
   bounds_ = distinct(std::move(edges), kSameShare * usual);
-  if (static_cast<double>(bounds_.size()) > kMostPerLayer * (high - low) / usual + 2.0 ||
+  if (static_cast<double>(bounds_.size()) > kMaxPerLayer * (high - low) / usual + 2.0 ||
       bounds_.size() < 2)
     bounds_ = even(low, high, usual);
   segments_.resize(count());

@@ -23,8 +23,8 @@ namespace voluta::sliced {
 namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kMostFaces = 4e5; // Soft limit
-constexpr double kMostCells = 1 << 27;
+constexpr double kMaxFaces = 4e5; // Soft limit
+constexpr double kMaxCells = 1 << 27;
 constexpr double kShellBeads = 0.8;     // Part of an outer wall that is certainly solid
 constexpr double kThinBeads = 0.75;     // Gaps between neighbouring beads are no holes
 constexpr double kWithinShare = 0.8;    // Of a gap that is inside the part
@@ -120,9 +120,9 @@ private:
     const double area = 2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
     // Walls stay closed: cells that touch only by corners do not let a region out.
     constexpr double kFine = 0.25, kClosed = 0.6;
-    field_.pitch = std::clamp(std::sqrt(area / kMostFaces), kFine * hatchMm_, kClosed * hatchMm_);
+    field_.pitch = std::clamp(std::sqrt(area / kMaxFaces), kFine * hatchMm_, kClosed * hatchMm_);
     field_.pitch = std::max(
-        field_.pitch, std::sqrt(size.x() * size.y() * static_cast<double>(slabs) / kMostCells));
+        field_.pitch, std::sqrt(size.x() * size.y() * static_cast<double>(slabs) / kMaxCells));
     field_.origin = box_.min().head<2>() - Vector2d::Constant(widestMm_ + field_.pitch);
     const auto cells = [&](double mm) {
       return static_cast<int>(std::ceil(mm / field_.pitch)) + 2;

@@ -16,7 +16,7 @@ namespace voluta::sliced {
 namespace {
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kMostShift = 0.45; // [cells]
+constexpr double kMaxShift = 0.45; // [cells]
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 // The beads of one slab, per cell.
@@ -47,7 +47,7 @@ public:
         addCrossings(corner, *slab, side);
     Vector2d level = corner.head<2>().cast<double>();
     if (side.count > 0)
-      level += (side.sum / side.count).cwiseMax(-kMostShift).cwiseMin(kMostShift);
+      level += (side.sum / side.count).cwiseMax(-kMaxShift).cwiseMin(kMaxShift);
     const Vector2d at = field_.origin + field_.pitch * level;
     return {at.x(), at.y(), heightOf(corner, below, above)};
   }
@@ -141,7 +141,7 @@ private:
       return bound;
     const auto toward = [&](int next, int other) {
       const bool exists = next >= 0 && next <= object_.size.z();
-      return kMostShift * std::abs(slabs_.heightAt(exists ? next : other) - bound);
+      return kMaxShift * std::abs(slabs_.heightAt(exists ? next : other) - bound);
     };
     const int lower = corner.z() - 1, upper = corner.z() + 1;
     return std::clamp(sum / count, bound - toward(lower, upper), bound + toward(upper, lower));

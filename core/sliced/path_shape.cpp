@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kChordMm = 0.01;
-constexpr double kMostAngle = 0.499 * base::kPi; // From the top of the ground
-constexpr double kMinLeftMm = 2.0;               // Radius left inside a hollow ground
+constexpr double kMaxAngle = 0.499 * base::kPi; // From the top of the ground
+constexpr double kMinLeftMm = 2.0;              // Radius left inside a hollow ground
 
 double areaOf(const plan::ToolPlan& plan, std::size_t i) {
   return process::beadArea(plan.widthMm[i], plan.heightMm[i]);
@@ -48,34 +48,34 @@ std::map<int, double> turnsOf(const plan::ToolPlan& plan, const PathShape& shape
       at->second = std::max(at->second, plan.position[i].z());
     }
   std::map<int, double> turns;
-  double turn = 0.0;
+  double rotation = 0.0;
   for (const auto& [layer, top] : tops) {
     if (!turns.empty()) {
       constexpr double kRounding = 1e-6;
       const bool back =
-          shape.turnBackMm > 0.0 &&
-          static_cast<long long>(std::floor((top - kRounding) / shape.turnBackMm)) % 2 != 0;
-      turn += (back ? -1.0 : 1.0) * shape.turnPerLayerRad;
+          shape.reverseMm > 0.0 &&
+          static_cast<long long>(std::floor((top - kRounding) / shape.reverseMm)) % 2 != 0;
+      rotation += (back ? -1.0 : 1.0) * shape.rotationPerLayerRad;
     }
-    turns[layer] = turn;
+    turns[layer] = rotation;
   }
   return turns;
 }
 
-void turnLayers(plan::ToolPlan& plan, const PathShape& shape) {
+void rotateLayers(plan::ToolPlan& plan, const PathShape& shape) {
   const std::map<int, double> turns = turnsOf(plan, shape);
   for (const plan::ToolPath& path : plan.paths) {
-    const Eigen::Matrix3d turn =
+    const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(turns.at(path.layer), Vector3d::UnitZ()).toRotationMatrix();
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-      plan.position[i] = turn * plan.position[i];
-      plan.direction[i] = turn * plan.direction[i];
+      plan.position[i] = rotation * plan.position[i];
+      plan.direction[i] = rotation * plan.direction[i];
     }
   }
 }
 
-// Divides segments longer than `mostMm`.
-plan::ToolPlan divided(const plan::ToolPlan& given, double mostMm) {
+// Divides segments longer than `maxMm`.
+plan::ToolPlan divided(const plan::ToolPlan& given, double maxMm) {
   plan::ToolPlan plan;
   plan.fill = given.fill;
   const auto add = [&](std::size_t a, std::size_t b, double t) {
@@ -95,8 +95,8 @@ plan::ToolPlan divided(const plan::ToolPlan& given, double mostMm) {
     mine.first = plan.waypointCount();
     add(path.first, path.first, 0.0);
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-      const double way = (given.position[i] - given.position[i - 1]).norm();
-      const auto pieces = static_cast<int>(std::max(1.0, std::ceil(way / mostMm)));
+      const double length = (given.position[i] - given.position[i - 1]).norm();
+      const auto pieces = static_cast<int>(std::max(1.0, std::ceil(length / maxMm)));
       for (int k = 1; k <= pieces; ++k)
         add(i - 1, i, static_cast<double>(k) / pieces);
     }
@@ -118,7 +118,7 @@ void requireRoom(const plan::ToolPlan& plan, const CurvedGround& ground) {
                                     "radius of {radius:.1f}"_text,
                                     base::mm(top), base::mm(-ground.radiusMm)),
                       {}, "give a larger `pathsRadiusMm`"_text);
-  if (angle > kMostAngle)
+  if (angle > kMaxAngle)
     throw base::Error(
         base::ErrorCode::UnusableInput,
         base::message("the part reaches {angle:.0f} round the ground, more than 90"_text,
@@ -140,10 +140,10 @@ void bendPath(plan::ToolPlan& plan, const plan::ToolPath& path, const CurvedGrou
     if (k + 1 < path.count) {
       const Vector3d& a = plan.position[path.first + k];
       const Vector3d& b = plan.position[path.first + k + 1];
-      const Vector2d way = (b - a).head<2>();
+      const Vector2d step = (b - a).head<2>();
       lengthAfter = (mapped[k + 1].position - mapped[k].position).norm();
-      after = way.norm() > 1e-9
-                  ? 0.5 * (hatchFactor(mapped[k], way) + hatchFactor(mapped[k + 1], way))
+      after = step.norm() > 1e-9
+                  ? 0.5 * (hatchFactor(mapped[k], step) + hatchFactor(mapped[k + 1], step))
                   : 1.0;
     }
     if (k == 0)
@@ -156,7 +156,7 @@ void bendPath(plan::ToolPlan& plan, const plan::ToolPath& path, const CurvedGrou
   for (std::size_t k = 0; k < path.count; ++k) {
     const std::size_t i = path.first + k;
     plan.position[i] = mapped[k].position;
-    plan.direction[i] = mapped[k].turn * plan.direction[i];
+    plan.direction[i] = mapped[k].rotation * plan.direction[i];
     if (hasSection(plan, i) && std::abs(factor[k] - 1.0) > kSame)
       setArea(plan, i, factor[k] * areaOf(plan, i));
   }
@@ -187,7 +187,7 @@ void remake(ShapedPaths& made, const base::RunContext& ctx) {
 } // namespace
 
 bool PathShape::changesNothing() const {
-  return amountFactor == 1.0 && turnPerLayerRad == 0.0 && ground.shape == GroundShape::Plate &&
+  return amountFactor == 1.0 && rotationPerLayerRad == 0.0 && ground.shape == GroundShape::Plate &&
          frame.matrix().isIdentity(0.0);
 }
 
@@ -204,9 +204,9 @@ ShapedPaths shaped(const plan::ToolPlan& plan, const geometry::TriangleMesh& sol
     for (std::size_t i = 0; i < made.plan.waypointCount(); ++i)
       if (hasSection(made.plan, i))
         setArea(made.plan, i, shape.amountFactor * areaOf(made.plan, i));
-  if (shape.turnPerLayerRad != 0.0)
-    turnLayers(made.plan, shape);
-  if (shape.amountFactor != 1.0 || shape.turnPerLayerRad != 0.0)
+  if (shape.rotationPerLayerRad != 0.0)
+    rotateLayers(made.plan, shape);
+  if (shape.amountFactor != 1.0 || shape.rotationPerLayerRad != 0.0)
     remake(made, ctx.sub(0.0, 0.8));
   ctx.checkpoint();
   Eigen::AlignedBox3d extent = geometry::bounds(made.solid); // Skirts included

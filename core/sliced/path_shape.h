@@ -17,9 +17,9 @@ namespace voluta::sliced {
 
 struct PathShape {
   double amountFactor = 1.0; // Of the beads' areas; > 0
-  // Each layer is turned about z against the one below, counterclockwise; after every `turnBackMm`
+  // Each layer is turned about z against the one below, counterclockwise; after every `reverseMm`
   // of height in the other direction (0: never).
-  double turnPerLayerRad = 0.0, turnBackMm = 0.0;
+  double rotationPerLayerRad = 0.0, reverseMm = 0.0;
   CurvedGround ground;
   // Then everything is moved by this, e.g. onto a plane of a body.
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();

@@ -9,8 +9,8 @@ namespace voluta::sliced {
 namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr std::size_t kMostPaths = 8, kMostRuns = 12;
-constexpr double kLeastRunMm = 30.0, kApartMm = 5.0, kSameHeightMm = 0.01;
+constexpr std::size_t kMaxPaths = 8, kMaxRuns = 12;
+constexpr double kMinRunMm = 30.0, kApartMm = 5.0, kSameHeightMm = 0.01;
 
 struct Runs {
   std::size_t count = 0;
@@ -23,12 +23,12 @@ Runs runsOf(const SlicedPath& path) {
   Runs runs;
   Vector3d run = Vector3d::Zero();
   for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Vector3d way = path.points[i].position - path.points[i - 1].position;
-    if (run.norm() > 0.0 && run.dot(way) > kStraight * run.norm() * way.norm()) {
-      run += way;
+    const Vector3d step = path.points[i].position - path.points[i - 1].position;
+    if (run.norm() > 0.0 && run.dot(step) > kStraight * run.norm() * step.norm()) {
+      run += step;
     } else {
       ++runs.count;
-      run = way;
+      run = step;
     }
     runs.longestMm = std::max(runs.longestMm, run.norm());
   }
@@ -78,7 +78,7 @@ void leaveOutPurgeLines(SlicedFile& file) {
   for (const SlicedPath& path : file.paths) {
     const Runs own = runsOf(path);
     runs += own.count;
-    if (path.kind || count == kMostPaths || runs > kMostRuns || !isLevel(path) ||
+    if (path.kind || count == kMaxPaths || runs > kMaxRuns || !isLevel(path) ||
         std::abs(path.points.front().position.z() -
                  file.paths.front().points.front().position.z()) > kSameHeightMm)
       break;
@@ -86,7 +86,7 @@ void leaveOutPurgeLines(SlicedFile& file) {
     longestOf.push_back(longest);
     ++count;
   }
-  while (count > 0 && (longestOf[count - 1] < kLeastRunMm || !isBesideThePart(file.paths, count)))
+  while (count > 0 && (longestOf[count - 1] < kMinRunMm || !isBesideThePart(file.paths, count)))
     --count;
   for (std::size_t i = 0; i < count; ++i)
     for (const SlicedPoint& point : file.paths[i].points)

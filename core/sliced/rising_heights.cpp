@@ -11,14 +11,14 @@ namespace voluta::sliced {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kLeastOwnGap = 0.25; // [usual heights] of a path above its own earlier turn
-constexpr double kFarthest = 2.5;     // [usual heights]
-constexpr double kWidest = 1.5;       // [usual widths]
+constexpr double kMinOwnGap = 0.25; // [usual heights] of a path above its own earlier turn
+constexpr double kFarthest = 2.5;   // [usual heights]
+constexpr double kWidest = 1.5;     // [usual widths]
 constexpr double kThinnestMm = 0.01;
 constexpr double kOwnReaches = 3.0; // A path is not below itself within that many reaches
 
 constexpr double kLevelMm = 1e-4;
-constexpr double kMostSteps = 1000.0; // Along one segment
+constexpr double kMaxSteps = 1000.0; // Along one segment
 
 double medianOf(std::vector<double> values) {
   if (values.empty())
@@ -70,8 +70,8 @@ void BeadTops::release(double alongMm) {
   }
 }
 
-double BeadTops::gapBelow(const Vector3d& point, double leastMm) const {
-  double least = -1.0;
+double BeadTops::gapBelow(const Vector3d& point, double minMm) const {
+  double minimum = -1.0;
   const double cell = 0.5 * reachMm_;
   for (int j = -2; j <= 2; ++j)
     for (int i = -2; i <= 2; ++i) {
@@ -79,37 +79,37 @@ double BeadTops::gapBelow(const Vector3d& point, double leastMm) const {
       if (found == latest_.end())
         continue;
       const Vector3d apart = point - found->second.at;
-      const double needed = found->second.path == path_    ? leastMm
+      const double needed = found->second.path == path_    ? minMm
                             : found->second.path == kLevel ? kThinnestMm
                                                            : 0.0;
       if (apart.head<2>().norm() <= reachMm_ && apart.z() >= needed &&
-          (least < 0.0 || apart.z() < least))
-        least = apart.z();
+          (minimum < 0.0 || apart.z() < minimum))
+        minimum = apart.z();
     }
-  return least;
+  return minimum;
 }
 
 std::vector<double> BeadTops::add(const SlicedPath& path, const std::vector<double>& areasMm2,
                                   double statedMm) {
   base::require(areasMm2.size() == path.points.size(), "an area for each point");
   const bool rises = isRising(path);
-  const double leastMm = std::max(kThinnestMm, kLeastOwnGap * statedMm);
+  const double minMm = std::max(kThinnestMm, kMinOwnGap * statedMm);
   std::vector<double> gaps(path.points.size(), -1.0); // Mean on the way to each point
   double alongMm = 0.0;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const Vector3d &from = path.points[i - 1].position, &to = path.points[i].position;
-    const double way = (to - from).norm();
+    const double distance = (to - from).norm();
     const int steps =
-        static_cast<int>(std::clamp(std::ceil(way / (0.25 * reachMm_)), 1.0, kMostSteps));
+        static_cast<int>(std::clamp(std::ceil(distance / (0.25 * reachMm_)), 1.0, kMaxSteps));
     const bool isLevel = std::abs(to.z() - from.z()) < kLevelMm;
     double sum = 0.0;
     int found = 0;
     for (int k = 0; k < steps; ++k) {
       const Vector3d at = from + (k + 0.5) / steps * (to - from);
-      const double here = alongMm + (k + 0.5) / steps * way;
+      const double here = alongMm + (k + 0.5) / steps * distance;
       if (rises) {
         release(here - kOwnReaches * reachMm_);
-        if (const double gap = gapBelow(at, leastMm); gap >= 0.0) {
+        if (const double gap = gapBelow(at, minMm); gap >= 0.0) {
           sum += gap;
           ++found;
         }
@@ -118,7 +118,7 @@ std::vector<double> BeadTops::add(const SlicedPath& path, const std::vector<doub
     }
     if (found > 0)
       gaps[i] = sum / found;
-    alongMm += way;
+    alongMm += distance;
   }
   release(alongMm + 1.0);
   ++path_;

@@ -41,7 +41,7 @@ private:
 
   std::int64_t cellOf(double x, double y) const;
   // Returns the height above the bead below; negative: there is none.
-  double gapBelow(const Eigen::Vector3d& point, double leastMm) const;
+  double gapBelow(const Eigen::Vector3d& point, double minMm) const;
   void release(double alongMm);
 
   const double reachMm_;

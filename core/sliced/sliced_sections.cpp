@@ -15,7 +15,7 @@ namespace voluta::sliced {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kMinWayMm = 1e-6;
+constexpr double kMinLengthMm = 1e-6;
 constexpr double kClosedMm = 0.002;   // Rounding of coordinates in files
 constexpr double kNearlyClosed = 1.5; // [bead widths] seam gap of a loop
 constexpr double kStepMm = 0.25;      // Length over which a step of the section is spread
@@ -30,8 +30,8 @@ struct Segment {
 std::vector<double> areasOf(const SlicedPath& path, double filamentMm2) {
   std::vector<double> areas(path.points.size(), 0.0);
   for (std::size_t i = 1; i < areas.size(); ++i) {
-    const double way = (path.points[i].position - path.points[i - 1].position).norm();
-    areas[i] = way < kMinWayMm ? 0.0 : path.points[i].extruded * filamentMm2 / way;
+    const double moveMm = (path.points[i].position - path.points[i - 1].position).norm();
+    areas[i] = moveMm < kMinLengthMm ? 0.0 : path.points[i].extruded * filamentMm2 / moveMm;
   }
   return areas;
 }
@@ -59,12 +59,12 @@ std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, doub
   double carried = 0.0; // Volume of ways that are too short
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const SlicedPoint& p = path.points[i];
-    const double way = (p.position - at).norm();
+    const double moveMm = (p.position - at).norm();
     carried += p.extruded * filamentMm2;
-    if (way < kMinWayMm)
+    if (moveMm < kMinLengthMm)
       continue;
     const double stated = p.heightMm > 0.0 ? p.heightMm : layerMm;
-    segments.push_back({p.position, p.direction, way, carried / way,
+    segments.push_back({p.position, p.direction, moveMm, carried / moveMm,
                         !rising.empty() && rising[i] > 0.0 ? rising[i] : stated, p.speedMmPerS});
     carried = 0.0;
     at = p.position;
@@ -152,13 +152,13 @@ std::vector<Vector3d> runsOf(const plan::ToolPlan& plan, const plan::ToolPath& p
   constexpr double kStraight = 0.999;
   std::vector<Vector3d> runs;
   for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-    const Vector3d way = plan.position[i] - plan.position[i - 1];
-    if (!(way.norm() > kMinWayMm))
+    const Vector3d step = plan.position[i] - plan.position[i - 1];
+    if (!(step.norm() > kMinLengthMm))
       continue;
-    if (!runs.empty() && runs.back().dot(way) > kStraight * runs.back().norm() * way.norm())
-      runs.back() += way;
+    if (!runs.empty() && runs.back().dot(step) > kStraight * runs.back().norm() * step.norm())
+      runs.back() += step;
     else
-      runs.push_back(way);
+      runs.push_back(step);
   }
   return runs;
 }
@@ -168,7 +168,7 @@ std::vector<Vector3d> runsOf(const plan::ToolPlan& plan, const plan::ToolPath& p
 bool isZigzag(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   constexpr double kLink = 10.0; // [bead widths] from a row to the next
   constexpr double kReverse = -0.9;
-  constexpr int kLeastTurns = 4;
+  constexpr int kMinRevolutions = 4;
   const std::vector<Vector3d> runs = runsOf(plan, path);
   const double link = kLink * static_cast<double>(plan.widthMm[path.first]);
   const auto reverses = [&](std::size_t a, std::size_t b) {
@@ -186,7 +186,7 @@ bool isZigzag(const plan::ToolPlan& plan, const plan::ToolPath& path) {
       rows += runs[k].norm();
     }
   }
-  return turns >= kLeastTurns && rows > 0.5 * all;
+  return turns >= kMinRevolutions && rows > 0.5 * all;
 }
 
 // Returns whether a path goes round while it rises, as a spiral vase does.
@@ -194,10 +194,10 @@ bool isSpiral(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   constexpr double kRoundingMm = 1e-4, kSlope = 0.2;
   double length = 0.0;
   for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-    const Vector3d way = plan.position[i] - plan.position[i - 1];
-    if (way.z() < -kRoundingMm)
+    const Vector3d step = plan.position[i] - plan.position[i - 1];
+    if (step.z() < -kRoundingMm)
       return false;
-    length += way.norm();
+    length += step.norm();
   }
   const double rise =
       plan.position[path.first + path.count - 1].z() - plan.position[path.first].z();

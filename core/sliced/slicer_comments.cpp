@@ -85,10 +85,10 @@ std::optional<double> numberBehind(std::string_view text, std::string_view head)
   return rest && program::takeNumber(*rest, value) ? std::optional(value) : std::nullopt;
 }
 
-constexpr double kLeastMm = 0.01, kMostMm = 50.0;
+constexpr double kMinMm = 0.01, kMaxMm = 50.0;
 
 void take(double& value, std::optional<double> found) {
-  if (found && *found >= kLeastMm && *found <= kMostMm)
+  if (found && *found >= kMinMm && *found <= kMaxMm)
     value = *found;
 }
 
@@ -98,17 +98,17 @@ void takeDiameters(SlicedHeader& header, std::string_view text) {
   std::vector<double> all;
   const std::string_view stated = text.substr(0, kShown);
   double value = 0.0;
-  bool goesOn = !text.empty() && text.front() != '_'; // otherwise a setting of another name
-  while (goesOn) {
-    if (!program::takeNumber(text, value) || !(value >= kLeastMm && value <= kMostMm)) {
+  bool continues = !text.empty() && text.front() != '_'; // otherwise a setting of another name
+  while (continues) {
+    if (!program::takeNumber(text, value) || !(value >= kMinMm && value <= kMaxMm)) {
       header.oddDiameters = stated;
       break;
     }
     all.push_back(value);
     text = trimmed(text);
-    goesOn = text.starts_with(',');
-    text = trimmed(text.substr(goesOn ? 1 : 0));
-    goesOn = goesOn && !text.empty();
+    continues = text.starts_with(',');
+    text = trimmed(text.substr(continues ? 1 : 0));
+    continues = continues && !text.empty();
   }
   if (all.empty())
     return;
@@ -126,8 +126,8 @@ double SlicedHeader::amountShare(int tool, bool isVolume) const {
 }
 
 std::optional<int> toolNumber(double number) {
-  constexpr double kMostTools = 16.0;
-  if (!(number >= 0.0) || number >= kMostTools || number != std::floor(number))
+  constexpr double kMaxTools = 16.0;
+  if (!(number >= 0.0) || number >= kMaxTools || number != std::floor(number))
     return std::nullopt;
   return static_cast<int>(number);
 }

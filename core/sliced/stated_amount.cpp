@@ -65,12 +65,12 @@ private:
   }
 
   void feed(double length) {
-    auto& [fed, most] = nozzles_[header_.oneNozzle ? 0 : tool_];
+    auto& [fed, maxFed] = nozzles_[header_.oneNozzle ? 0 : tool_];
     fed += length;
     const auto flow = flows_.find(tool_);
     sum_ += (flow == flows_.end() ? 1.0 : flow->second) * header_.amountShare(tool_, volumetric_) *
-            std::max(0.0, fed - most);
-    most = std::max(most, fed);
+            std::max(0.0, fed - maxFed);
+    maxFed = std::max(maxFed, fed);
   }
 
   const SlicedHeader& header_;

@@ -32,20 +32,20 @@ void TableAxes::take(program::GcodeWords& words) {
   if (words['B'])
     angles_.tilt = sense_ * base::degreesToRadians(*words['B']);
   if (words['C'])
-    angles_.turn = sense_ * base::degreesToRadians(*words['C'] + countedDeg_);
+    angles_.rotation = sense_ * base::degreesToRadians(*words['C'] + countedDeg_);
 }
 
-void TableAxes::setCount(double turnDeg) {
-  countedDeg_ = base::radiansToDegrees(sense_ * angles_.turn) - turnDeg;
+void TableAxes::setCount(double rotationDeg) {
+  countedDeg_ = base::radiansToDegrees(sense_ * angles_.rotation) - rotationDeg;
 }
 
 plan::NozzlePoint TableAxes::nozzleAt(const program::TablePose& pose) const {
   return program::nozzleAt(frame_, pose);
 }
 
-std::vector<plan::NozzlePoint> TableAxes::way(const program::TablePose& from,
-                                              const program::TablePose& to) const {
-  return program::wayOnPart(frame_, from, to);
+std::vector<plan::NozzlePoint> TableAxes::path(const program::TablePose& from,
+                                               const program::TablePose& to) const {
+  return program::pathOnPart(frame_, from, to);
 }
 
 } // namespace voluta::sliced

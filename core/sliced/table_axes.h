@@ -19,7 +19,7 @@ public:
   // Takes the words B and C of a motion [degrees].
   void take(program::GcodeWords& words);
   // G92: the table's turn gets that count [degrees], without a motion.
-  void setCount(double turnDeg);
+  void setCount(double rotationDeg);
 
   // Returns whether a motion named B or C.
   bool isUsed() const { return isUsed_; }
@@ -27,8 +27,8 @@ public:
   // Return the nozzle on the part, and its path between two poses, without its ends; empty if the
   // table does not move.
   plan::NozzlePoint nozzleAt(const program::TablePose& pose) const;
-  std::vector<plan::NozzlePoint> way(const program::TablePose& from,
-                                     const program::TablePose& to) const;
+  std::vector<plan::NozzlePoint> path(const program::TablePose& from,
+                                      const program::TablePose& to) const;
 
 private:
   program::TableFrame frame_;

@@ -32,8 +32,8 @@ constexpr std::array<std::string_view, 8> kPlainMacros{
     "timelapse",      "bed_mesh",           "quad_gantry_level",    "skew_profile"};
 
 std::string shortened(std::string_view text) {
-  constexpr std::size_t kMost = 60;
-  return std::string(program::trimmed(text.substr(0, kMost)));
+  constexpr std::size_t kMaxLength = 60;
+  return std::string(program::trimmed(text.substr(0, kMaxLength)));
 }
 
 std::string_view firstWord(std::string_view text) {
@@ -81,8 +81,8 @@ void UnusedCommands::take(const GcodeCommand& command, std::size_t line, int lay
 }
 
 void UnusedCommands::takeNamed(const std::string& name, std::size_t line) {
-  constexpr std::size_t kMostNames = 200;
-  if (others_.size() >= kMostNames && !others_.contains(name))
+  constexpr std::size_t kMaxNames = 200;
+  if (others_.size() >= kMaxNames && !others_.contains(name))
     return;
   Seen& seen = others_[name];
   if (seen.count++ == 0)
@@ -90,11 +90,11 @@ void UnusedCommands::takeNamed(const std::string& name, std::size_t line) {
 }
 
 std::vector<base::Message> UnusedCommands::notes(std::size_t lastLine) const {
-  constexpr std::size_t kMostStops = 20;
+  constexpr std::size_t kMaxStops = 20;
   std::vector<base::Message> notes, stops;
   std::size_t count = 0;
   for (const Stop& stop : stops_)
-    if (stop.line <= lastLine && ++count <= kMostStops)
+    if (stop.line <= lastLine && ++count <= kMaxStops)
       stops.push_back(stop.layer < 0
                           ? base::message("line {line} ({command})"_text, stop.line, stop.words)
                           : base::message("line {line} in layer {layer} ({command})"_text,

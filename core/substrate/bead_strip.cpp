@@ -14,7 +14,7 @@ namespace {
 
 // Half the strip's width to the left of each point, in the surface's plane; longer at corners,
 // where both sides end at their miter.
-std::vector<Vector3d> asides(const SeamCurve& curve, double widthMm) {
+std::vector<Vector3d> lateralOffsets(const SeamCurve& curve, double widthMm) {
   constexpr double kSharpest = 0.5; // cosine of half the turn
   const std::size_t n = curve.points.size();
   std::vector<Vector3d> out(n);
@@ -35,13 +35,13 @@ std::vector<Vector3d> asides(const SeamCurve& curve, double widthMm) {
 } // namespace
 
 layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
-  const std::vector<Vector3d> aside = asides(curve, size.widthMm);
+  const std::vector<Vector3d> lateral = lateralOffsets(curve, size.widthMm);
   const int n = static_cast<int>(curve.points.size());
   const int pieces = curve.isClosed ? n : n - 1;
   layers::Patch patch;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     for (const double side : {1.0, -1.0}) {
-      patch.surface.vertices.push_back(curve.points[i] + side * aside[i] +
+      patch.surface.vertices.push_back(curve.points[i] + side * lateral[i] +
                                        0.5 * size.heightMm * curve.normals[i]);
       patch.direction.push_back(curve.normals[i]);
     }
@@ -57,7 +57,7 @@ layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
 }
 
 geometry::TriangleMesh stripSolid(const SeamCurve& curve, const StripSize& size) {
-  const std::vector<Vector3d> aside = asides(curve, size.widthMm);
+  const std::vector<Vector3d> lateral = lateralOffsets(curve, size.widthMm);
   const int n = static_cast<int>(curve.points.size());
   const int pieces = curve.isClosed ? n : n - 1;
   geometry::TriangleMesh solid;
@@ -65,7 +65,7 @@ geometry::TriangleMesh stripSolid(const SeamCurve& curve, const StripSize& size)
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Vector3d up = size.heightMm * curve.normals[i];
     for (const Vector3d& corner :
-         std::array<Vector3d, 4>{aside[i], -aside[i], up - aside[i], up + aside[i]})
+         std::array<Vector3d, 4>{lateral[i], -lateral[i], up - lateral[i], up + lateral[i]})
       solid.vertices.push_back(curve.points[i] + corner);
   }
   for (int i = 0; i < pieces; ++i)

@@ -29,7 +29,7 @@ constexpr double kFarMm = 1e4;
 }
 
 // Returns the distance [mm] along a ray from a foot to the end surface; negative if it misses it.
-double wayToEnd(const Vector3d& foot, const Vector3d& direction, const BlendOptions& o) {
+double distanceToEnd(const Vector3d& foot, const Vector3d& direction, const BlendOptions& o) {
   if (o.end) {
     const auto hit = o.end->firstHit(foot, foot + kFarMm * direction);
     return hit ? kFarMm * hit->t : -1.0;
@@ -37,15 +37,15 @@ double wayToEnd(const Vector3d& foot, const Vector3d& direction, const BlendOpti
   return direction.z() > 1e-6 ? (o.endHeightMm - foot.z()) / direction.z() : -1.0;
 }
 
-int layersFor(double least, double mean, double most, const LevelOptions& o) {
-  const int fewest = std::max(1, static_cast<int>(std::ceil(most / o.heightMaxMm - 1e-9)));
-  const int greatest = static_cast<int>(std::floor(least / o.heightMinMm + 1e-9));
+int layersFor(double minimum, double mean, double maximum, const LevelOptions& o) {
+  const int fewest = std::max(1, static_cast<int>(std::ceil(maximum / o.heightMaxMm - 1e-9)));
+  const int greatest = static_cast<int>(std::floor(minimum / o.heightMinMm + 1e-9));
   if (fewest > greatest)
     refuse(base::message("no number of layers between the surface and the end surface keeps "
                          "the layer height within {least} to {most} mm: their distance is "
                          "{shortest:.3g} to {longest:.3g} mm"_text,
                          base::number(o.heightMinMm), base::number(o.heightMaxMm),
-                         base::number(least), base::number(most)),
+                         base::number(minimum), base::number(maximum)),
            "choose an end surface of more similar shape, or a smaller part"_text);
   return std::clamp(static_cast<int>(std::lround(mean / o.layerHeightMm)), fewest, greatest);
 }
@@ -58,15 +58,15 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
                                               const base::RunContext& ctx) {
   const double edge = levelEdgeMm(o.levels);
   layers::LevelSurface start = offsetLevel(ground, kOnGroundMm, 1.0, box, edge, ctx);
-  std::vector<double> way(start.surface.vertices.size());
+  std::vector<double> distance(start.surface.vertices.size());
   // Whether the ray passes the part; other rays are ignored
-  std::vector<std::uint8_t> passes(way.size());
-  base::parallelChunks(ctx, way.size(), 256, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::uint8_t> passes(distance.size());
+  base::parallelChunks(ctx, distance.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      way[v] = wayToEnd(start.surface.vertices[v], start.direction[v], o);
-      const int steps = static_cast<int>(std::ceil(way[v] / edge));
+      distance[v] = distanceToEnd(start.surface.vertices[v], start.direction[v], o);
+      const int steps = static_cast<int>(std::ceil(distance[v] / edge));
       for (int i = 0; i <= steps && !passes[v]; ++i) {
-        const Vector3d p = start.surface.vertices[v] + way[v] * i / steps * start.direction[v];
+        const Vector3d p = start.surface.vertices[v] + distance[v] * i / steps * start.direction[v];
         passes[v] = part.closest(p, 2.0 * edge).triangle >= 0 || part.inside(p);
       }
     }
@@ -74,22 +74,22 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
   std::erase_if(start.surface.triangles, [&](const auto& t) {
     return std::any_of(t.begin(), t.end(), [&](int v) {
       const auto i = static_cast<std::size_t>(v);
-      return way[i] < kOnGroundMm || !passes[i];
+      return distance[i] < kOnGroundMm || !passes[i];
     });
   });
   if (start.surface.triangles.empty())
     refuse("no normal of the surface below the part hits the end surface"_text,
            "choose an end surface over the part's foot"_text);
-  start.thicknessMm = way; // dropUnusedVertices() keeps it in step with the vertices
+  start.thicknessMm = distance; // dropUnusedVertices() keeps it in step with the vertices
   layers::dropUnusedVertices(start);
-  double least = kFarMm, most = 0.0, sum = 0.0;
+  double minimum = kFarMm, maximum = 0.0, sum = 0.0;
   for (const double t : start.thicknessMm) {
-    least = std::min(least, t);
-    most = std::max(most, t);
+    minimum = std::min(minimum, t);
+    maximum = std::max(maximum, t);
     sum += t;
   }
   const int count =
-      layersFor(least, sum / static_cast<double>(start.thicknessMm.size()), most, o.levels);
+      layersFor(minimum, sum / static_cast<double>(start.thicknessMm.size()), maximum, o.levels);
   std::vector<layers::LevelSurface> levels;
   for (int k = 0; k < count; ++k) {
     layers::LevelSurface level = start;

@@ -37,20 +37,20 @@ public:
   Vector3d nearest(const Vector3d& p) const {
     const Vector2d at(p.x(), p.tail<2>().norm());
     const Vector2d on = nearestInSection(at);
-    const Vector2d way =
+    const Vector2d direction =
         at.y() > 0.0 ? Vector2d(p.tail<2>() / at.y()) : Vector2d(Vector2d::UnitX());
-    return {on.x(), on.y() * way.x(), on.y() * way.y()};
+    return {on.x(), on.y() * direction.x(), on.y() * direction.y()};
   }
 
 private:
   Vector2d nearestInSection(const Vector2d& at) const {
     Vector2d best = outline_.front();
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < outline_.size(); ++i) {
       const Vector2d on = nearestOnSegment(outline_[i], outline_[i + 1], at);
       const double far = (on - at).squaredNorm();
-      if (far < least) {
-        least = far;
+      if (far < minimum) {
+        minimum = far;
         best = on;
       }
     }
@@ -77,9 +77,9 @@ public:
     Vector2d on = at;
     if (at.x() > apothem_ || x == p.x())
       on = {apothem_, std::clamp(at.y(), -halfSide_, halfSide_)};
-    const double turn = sideMiddle(p);
-    return {x, std::cos(turn) * on.x() - std::sin(turn) * on.y(),
-            std::sin(turn) * on.x() + std::cos(turn) * on.y()};
+    const double angle = sideMiddle(p);
+    return {x, std::cos(angle) * on.x() - std::sin(angle) * on.y(),
+            std::sin(angle) * on.x() + std::cos(angle) * on.y()};
   }
 
 private:
@@ -89,9 +89,9 @@ private:
   }
   // Returns the coordinates of p along that side's normal and along the side.
   Vector2d acrossSide(const Vector3d& p) const {
-    const double turn = sideMiddle(p);
-    return {std::cos(turn) * p.y() + std::sin(turn) * p.z(),
-            -std::sin(turn) * p.y() + std::cos(turn) * p.z()};
+    const double angle = sideMiddle(p);
+    return {std::cos(angle) * p.y() + std::sin(angle) * p.z(),
+            -std::sin(angle) * p.y() + std::cos(angle) * p.z()};
   }
 
   double x0_, x1_, apothem_, halfSide_, side_;
@@ -109,11 +109,11 @@ public:
     if (!box_.contains(p))
       return false;
     Vector3d out = p;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis)
       for (const double side : {box_.min()[axis], box_.max()[axis]})
-        if (std::abs(side - p[axis]) < least) {
-          least = std::abs(side - p[axis]);
+        if (std::abs(side - p[axis]) < minimum) {
+          minimum = std::abs(side - p[axis]);
           out = p;
           out[axis] = side + (side == box_.max()[axis] ? 1.0 : -1.0);
         }
@@ -162,12 +162,12 @@ GroundDistance nearestOf(std::vector<GroundDistance> grounds) {
   const auto all = std::make_shared<const std::vector<GroundDistance>>(std::move(grounds));
   return {[all](const Vector3d& p) {
             Vector3d best = Vector3d::Zero();
-            double least = std::numeric_limits<double>::infinity();
+            double minimum = std::numeric_limits<double>::infinity();
             for (const GroundDistance& one : *all) {
               const Vector3d on = one.nearest(p);
               const double far = (on - p).squaredNorm();
-              if (far < least) {
-                least = far;
+              if (far < minimum) {
+                minimum = far;
                 best = on;
               }
             }

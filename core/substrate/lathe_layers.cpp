@@ -36,10 +36,10 @@ layers::Ground groundOf(const RodSurface& rod, bool followsRod) {
 }
 
 double farthest(const geometry::TriangleMesh& part, const RodSurface& rod, bool followsRod) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Vector3d& p : part.vertices)
-    most = std::max(most, followsRod ? rod.distance().signedMm(p) : p.tail<2>().norm());
-  return most;
+    maximum = std::max(maximum, followsRod ? rod.distance().signedMm(p) : p.tail<2>().norm());
+  return maximum;
 }
 
 // If the rod is not round, the bottom of a level leaves the rod's surface between the rims of
@@ -108,7 +108,7 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
                                 const LatheOptions& o) {
   base::require(!part.empty(), "a part");
   const Eigen::AlignedBox3d box = geometry::bounds(part);
-  const double from = o.followsRod ? 0.0 : rod.radiiBetween(box.min().x(), box.max().x()).leastMm;
+  const double from = o.followsRod ? 0.0 : rod.radiiBetween(box.min().x(), box.max().x()).minMm;
   const double to = farthest(part, rod, o.followsRod);
   if (to - from < o.heightMinMm)
     refuse(base::message("the part extends {height:.3g} mm beyond the rod, less than a layer "
@@ -140,7 +140,7 @@ LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& ro
     return offsets ? offsets->at(middle, thickness, silent)
                    : cylinderLevel(middle, thickness, box.min().x(), box.max().x(), edge);
   };
-  if (!o.followsRod && radii.leastMm < radii.mostMm)
+  if (!o.followsRod && radii.minMm < radii.maxMm)
     family.adapt = [&](std::vector<layers::Patch>& patches) {
       followRod(patches, bounds, family.ground, o);
     };

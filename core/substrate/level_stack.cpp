@@ -39,7 +39,7 @@ bool isOnGround(const layers::Patch& patch, const layers::Ground& ground) {
 }
 
 void reportDropped(const std::vector<layers::DroppedPiece>& dropped, StackedLevels& result) {
-  const layers::NotLaid slivers = layers::notLaid(dropped);
+  const layers::NotPrinted slivers = layers::notPrinted(dropped);
   result.slivers = slivers.pieces;
   result.sliverVolumeMm3 = slivers.volumeMm3;
   if (auto finding = layers::sliversFinding(slivers, result.statistics.volumeMm3(), kBlockingShare))
@@ -71,7 +71,7 @@ void reportLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
   const double missing = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;
   if (missing > kBlockingShare * whole)
     result.findings.push_back(plan::makeFinding(
-        plan::FindingKind::NotLaid, {{"left", base::mm3(missing)}, {"whole", base::mm3(whole)}},
+        plan::FindingKind::NotPrinted, {{"left", base::mm3(missing)}, {"whole", base::mm3(whole)}},
         geometry::bounds(part).center()));
 }
 
@@ -87,10 +87,10 @@ std::vector<double> levelBounds(double from, double to, const LevelOptions& o) {
     bounds.push_back(from);
   }
   const double room = to - from;
-  const int most = static_cast<int>(std::floor(room / o.heightMinMm + 1e-9)),
-            least = static_cast<int>(std::ceil(room / o.heightMaxMm - 1e-9));
+  const int maximum = static_cast<int>(std::floor(room / o.heightMinMm + 1e-9)),
+            minimum = static_cast<int>(std::ceil(room / o.heightMaxMm - 1e-9));
   const int wanted = static_cast<int>(std::lround(room / o.layerHeightMm));
-  const int count = most >= least ? std::clamp(wanted, least, most) : most;
+  const int count = maximum >= minimum ? std::clamp(wanted, minimum, maximum) : maximum;
   for (int k = 1; k <= count; ++k)
     bounds.push_back(from + room * k / count);
   return bounds;

@@ -136,11 +136,11 @@ private:
 
   // Newton steps along the edge, as long as they stay within the bracket.
   void putOnLevel(const Crossing& crossing, Vector3d& p, Vector3d& direction) const {
-    const Vector3d a = point(crossing.from.at), way = point(crossing.to.at) - a;
+    const Vector3d a = point(crossing.from.at), step = point(crossing.to.at) - a;
     double low = 0.0, high = 1.0;
     double t = crossing.from.value / (crossing.from.value - crossing.to.value);
     for (int round = 0; round < kMaxRounds; ++round) {
-      p = a + t * way;
+      p = a + t * step;
       const Vector3d out = p - grid_.ground().nearest(p);
       const double far = out.norm();
       // Closer than the level, the side does not matter: both are below it.
@@ -150,7 +150,7 @@ private:
       if (std::abs(value) <= kOnLevelMm)
         break;
       ((value < 0.0) == (crossing.from.value < 0.0) ? low : high) = t;
-      const double slope = (inside ? -1.0 : 1.0) * direction.dot(way);
+      const double slope = (inside ? -1.0 : 1.0) * direction.dot(step);
       t -= value / slope;
       if (!(t > low && t < high))
         t = 0.5 * (low + high);

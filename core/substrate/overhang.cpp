@@ -18,8 +18,8 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
   constexpr int kMaxSteps = 16;
   base::require(rule.sampleMm > 0.0, "samples of some size");
   Overhang found;
-  const double least = -std::sin(rule.overhangRad);
-  double worst = least;
+  const double minimum = -std::sin(rule.overhangRad);
+  double worst = minimum;
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     const Vector3d &a = part.corner(t, 0), &b = part.corner(t, 1), &c = part.corner(t, 2);
     const Vector3d n = geometry::triangleNormal(part, t);
@@ -33,7 +33,7 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
         const double u = (i + third) / m, v = (j / 2 + third) / m;
         const Vector3d p = a + u * (b - a) + v * (c - a);
         const double cosine = n.dot(outward(p));
-        if (cosine >= least - 1e-9 || ground.over(p) <= rule.contactMm)
+        if (cosine >= minimum - 1e-9 || ground.over(p) <= rule.contactMm)
           continue;
         found.areaMm2 += area;
         if (cosine < worst - 1e-9) {

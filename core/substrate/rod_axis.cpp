@@ -86,7 +86,7 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
 geometry::Placement placementOnAxis(const geometry::TriangleMesh& mesh, double scale,
                                     const AxisFit& axis) {
   geometry::Placement placement;
-  placement.rotation = geometry::leastTurn(axis.direction, Eigen::Vector3d::UnitX());
+  placement.rotation = geometry::shortestRotation(axis.direction, Eigen::Vector3d::UnitX());
   Eigen::AlignedBox3d box;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)

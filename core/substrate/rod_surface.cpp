@@ -43,18 +43,18 @@ platform::RadiusRange RodSurface::radiiBetween(double x0, double x1) const {
     return range;
   constexpr int kAround = 360;
   const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / kSampleMm)));
-  double least = range.mostMm, most = range.mostMm;
+  double minimum = range.maxMm, maximum = range.maxMm;
   bool any = false;
   for (int i = 0; i <= steps; ++i)
     for (int k = 0; k < kAround; ++k) {
       // Not at the ends, which may be end faces of the body.
       const double x = x0 + (x1 - x0) * (i + 0.5) / (steps + 1);
       const double r = radiusAt(x, 2.0 * base::kPi * k / kAround);
-      least = any ? std::min(least, r) : r;
-      most = std::max(most, r);
+      minimum = any ? std::min(minimum, r) : r;
+      maximum = std::max(maximum, r);
       any = true;
     }
-  return {least, most};
+  return {minimum, maximum};
 }
 
 std::vector<geometry::TriangleMesh> RodSurface::solids() const {

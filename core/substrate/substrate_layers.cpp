@@ -112,17 +112,17 @@ void addLevels(LevelFamily& family, const Reach& reach, const SubstrateOptions& 
 
 template <typename Height>
 double farthest(const geometry::TriangleMesh& part, const Height& height) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Vector3d& p : part.vertices)
-    most = std::max(most, height(p));
-  return most;
+    maximum = std::max(maximum, height(p));
+  return maximum;
 }
 
 void addOffsets(LevelFamily& family, const geometry::TriangleMesh& part,
                 const GroundDistance& ground, const SubstrateOptions& o,
                 const Eigen::AlignedBox3d& box) {
-  const double most = farthest(part, [&](const Vector3d& p) { return ground.signedMm(p); });
-  addLevels(family, {0.0, most}, o,
+  const double maximum = farthest(part, [&](const Vector3d& p) { return ground.signedMm(p); });
+  addLevels(family, {0.0, maximum}, o,
             [offsets = OffsetLevels(ground, box, offsetGridMm(o))](double middle, double thickness,
                                                                    const base::RunContext& ctx) {
               return offsets.at(middle, thickness, ctx);
@@ -198,7 +198,7 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
            "make the part narrower, or use `layerShape=offset`"_text);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
-  double least = 0.0, most = 0.0; // Thickness range of the best number of layers
+  double minimum = 0.0, maximum = 0.0; // Thickness range of the best number of layers
   double bestBeyond = std::numeric_limits<double>::infinity();
   for (int n = 1; n <= kMaxLayers && rise / n >= 0.1 * o.heightMinMm; ++n) {
     std::vector<FlatteningCircle> circles =
@@ -219,8 +219,8 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
       continue;
     bestBeyond = beyond;
     bestOff = off;
-    least = low;
-    most = high;
+    minimum = low;
+    maximum = high;
     best = std::move(circles);
   }
   constexpr double kSlackMm = 1e-9;
@@ -229,8 +229,8 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
                          "the layer height within {least} to {most} mm: {layers} layers would "
                          "be {thinnest:.3g} to {thickest:.3g} mm high"_text,
                          base::number(o.heightMinMm), base::number(o.heightMaxMm),
-                         best.empty() ? 0 : best.size() - 1, base::number(least),
-                         base::number(most)),
+                         best.empty() ? 0 : best.size() - 1, base::number(minimum),
+                         base::number(maximum)),
            "choose an end surface of more similar shape, or a narrower part"_text);
   return best;
 }

@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kLeastClosingMm = 0.01;
-constexpr double kLeastReachMm = 10.0; // of the search for the side beside an outline
+constexpr double kMinClosingMm = 0.01;
+constexpr double kMinReachMm = 10.0; // of the search for the side beside an outline
 constexpr double kArcMm = 0.002, kCleanMm = 0.004;
 constexpr std::size_t kUnionOf = 256; // polygons that are united at a time
 
@@ -55,7 +55,7 @@ Paths grown(const Paths& paths, double byMm) {
 // outline jumps by a fraction of a millimetre, and a strip along it would fold. A short edge
 // between edges of nearly one direction is replaced by its middle.
 Path withoutJags(Path path, double shortMm) {
-  constexpr double kSameWay = 0.9; // cosine
+  constexpr double kSameDirection = 0.9; // cosine
   for (bool isChanged = true; isChanged && path.size() > 4;) {
     isChanged = false;
     for (std::size_t i = 0; i < path.size() && path.size() > 4; ++i) {
@@ -63,9 +63,11 @@ Path withoutJags(Path path, double shortMm) {
       const Vector2d before = geometry::pointMm(path[(i + n - 1) % n]),
                      from = geometry::pointMm(path[i]), to = geometry::pointMm(path[(i + 1) % n]),
                      after = geometry::pointMm(path[(i + 2) % n]);
-      const Vector2d way = (from - before).normalized(), step = to - from;
-      const bool isAside = step.norm() > 0.0 && step.normalized().dot(way) < kSameWay;
-      if (step.norm() >= shortMm || !isAside || way.dot((after - to).normalized()) < kSameWay)
+      const Vector2d direction = (from - before).normalized(), step = to - from;
+      const bool isSideways =
+          step.norm() > 0.0 && step.normalized().dot(direction) < kSameDirection;
+      if (step.norm() >= shortMm || !isSideways ||
+          direction.dot((after - to).normalized()) < kSameDirection)
         continue;
       path[i] = geometry::pathPoint(0.5 * (from + to));
       path.erase(path.begin() + static_cast<std::ptrdiff_t>((i + 1) % n));
@@ -106,16 +108,16 @@ public:
 
   std::vector<SeamCurve> trace() const {
     std::vector<SeamCurve> curves;
-    const auto keep = [&](std::optional<SeamCurve> curve, double leastMm) {
-      if (curve && curve->lengthMm() >= leastMm)
+    const auto keep = [&](std::optional<SeamCurve> curve, double minMm) {
+      if (curve && curve->lengthMm() >= minMm)
         curves.push_back(std::move(*curve));
     };
     for (const Path& outline : outlines()) {
       for (int k = 0; k < rule_.curves; ++k)
         for (const Path& path : inset(outline, k))
-          keep(lifted(path, true), rule_.leastMm);
+          keep(lifted(path, true), rule_.minMm);
       for (int k = 0; k < rule_.sideCurves; ++k)
-        keep(onSide(outline, rule_.sideDepthMm + k * rule_.spacingMm), rule_.leastMm);
+        keep(onSide(outline, rule_.sideDepthMm + k * rule_.spacingMm), rule_.minMm);
       for (const Path& line : endLines(inset(outline, rule_.curves)))
         keep(lifted(line, false), rule_.spacingMm); // ends are narrow
     }
@@ -134,7 +136,7 @@ private:
       if (part.size() >= 3 && ClipperLib::Area(part) > 0.0)
         parts.push_back(std::move(part));
     }
-    const double closing = std::max(kLeastClosingMm, rule_.closingMm);
+    const double closing = std::max(kMinClosingMm, rule_.closingMm);
     Paths closed = grown(grown(unitedInGroups(std::move(parts), ctx_), closing), -closing);
     ClipperLib::CleanPolygons(closed, kCleanMm * geometry::kPathUnits);
     std::erase_if(closed, [](const Path& path) {
@@ -181,7 +183,7 @@ private:
   // Returns the section of the surface with the ribbon that the outline, lowered along z, spans
   // with its copies further out and in; nullopt if the section has a gap.
   std::optional<SeamCurve> onSide(const Path& outline, double depthMm) const {
-    const double reach = std::max(kLeastReachMm, 2.0 * depthMm);
+    const double reach = std::max(kMinReachMm, 2.0 * depthMm);
     const std::vector<Vector2d> points = stepped(outline, true);
     SeamCurve seam, side;
     for (std::size_t i = 0, n = points.size(); i < n; ++i) {

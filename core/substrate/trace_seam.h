@@ -17,7 +17,7 @@ struct SeamRule {
   double spacingMm = 3.0;               // between curves, seen from above
   int curves = 1;                       // from outside inwards
   double stepMm = 1.0;                  // greatest distance of points
-  double leastMm = 10.0;                // shorter curves are left out, but not fillLines
+  double minMm = 10.0;                  // shorter curves are left out, but not fillLines
   int sideCurves = 0;                   // on the side, from above downwards
   double sideDepthMm = 5.0;             // of the first of them below the outline, along z
   // At each of the two ends, inside the innermost curve; none that is shorter than spacingMm.

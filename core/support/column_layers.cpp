@@ -113,7 +113,7 @@ private:
   // beyond it, where cells of the part are there: the minimum over its centre and corners.
   double gap(const Block& block, int sign) const {
     const double z = bottomOf(block) + (sign > 0 ? d_.grid.pitch : 0.0);
-    std::optional<double> least;
+    std::optional<double> minimum;
     for (const auto& [i, j] : block.cells) {
       if (!isPart(d_, i, j, block.k + sign))
         continue;
@@ -126,10 +126,10 @@ private:
         if (part_.inside(from))
           return 0.0;
         if (const auto hit = part_.firstHit(from, from + sign * reach * Eigen::Vector3d::UnitZ()))
-          least = std::min(least.value_or(reach), hit->t * reach);
+          minimum = std::min(minimum.value_or(reach), hit->t * reach);
       }
     }
-    return least.value_or(0.0);
+    return minimum.value_or(0.0);
   }
 
   void slice(const std::vector<int>& stretch) {

@@ -12,7 +12,7 @@ namespace voluta::support {
 namespace {
 
 // Costs are in halves of a cell, so that sums are exact.
-constexpr int kCell = 2, kAside = 4, kSideFace = 12, kNear = 1, kOnPart = 16;
+constexpr int kCell = 2, kLateral = 4, kSideFace = 12, kNear = 1, kOnPart = 16;
 
 // From a cell to the next of a column: down first, so that straight columns win ties.
 const std::array<Eigen::Vector3i, 5> kStep{
@@ -29,9 +29,9 @@ bool isFree(Cell c) {
 
 class Search {
 public:
-  Search(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells, int mostAside,
+  Search(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells, int maxLateralSteps,
          const base::RunContext& ctx)
-      : grid_(grid), cells_(cells), mostAside_(mostAside), ctx_(ctx) {}
+      : grid_(grid), cells_(cells), maxLateralSteps_(maxLateralSteps), ctx_(ctx) {}
 
   std::optional<Column> run(const std::vector<std::size_t>& carried) {
     for (const std::size_t c : carried) {
@@ -57,14 +57,15 @@ private:
   // A cell and the number of sideways steps since the last step down.
   using Place = std::size_t;
   static constexpr Place kNone = static_cast<Place>(-1);
-  Place placeOf(std::size_t cell, int aside) const {
-    return cell * (static_cast<std::size_t>(mostAside_) + 1) + static_cast<std::size_t>(aside);
+  Place placeOf(std::size_t cell, int lateralSteps) const {
+    return cell * (static_cast<std::size_t>(maxLateralSteps_) + 1) +
+           static_cast<std::size_t>(lateralSteps);
   }
   std::size_t cellOf(Place place) const {
-    return place / (static_cast<std::size_t>(mostAside_) + 1);
+    return place / (static_cast<std::size_t>(maxLateralSteps_) + 1);
   }
-  int asideOf(Place place) const {
-    return static_cast<int>(place % (static_cast<std::size_t>(mostAside_) + 1));
+  int lateralStepsOf(Place place) const {
+    return static_cast<int>(place % (static_cast<std::size_t>(maxLateralSteps_) + 1));
   }
   struct Known {
     int cost;
@@ -124,10 +125,12 @@ private:
     for (const Eigen::Vector3i& step : kStep) {
       const Eigen::Vector3i to = c + step;
       // Without a limit, states differ by their cells alone.
-      const int aside = step.z() != 0 || mostAside_ == 0 ? 0 : asideOf(place) + 1;
-      if (aside <= mostAside_ && isFree(at(to)))
-        offer(placeOf(index(to), aside), place,
-              cost + kCell + (step.z() == 0 ? kAside : 0) + touching(to, Eigen::Vector3i::Zero()));
+      const int lateralSteps =
+          step.z() != 0 || maxLateralSteps_ == 0 ? 0 : lateralStepsOf(place) + 1;
+      if (lateralSteps <= maxLateralSteps_ && isFree(at(to)))
+        offer(placeOf(index(to), lateralSteps), place,
+              cost + kCell + (step.z() == 0 ? kLateral : 0) +
+                  touching(to, Eigen::Vector3i::Zero()));
     }
   }
 
@@ -155,7 +158,7 @@ private:
 
   const voxel::VoxelGrid& grid_;
   const std::vector<Cell>& cells_;
-  const int mostAside_; // 0: no limit
+  const int maxLateralSteps_; // 0: no limit
   const base::RunContext& ctx_;
   std::unordered_map<Place, Known> known_;
   std::priority_queue<Open> open_;
@@ -164,11 +167,11 @@ private:
 } // namespace
 
 std::optional<Column> cheapestColumn(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells,
-                                     const std::vector<std::size_t>& carried, int mostAside,
+                                     const std::vector<std::size_t>& carried, int maxLateralSteps,
                                      const base::RunContext& ctx) {
-  base::require(cells.size() == grid.cellCount() && mostAside > 0,
+  base::require(cells.size() == grid.cellCount() && maxLateralSteps > 0,
                 "cheapestColumn: one entry a cell, steps aside");
-  std::optional<Column> column = Search(grid, cells, mostAside, ctx).run(carried);
+  std::optional<Column> column = Search(grid, cells, maxLateralSteps, ctx).run(carried);
   return column ? column : Search(grid, cells, 0, ctx).run(carried);
 }
 

@@ -33,12 +33,12 @@ struct Column {
 // Returns the cheapest column that ends below one of `carried` (cells of the part) and leads down
 // from there, straight or sideways but never up, to the platform, a footing or another column. A
 // cell costs 1, a sideways step 2 more, a face that touches the part's side 6, an edge or corner
-// near the part 0.5, a foot on the part 8. The column has at most `mostAside` successive sideways
-// steps, so that none of its arms is unsupported over a long distance; if there is no such column,
-// any number. Returns nullopt if there is no path. Precondition (Error{Internal}): one entry per
-// cell; mostAside > 0. Throws Cancelled.
+// near the part 0.5, a foot on the part 8. The column has at most `maxLateralSteps` successive
+// sideways steps, so that none of its arms is unsupported over a long distance; if there is no such
+// column, any number. Returns nullopt if there is no path. Precondition (Error{Internal}): one
+// entry per cell; maxLateralSteps > 0. Throws Cancelled.
 std::optional<Column> cheapestColumn(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells,
-                                     const std::vector<std::size_t>& carried, int mostAside,
+                                     const std::vector<std::size_t>& carried, int maxLateralSteps,
                                      const base::RunContext& ctx);
 
 } // namespace voluta::support

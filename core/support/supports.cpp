@@ -187,9 +187,10 @@ private:
         cells_[c] = order[v] >= 0 && order[v] < group.order ? Cell::Footing : Cell::Part;
     for (const std::size_t c : group.cells)
       cells_[c] = Cell::Part;
-    const int mostAside =
+    const int maxLateralSteps =
         std::max(1, static_cast<int>(0.5 * options_.bridgeMm / part_.grid.pitch + 1e-9));
-    std::optional<Column> column = cheapestColumn(part_.grid, cells_, group.cells, mostAside, ctx_);
+    std::optional<Column> column =
+        cheapestColumn(part_.grid, cells_, group.cells, maxLateralSteps, ctx_);
     if (!column)
       return false;
     for (const std::size_t c : column->cells) {

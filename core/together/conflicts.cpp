@@ -13,7 +13,7 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 namespace {
-constexpr double kMostCells = 1 << 27;
+constexpr double kMaxCells = 1 << 27;
 
 // Swept cells of all segments and all rests of a machine.
 struct Sweeps {
@@ -50,7 +50,7 @@ voxel::VoxelGrid commonGrid(const AlignedBox3d& a, const AlignedBox3d& b, double
           .intersection({Vector3d(b.min() - reach), Vector3d(b.max() + reach)});
   if (box.isEmpty())
     return grid;
-  grid.pitch = std::max(grid.pitch, std::cbrt(box.volume() / kMostCells));
+  grid.pitch = std::max(grid.pitch, std::cbrt(box.volume() / kMaxCells));
   grid.origin = box.min();
   grid.size = (box.sizes() / grid.pitch).array().ceil().max(1.0).matrix().cast<int>();
   return grid;

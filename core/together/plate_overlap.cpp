@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Polygon = std::vector<Vector2d>; // convex, counter-clockwise
 
-constexpr double kLeastMm = 0.1; // plates that meet at their edges do not overlap
+constexpr double kMinMm = 0.1; // plates that meet at their edges do not overlap
 
 // Calls visit(a, b) for each edge of a prism, in another frame.
 template <typename Visit>
@@ -53,16 +53,16 @@ Vector2d inwards(const Polygon& polygon, std::size_t edge) {
 
 // Returns the shortest way that parts two polygons; negative: they are apart.
 double depthOf(const Polygon& a, const Polygon& b) {
-  double least = INFINITY;
+  double minimum = INFINITY;
   for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
     for (std::size_t i = 0; i < one->size(); ++i) {
       const Vector2d normal = inwards(*one, i);
-      double most = -INFINITY;
+      double maximum = -INFINITY;
       for (const Vector2d& p : *other)
-        most = std::max(most, normal.dot(p - (*one)[i]));
-      least = std::min(least, most);
+        maximum = std::max(maximum, normal.dot(p - (*one)[i]));
+      minimum = std::min(minimum, maximum);
     }
-  return least;
+  return minimum;
 }
 
 double sharedArea(Polygon a, const Polygon& b) {
@@ -107,13 +107,13 @@ std::optional<PlateOverlap> plateOverlap(const PlacedCell& one, const PlacedCell
   });
   low = std::max(low, own->zMin);
   high = std::min(high, own->zMax);
-  if (high - low < kLeastMm)
+  if (high - low < kMinMm)
     return std::nullopt;
   const Polygon section = sectionAt(0.5 * (low + high), *others, own_T_other);
   if (section.size() < 3)
     return std::nullopt;
   const double depth = depthOf(own->polygon, section);
-  if (depth < kLeastMm)
+  if (depth < kMinMm)
     return std::nullopt;
   return PlateOverlap{depth, sharedArea(own->polygon, section)};
 }

@@ -30,22 +30,22 @@ Frames framesOf(const PlacedMotion& machine, const JointVector& q) {
   return frames;
 }
 
-double largestWay(const PlacedMotion& machine, const std::vector<collision::Ball>& balls,
-                  const Frames& from, const Frames& to) {
-  double most = 0.0;
+double largestDisplacement(const PlacedMotion& machine, const std::vector<collision::Ball>& balls,
+                           const Frames& from, const Frames& to) {
+  double maximum = 0.0;
   const auto& bodies = machine.cell->bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto frame = static_cast<std::size_t>(bodies[b].frame);
-    most = std::max(most, wayOf(balls[b], from[frame], to[frame]));
+    maximum = std::max(maximum, displacementOf(balls[b], from[frame], to[frame]));
   }
-  return most;
+  return maximum;
 }
 } // namespace
 
-double wayOf(const collision::Ball& ball, const Isometry3d& from, const Isometry3d& to) {
+double displacementOf(const collision::Ball& ball, const Isometry3d& from, const Isometry3d& to) {
   const double chord = (from.linear() - to.linear()).norm() / std::sqrt(2.0); // 2 sin(angle / 2)
-  const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * chord));
-  return (from * ball.centre - to * ball.centre).norm() + turn * ball.radius;
+  const double angle = 2.0 * std::asin(std::min(1.0, 0.5 * chord));
+  return (from * ball.centre - to * ball.centre).norm() + angle * ball.radius;
 }
 
 Frames framesAt(const PlacedMotion& machine, std::size_t point) {
@@ -63,8 +63,8 @@ void visitPoses(const PlacedMotion& machine, std::size_t first, std::size_t last
   for (std::size_t point = first + 1; point <= last; ++point) {
     const JointVector to = jointsAt(*machine.trajectory, point);
     Frames end = framesOf(machine, to);
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(largestWay(machine, balls, frames, end) / stepMm)));
+    const int pieces = std::max(
+        1, static_cast<int>(std::ceil(largestDisplacement(machine, balls, frames, end) / stepMm)));
     for (int k = 1; k < pieces; ++k)
       visit(framesOf(machine, q + static_cast<double>(k) / pieces * (to - q)));
     visit(end);

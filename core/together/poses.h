@@ -29,8 +29,8 @@ void visitPoses(const PlacedMotion& machine, std::size_t first, std::size_t last
                 const std::function<void(const Frames& shared_T_frame)>& visit);
 
 // Returns an upper bound of the way of the points of a ball between two poses of its frame [mm].
-double wayOf(const collision::Ball& ball, const Eigen::Isometry3d& from,
-             const Eigen::Isometry3d& to);
+double displacementOf(const collision::Ball& ball, const Eigen::Isometry3d& from,
+                      const Eigen::Isometry3d& to);
 
 // Returns whether the motion moves the body in the shared frame.
 bool isMoved(const robot::Cell& cell, const robot::Body& body);

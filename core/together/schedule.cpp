@@ -137,8 +137,8 @@ private:
 };
 } // namespace
 
-std::optional<Schedule> leastTime(const Conflicts& conflicts, std::span<const double> aS,
-                                  std::span<const double> bS, double markS) {
+std::optional<Schedule> fastestSchedule(const Conflicts& conflicts, std::span<const double> aS,
+                                        std::span<const double> bS, double markS) {
   base::require(aS.size() == conflicts.a && bS.size() == conflicts.b, "a time per segment");
   return Search(conflicts, aS, bS, markS).run();
 }

@@ -54,8 +54,8 @@ struct Schedule {
 // there is no schedule. aS, bS: durations of the segments [s]. Precondition: their numbers are a
 // and b.
 inline constexpr double kExactSteps = 4e8;
-std::optional<Schedule> leastTime(const Conflicts& conflicts, std::span<const double> aS,
-                                  std::span<const double> bS, double markS);
+std::optional<Schedule> fastestSchedule(const Conflicts& conflicts, std::span<const double> aS,
+                                        std::span<const double> bS, double markS);
 
 // Returns the furthest pair of rests that both can reach without meeting: the last one of the
 // largest sum.

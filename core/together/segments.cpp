@@ -17,17 +17,17 @@ bool isLifted(const plan::Trajectory& t, std::size_t point) {
 }
 
 // Whether the point is amid a bead.
-bool isAmidBead(const plan::Trajectory& t, std::size_t point) {
+bool isInsideBead(const plan::Trajectory& t, std::size_t point) {
   return point + 1 < t.pointCount() && t.move[point] == plan::MoveKind::Print &&
          t.move[point + 1] == plan::MoveKind::Print;
 }
 
-std::vector<std::size_t> candidates(const plan::Trajectory& t, double amidBeadsS) {
+std::vector<std::size_t> candidates(const plan::Trajectory& t, double insideBeadsS) {
   std::vector<std::size_t> points;
   double last = 0.0;
   for (std::size_t i = 0; i < t.pointCount(); ++i) {
     const bool isEnd = isLifted(t, i) && !(isLifted(t, i - 1) && isLifted(t, i + 1));
-    if (!isEnd && !(isAmidBead(t, i) && t.timeS[i] - last >= amidBeadsS))
+    if (!isEnd && !(isInsideBead(t, i) && t.timeS[i] - last >= insideBeadsS))
       continue;
     points.push_back(i);
     last = t.timeS[i];
@@ -37,10 +37,10 @@ std::vector<std::size_t> candidates(const plan::Trajectory& t, double amidBeadsS
 
 // Keeps the rests that are furthest apart in time.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& rests, const plan::Trajectory& t,
-                                 std::size_t most) {
-  if (rests.size() <= most)
+                                 std::size_t maxCount) {
+  if (rests.size() <= maxCount)
     return rests;
-  const double apartS = t.timeS.back() / static_cast<double>(most);
+  const double apartS = t.timeS.back() / static_cast<double>(maxCount);
   std::vector<std::size_t> kept;
   double last = 0.0;
   for (const std::size_t i : rests)
@@ -52,12 +52,12 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& rests, const pl
 }
 } // namespace
 
-Rests restsOf(const plan::Trajectory& trajectory, std::size_t most, double amidBeadsS,
+Rests restsOf(const plan::Trajectory& trajectory, std::size_t maxCount, double insideBeadsS,
               std::size_t printedBefore) {
   base::require(trajectory.pointCount() > 1, "restsOf: a motion");
   Rests rests;
   rests.point = {0};
-  for (const std::size_t i : thinned(candidates(trajectory, amidBeadsS), trajectory, most))
+  for (const std::size_t i : thinned(candidates(trajectory, insideBeadsS), trajectory, maxCount))
     rests.point.push_back(i);
   rests.point.push_back(trajectory.pointCount() - 1);
   std::size_t filled = printedBefore, next = 0;

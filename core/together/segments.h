@@ -19,11 +19,11 @@ struct Rests {
 };
 
 // Returns the first and the last point of each travel between two beads that are neither at a bead
-// nor on the way down to one; of these at most `most`, the longest segments cut first. amidBeadsS:
-// a point amid a bead too, where the last one is that long ago [s]; infinite: never. printedBefore:
-// waypoints below it were printed before the trajectory.
-Rests restsOf(const plan::Trajectory& trajectory, std::size_t most,
-              double amidBeadsS = std::numeric_limits<double>::infinity(),
+// nor on the way down to one; of these at most `maxCount`, the longest segments cut first.
+// insideBeadsS: a point amid a bead too, where the last one is that long ago [s]; infinite: never.
+// printedBefore: waypoints below it were printed before the trajectory.
+Rests restsOf(const plan::Trajectory& trajectory, std::size_t maxCount,
+              double insideBeadsS = std::numeric_limits<double>::infinity(),
               std::size_t printedBefore = 0);
 
 // Returns the duration of each segment, waits included [s].

@@ -44,10 +44,10 @@ public:
   }
 
   // Returns the least number of printed waypoints with which the pose meets the part, if it is
-  // below `least`; else `least`.
-  std::size_t meets(const Frames& frames, std::size_t least) const {
+  // below `minimum`; else `minimum`.
+  std::size_t meets(const Frames& frames, std::size_t minimum) const {
     if (isPartMoved(*other_.cell))
-      return least;
+      return minimum;
     const Isometry3d work_T_shared =
         rest_[static_cast<std::size_t>(other_.cell->workFrame())].inverse(Eigen::Isometry);
     const std::size_t all = other_.toolPlan->waypointCount();
@@ -61,19 +61,19 @@ public:
         const auto touches = [&](std::size_t before) {
           return other_.part->touches(shape, pose, margin, before);
         };
-        if (!touches(std::min(all, least == kNever ? all : least - 1)))
+        if (!touches(std::min(all, minimum == kNever ? all : minimum - 1)))
           continue;
-        std::size_t clear = 0, meets = std::min(all, least == kNever ? all : least - 1);
+        std::size_t clear = 0, meets = std::min(all, minimum == kNever ? all : minimum - 1);
         if (touches(0))
           return 0;
         while (meets - clear > 1) {
           const std::size_t middle = clear + (meets - clear) / 2;
           (touches(middle) ? meets : clear) = middle;
         }
-        least = meets;
+        minimum = meets;
       }
     }
-    return least;
+    return minimum;
   }
 
 private:

@@ -88,7 +88,7 @@ SweptCells Sweeper::sweep(std::size_t first, std::size_t last) {
     for (std::size_t s = 0; s < shapes_.size(); ++s) {
       const MovedShape& moved = shapes_[s];
       const Isometry3d& pose = frames[static_cast<std::size_t>(moved.frame)];
-      if (marked[s] && wayOf(moved.ball, *marked[s], pose) <= kSweepStepMm)
+      if (marked[s] && displacementOf(moved.ball, *marked[s], pose) <= kSweepStepMm)
         continue;
       marked[s] = pose;
       mark(collision::place(moved.shape, pose), boxAround(moved, pose));

@@ -31,8 +31,8 @@ public:
   Plan run(const base::RunContext& ctx) {
     std::vector<std::size_t> segments;
     for (const PlacedMotion& machine : machines_) {
-      plan_.rests.push_back(restsOf(*machine.trajectory, options_.mostSegments, options_.amidBeadsS,
-                                    machine.printedBefore));
+      plan_.rests.push_back(restsOf(*machine.trajectory, options_.maxSegments,
+                                    options_.insideBeadsS, machine.printedBefore));
       plan_.seconds.push_back(secondsOf(*machine.trajectory, plan_.rests.back()));
       segments.push_back(plan_.rests.back().segments());
     }

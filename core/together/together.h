@@ -23,11 +23,11 @@ namespace voluta::together {
 
 struct Options {
   Distances distances;
-  double markS = 1.0;             // cost of a rendezvous
-  std::size_t mostSegments = 300; // of each machine
+  double markS = 1.0;            // cost of a rendezvous
+  std::size_t maxSegments = 300; // of each machine
   // A machine may wait amid a bead, with the extruder off, where its last rest is that long ago
   // [s]; infinite: never.
-  double amidBeadsS = std::numeric_limits<double>::infinity();
+  double insideBeadsS = std::numeric_limits<double>::infinity();
 };
 
 // Why there is no order of work.

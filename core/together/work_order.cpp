@@ -83,7 +83,7 @@ public:
       seconds.push_back(cuts[s + 1].timeS - cuts[s].timeS);
     for (std::size_t j = 0; j < conflicts_.segments(machine); ++j)
       own.push_back(sums_[machine][j + 1] - sums_[machine][j]);
-    const auto schedule = leastTime(against(machine, cuts), seconds, own, markS_);
+    const auto schedule = fastestSchedule(against(machine, cuts), seconds, own, markS_);
     if (!schedule)
       return false;
     addBarriers(machine, cuts, *schedule);

@@ -53,10 +53,10 @@ struct Order {
 
 // Between two rendezvous of a pair, all segments of the one are free from all of the other, so the
 // order holds for any speeds; it cannot deadlock, as all machines follow one list. Two machines get
-// the order of least time plus markS for each rendezvous (leastTime). Further machines are inserted
-// one after another into the order of those before, each with the least time, beginning with every
-// machine in turn; the best result counts, which need not be the best of all. Rendezvous that a
-// pair does not need are dropped. nullopt if no order was found. secondsOf: durations of the
+// the order of least time plus markS for each rendezvous (fastestSchedule). Further machines are
+// inserted one after another into the order of those before, each with the least time, beginning
+// with every machine in turn; the best result counts, which need not be the best of all. Rendezvous
+// that a pair does not need are dropped. nullopt if no order was found. secondsOf: durations of the
 // segments of each machine [s]. Preconditions: one duration per segment. Throws Cancelled.
 std::optional<Order> orderOf(const PairConflicts& conflicts,
                              const std::vector<std::vector<double>>& secondsOf, double markS,

@@ -129,13 +129,13 @@ void takeNearest(std::vector<BrimLoop>::iterator first, std::vector<BrimLoop>::i
                  const Vector2d& here) {
   auto best = first;
   std::size_t start = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (auto loop = first; loop != end; ++loop)
     for (std::size_t i = 0; i < loop->points.size(); ++i) {
       if (!loop->closed && i > 0 && i + 1 < loop->points.size())
         continue;
-      if (const double d = (loop->points[i] - here).norm(); d < least) {
-        least = d;
+      if (const double d = (loop->points[i] - here).norm(); d < minimum) {
+        minimum = d;
         best = loop;
         start = i;
       }

@@ -69,9 +69,9 @@ public:
       const double height = plan_.heightMm[i], width = plan_.widthMm[i];
       const double wanted = process::widthOfArea(flow * process::beadArea(width, height), height);
       // Widths beyond the limits, such as those of thin supports, do not move away from them.
-      const double least = std::max(height, std::min(process_.beadWidthMinMm, width)),
-                   most = std::max({process_.beadWidthMaxMm, width, least});
-      const auto now = static_cast<float>(std::clamp(wanted, least, most));
+      const double minimum = std::max(height, std::min(process_.beadWidthMinMm, width)),
+                   maximum = std::max({process_.beadWidthMaxMm, width, minimum});
+      const auto now = static_cast<float>(std::clamp(wanted, minimum, maximum));
       changed = changed || now != plan_.widthMm[i];
       plan_.widthMm[i] = now;
     }

@@ -158,14 +158,14 @@ private:
   std::optional<Vector3d> narrowClear(const collision::GrowingPart& part, std::size_t i,
                                       const std::optional<Vector3d>& last) const {
     constexpr int kSphere = 1000;
-    const double least = std::cos(base::degreesToRadians(75.0));
+    const double minCosine = std::cos(base::degreesToRadians(75.0));
     const Vector3d& t = plan_.direction[i];
-    if (last && last->dot(t) >= least && clears(part, i, *last))
+    if (last && last->dot(t) >= minCosine && clears(part, i, *last))
       return last;
     const Vector3d u = t.unitOrthogonal(), v = t.cross(u);
     for (int k = 0; k < kSphere; ++k) {
       const Vector3d p = geometry::onSpiral(k, 1.0 - (2.0 * k + 1.0) / kSphere);
-      if (p.z() < least)
+      if (p.z() < minCosine)
         break;
       const Vector3d d = p.x() * u + p.y() * v + p.z() * t;
       if (clears(part, i, d))
@@ -238,7 +238,7 @@ private:
   }
 
   ToolPlan subdivided() {
-    const double limit = base::degreesToRadians(o_.turnLimitDeg);
+    const double limit = base::degreesToRadians(o_.maxBendDeg);
     ToolPlan out;
     out.fill = plan_.fill;
     subdividedClear_.clear();
@@ -253,8 +253,8 @@ private:
       const std::size_t first = out.waypointCount();
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
         if (i > path.first) {
-          const double turn = angleBetween(direction_[i - 1], direction_[i]);
-          const int n = static_cast<int>(std::ceil(turn / limit - 1e-9));
+          const double bend = angleBetween(direction_[i - 1], direction_[i]);
+          const int n = static_cast<int>(std::ceil(bend / limit - 1e-9));
           for (int k = 1; k < n; ++k) {
             const double t = static_cast<double>(k) / n;
             const auto mix = [&](const std::vector<float>& x) {
@@ -283,8 +283,9 @@ private:
     const ToolPlan& p = r.plan;
     for (const plan::ToolPath& path : p.paths)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        r.maxTurnDeg = std::max(
-            r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
+        r.maxRotationDeg =
+            std::max(r.maxRotationDeg,
+                     base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     ctx_.report(0.8, "directions"_text);
     std::vector<double> marginMm(p.waypointCount(), 0.0);
     for (const plan::ToolPath& path : p.paths)

@@ -31,10 +31,10 @@ using MayMiss = std::function<bool(const plan::ToolPath&)>;
 
 struct OrientResult {
   plan::ToolPlan plan;
-  std::size_t gouges = 0;    // Number of waypoints of the result at which the head is not clear
-  double maxTurnDeg = 0.0;   // Between neighbouring waypoints of a path
-  std::vector<char> gouging; // Per waypoint: the head is not clear
-  plan::Findings findings;   // Stage "toolpath", kind "gouge" and those of the passes
+  std::size_t gouges = 0;      // Number of waypoints of the result at which the head is not clear
+  double maxRotationDeg = 0.0; // Between neighbouring waypoints of a path
+  std::vector<char> gouging;   // Per waypoint: the head is not clear
+  plan::Findings findings;     // Stage "toolpath", kind "gouge" and those of the passes
   // The beads of the plan at collision::growingPitch(), with the platform as the ground.
   std::shared_ptr<const collision::GrowingPart> grown = {};
 };
@@ -45,7 +45,7 @@ struct OrientResult {
 // tilts it towards its clear direction as little as possible, else towards any clear direction up
 // to 75 degrees away. Low-passes along the path where neighbours differ by more than
 // smoothBeyondDeg (Dai 3.5.2), unless that gouges. Subdivides steps that turn by more than
-// turnLimitDeg. The passes over unsupported beads (passes.h, WithDirections) move the middles of
+// maxBendDeg. The passes over unsupported beads (passes.h, WithDirections) move the middles of
 // beads, and tilt directions, which are then tried first; otherwise the middle of each bead stays
 // in place: tip = middle + 1/2 height x direction. Repeats up to four times as long as the number
 // of gouging waypoints decreases. Before each repetition, paths that satisfy mayMiss lose their

@@ -53,8 +53,8 @@ base::ParameterTable toolpathParameters() {
           "infill direction"_text,
           "Direction of straight lines on the first layer, measured from x to y."_text)),
       base::ofItem(base::numberParameter(
-          "infillRotation", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0, "Tool-paths"_text,
-          "infill rotation per layer"_text,
+          "infillRotation", "deg", ToolpathOptions{}.infillRotationDeg, 0.0, 90.0,
+          "Tool-paths"_text, "infill rotation per layer"_text,
           "Rotation of straight lines from layer to layer; 0: the same direction "
           "throughout."_text)),
       base::ofItem(base::numberParameter(
@@ -115,8 +115,7 @@ base::ParameterTable toolpathParameters() {
                              "first layer with tapes"_text,
                              "Layers are counted from 1, on the platform."_text),
       base::integerParameter(
-          "fibreCount", FibreOptions{}.mostPerLayer, 0, 10000, "Fibre"_text,
-          "tapes on a layer"_text,
+          "fibreCount", FibreOptions{}.maxPerLayer, 0, 10000, "Fibre"_text, "tapes on a layer"_text,
           "Only the longest tapes of each layer are laid. 0: as many as fit."_text),
       base::choiceParameter("fibrePaths", FibreOptions{}.paths, tapes, "Fibre"_text,
                             "paths of tapes"_text,
@@ -125,7 +124,7 @@ base::ParameterTable toolpathParameters() {
           "fibreAngle", "deg", FibreOptions{}.angleDeg, -180.0, 180.0, "Fibre"_text,
           "direction of tapes"_text,
           "Direction of tapes on the first layer with tapes, measured from x to y."_text),
-      base::numberParameter("fibreRotation", "deg", FibreOptions{}.turnDeg, -180.0, 180.0,
+      base::numberParameter("fibreRotation", "deg", FibreOptions{}.rotationDeg, -180.0, 180.0,
                             "Fibre"_text, "rotation of tapes per layer"_text,
                             "Rotation from one layer with tapes to the next."_text),
       base::numberParameter("fibreEndMm", "mm", FibreOptions{}.endMm, 0.0, 10000.0, "Fibre"_text,
@@ -163,7 +162,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.bottomLayers = static_cast<int>(values.integer("bottomLayers"));
   o.skinMm = values.number("skinMm");
   o.infillAngleDeg = values.number("infillAngle");
-  o.infillTurnDeg = values.number("infillRotation");
+  o.infillRotationDeg = values.number("infillRotation");
   o.windingAngleDeg = values.number("windingAngle");
   o.rimSupports = values.text("rimSupports") != "none";
   o.prime = values.text("prime");
@@ -176,10 +175,10 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.cooling.slowestMmPerS = values.number("coolingSpeedMmPerS");
   o.fibre.everyLayers = static_cast<int>(values.integer("fibreLayers"));
   o.fibre.firstLayer = static_cast<int>(values.integer("fibreFirstLayer"));
-  o.fibre.mostPerLayer = static_cast<int>(values.integer("fibreCount"));
+  o.fibre.maxPerLayer = static_cast<int>(values.integer("fibreCount"));
   o.fibre.paths = values.text("fibrePaths");
   o.fibre.angleDeg = values.number("fibreAngle");
-  o.fibre.turnDeg = values.number("fibreRotation");
+  o.fibre.rotationDeg = values.number("fibreRotation");
   o.fibre.endMm = values.number("fibreEndMm");
   o.fibre.curves = values.text("fibreCurves");
   o.fibre.field = values.text("fibreField");

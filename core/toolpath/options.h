@@ -11,18 +11,18 @@ namespace voluta::toolpath {
 
 // How beads get the time to cool before others cover them.
 struct CoolingOptions {
-  double leastLayerTimeS = 0.0; // plan::LayerTimes
-  double slowestMmPerS = 0.0;   // beads are printed slower for it, down to this; 0: never
+  double minLayerTimeS = 0.0; // plan::LayerTimes
+  double slowestMmPerS = 0.0; // beads are printed slower for it, down to this; 0: never
 };
 
 // Which layers get tapes of continuous fibre, and along which paths.
 struct FibreOptions {
   int everyLayers = 0;             // after every n-th layer but the last; 0: none
   int firstLayer = 1;              // from this layer on, counted from 1
-  int mostPerLayer = 0;            // the longest ones in the middle; 0: as many as fit
+  int maxPerLayer = 0;             // the longest ones in the middle; 0: as many as fit
   std::string paths = "direction"; // id in tapeKinds()
   double angleDeg = 0.0;           // direction, from x towards y
-  double turnDeg = 0.0;            // rotation per layer with tapes
+  double rotationDeg = 0.0;        // rotation per layer with tapes
   double endMm = 0.0;              // least distance of the ends of tapes from the outline
   std::string curves = {};         // points of the paths `curves`
   std::string field = {};          // samples of the paths `field`
@@ -48,11 +48,11 @@ struct ToolpathOptions {
   // out.
   std::string thinWalls = "bead";
   // Direction of straight lines on the first layer, from x to y, and their rotation per layer.
-  double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
+  double infillAngleDeg = 135.0, infillRotationDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
   double stepMm = 1.0;           // maximum spacing of waypoints
   double edgeMm = 0.6;           // patches are refined to edges of this length for planning
-  double turnLimitDeg = 5.0;     // steps with a larger change of direction are subdivided
+  double maxBendDeg = 5.0;       // steps with a larger change of direction are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
   bool rimSupports = true;       // support beads under low rims (rim_supports.h)
   std::string prime = "none";    // line, skirt or none (prime_path.h)

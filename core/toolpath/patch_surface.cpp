@@ -114,14 +114,14 @@ private:
 };
 
 constexpr double kPlaneMm = 1e-6; // maximum distance from the plane
-constexpr double kFacesOneWay = 1 - 1e-9;
+constexpr double kFacesAligned = 1 - 1e-9;
 
 // Returns the common normal of the triangles if they are coplanar and face the same way.
 std::optional<Vector3d> commonPlane(const PatchSurface& s) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     sum += s.triangleArea[t] * s.triangleNormal[t];
-  if (!(s.areaMm2 > 0.0) || sum.norm() < kFacesOneWay * s.areaMm2)
+  if (!(s.areaMm2 > 0.0) || sum.norm() < kFacesAligned * s.areaMm2)
     return std::nullopt;
   const Vector3d normal = sum.normalized();
   const double offset = normal.dot(s.position.front());
@@ -283,13 +283,13 @@ bool PatchSurface::isFootInside(int triangle, const Vector3d& point, const Vecto
 // Returns the triangle itself if no edge separates them, -1 at the boundary.
 int PatchSurface::crossedTowards(const Vector3d& point, int triangle) const {
   const auto& t = triangles[at(triangle)];
-  double most = 0.0;
+  double lowest = 0.0;
   std::size_t over = 3;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3d& a = position[at(t[k])];
     const double outside = (position[at(t[(k + 1) % 3])] - a).cross(point - a).dot(*planeNormal);
-    if (outside < most) {
-      most = outside;
+    if (outside < lowest) {
+      lowest = outside;
       over = k;
     }
   }
@@ -315,14 +315,14 @@ SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
     start = next;
   }
   SurfacePoint best{position[at(triangles[at(start)][0])], start};
-  double least = (best.position - point).squaredNorm();
+  double minimum = (best.position - point).squaredNorm();
   const auto tryTriangle = [&](int i) {
     const auto& t = triangles[at(i)];
     const Vector3d q = geometry::closestPointOnTriangle(point, position[at(t[0])],
                                                         position[at(t[1])], position[at(t[2])]);
     const double d = (q - point).squaredNorm();
-    if (d < least - 1e-15) {
-      least = d;
+    if (d < minimum - 1e-15) {
+      minimum = d;
       best = {q, i};
     }
   };

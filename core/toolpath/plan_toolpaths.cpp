@@ -197,10 +197,9 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
   Assembled assembled =
       assemble(stack, covers, tooling,
-               {options.seam, options.orderIslands, options.cooling.leastLayerTimeS > 0.0});
-  if (options.cooling.leastLayerTimeS > 0.0 && !options.spiral)
-    orderToCool(assembled, seamKind(options.seam).place == nullptr,
-                options.cooling.leastLayerTimeS);
+               {options.seam, options.orderIslands, options.cooling.minLayerTimeS > 0.0});
+  if (options.cooling.minLayerTimeS > 0.0 && !options.spiral)
+    orderToCool(assembled, seamKind(options.seam).place == nullptr, options.cooling.minLayerTimeS);
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
   if (options.spiral)
@@ -211,7 +210,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   if (!hasBrim)
     addWaste(assembled, stack, cell, tooling, options, r.findings);
   const PassScene scene{cell, tooling, options.platform, stack.pockets, options.canTilt};
-  plan::Findings told;
+  plan::Findings reported;
   std::shared_ptr<const collision::GrowingPart> grown;
   if (options.rimSupports) {
     PassedPlan passed =
@@ -221,7 +220,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     assembled.clearDirection = std::move(passed.beads.clearDirection);
     grown = std::move(passed.grown);
     r.statistics.rimSupportMm3 = passed.addedMm3;
-    told = std::move(passed.findings);
+    reported = std::move(passed.findings);
   }
   // A brim surrounds rim supports as well.
   if (hasBrim) {
@@ -248,20 +247,20 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   slowToCool(r.plan, options.cooling);
   if (options.fibre.everyLayers > 0) {
     std::ranges::move(addTapes(r.plan, stack, tooling, options.fibre, r.statistics, silent),
-                      std::back_inserter(told));
+                      std::back_inserter(reported));
     r.grown.reset(); // without the tapes
   }
   if (!stack.pockets.empty()) {
     addShots(r.plan, stack.pockets, tooling, options.stitches, r.statistics);
     r.grown.reset(); // waypoints are numbered anew
   }
-  for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
+  for (plan::Findings* findings : {&oriented.findings, &passed.findings, &reported})
     std::ranges::move(*findings, std::back_inserter(r.findings));
 
   r.statistics.sparseMm3 = made.sparseMm3;
   r.statistics.sparseBeadMm3 = made.sparseBeadMm3;
   r.statistics.gouges = oriented.gouges;
-  r.statistics.maxTurnDeg = oriented.maxTurnDeg;
+  r.statistics.maxRotationDeg = oriented.maxRotationDeg;
   addPathFigures(r.plan, items, r.statistics);
   if (auto bare = addCoverFigures(stack, covers, r.statistics))
     r.findings.push_back(std::move(*bare));

@@ -25,11 +25,11 @@ Vector2d side(int k) {
 }
 
 // Returns the maximum extent of the points in a direction.
-template <typename Points> double reach(const Points& points, const Vector2d& way) {
-  double most = -std::numeric_limits<double>::infinity();
+template <typename Points> double reach(const Points& points, const Vector2d& heading) {
+  double maximum = -std::numeric_limits<double>::infinity();
   for (const auto& p : points)
-    most = std::max(most, p.x() * way.x() + p.y() * way.y());
-  return most;
+    maximum = std::max(maximum, p.x() * heading.x() + p.y() * heading.y());
+  return maximum;
 }
 
 bool inside(const std::vector<Vector2d>& plate, const Vector2d& p, double fromEdgeMm) {
@@ -50,14 +50,14 @@ std::vector<Vector2d> lineAt(const Vector2d& out, double distanceMm, const Vecto
 }
 
 // Returns a polygon around all points, with its sides at this distance from them.
-std::vector<Vector2d> ringAround(const std::vector<Vector3d>& points, double asideMm) {
+std::vector<Vector2d> ringAround(const std::vector<Vector3d>& points, double offsetMm) {
   std::vector<Vector2d> corners;
   for (int k = 0; k <= kSides; ++k) {
     Eigen::Matrix2d sides;
     sides << side(k % kSides).transpose(), side((k + 1) % kSides).transpose();
     corners.emplace_back(sides.inverse() *
-                         Vector2d(reach(points, side(k % kSides)) + asideMm,
-                                  reach(points, side((k + 1) % kSides)) + asideMm));
+                         Vector2d(reach(points, side(k % kSides)) + offsetMm,
+                                  reach(points, side((k + 1) % kSides)) + offsetMm));
   }
   return corners;
 }
@@ -70,14 +70,14 @@ double inAirMm(double beadWidthMm) {
 
 PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vector3d>& positions,
                       const Vector2d& rest, bool skirt, double lengthMm, double beadWidthMm) {
-  const double asideMm = std::max(kPrimeAsideMm, 2.0 * beadWidthMm);
+  const double offsetMm = std::max(kPrimeOffsetMm, 2.0 * beadWidthMm);
   const double fromEdgeMm = std::max(kPrimeFromEdgeMm, beadWidthMm);
   const auto fits = [&](const std::vector<Vector2d>& corners) {
     return std::ranges::all_of(corners,
                                [&](const Vector2d& p) { return inside(plate, p, fromEdgeMm); });
   };
   if (skirt)
-    if (auto ring = ringAround(positions, asideMm); fits(ring))
+    if (auto ring = ringAround(positions, offsetMm); fits(ring))
       return {std::move(ring), true};
   Vector2d middle = Vector2d::Zero();
   for (const Vector3d& p : positions)
@@ -85,7 +85,7 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
   // Chooses the line with an end nearest to `to` and puts that end first or last.
   const auto nearest = [&](const Vector2d& to, bool first, auto&& line) {
     std::optional<std::vector<Vector2d>> best;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int k = 0; k < kSides; ++k) {
       std::vector<Vector2d> corners = line(side(k));
       if (corners.empty())
@@ -93,8 +93,8 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
       const double front = (corners.front() - to).norm(), back = (corners.back() - to).norm();
       if (first ? back < front : front < back)
         std::ranges::reverse(corners);
-      if (const double d = std::min(front, back); d < least - 1e-9) {
-        least = d;
+      if (const double d = std::min(front, back); d < minimum - 1e-9) {
+        minimum = d;
         best = std::move(corners);
       }
     }
@@ -103,13 +103,13 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
   const Vector2d begin = positions.front().head<2>();
   for (const double length : {lengthMm, 0.5 * lengthMm})
     if (auto line = nearest(begin, false, [&](const Vector2d& out) {
-          auto corners = lineAt(out, reach(positions, out) + asideMm, middle, length);
+          auto corners = lineAt(out, reach(positions, out) + offsetMm, middle, length);
           return fits(corners) ? corners : std::vector<Vector2d>();
         }))
       return {*std::move(line), true};
   return {*nearest(rest, true,
                    [&](const Vector2d& out) {
-                     return lineAt(out, reach(plate, out) + std::max(kPrimeOutsideMm, asideMm),
+                     return lineAt(out, reach(plate, out) + std::max(kPrimeOutsideMm, offsetMm),
                                    Vector2d::Zero(), inAirMm(beadWidthMm));
                    }),
           false};

@@ -16,7 +16,7 @@ namespace voluta::toolpath {
 
 // Distance of its centreline from all printed beads, and from the plate's edge [mm]; more for beads
 // wider than 4 mm.
-inline constexpr double kPrimeAsideMm = 10.0, kPrimeFromEdgeMm = 4.0;
+inline constexpr double kPrimeOffsetMm = 10.0, kPrimeFromEdgeMm = 4.0;
 // If the plate has no room, the prime is a short bead in the air, at this distance outside the
 // plate and height above its top. The material falls beside the plate.
 inline constexpr double kPrimeOutsideMm = 15.0, kPrimeAboveMm = 10.0, kPrimeInAirMm = 15.0;

@@ -25,7 +25,7 @@ double secondsTo(const plan::ToolPlan& plan, std::size_t waypoint) {
 }
 
 // Returns the spans in the order of their shares.
-std::vector<HastySpan> hastySpans(const plan::ToolPlan& plan, double leastS) {
+std::vector<HastySpan> hastySpans(const plan::ToolPlan& plan, double minS) {
   std::vector<HastySpan> spans;
   BeadSampleGrid grid(plan);
   std::vector<double> endS; // per sample
@@ -45,8 +45,8 @@ std::vector<HastySpan> hastySpans(const plan::ToolPlan& plan, double leastS) {
           latest = latest == endS.size() ? lower : std::max(latest, lower);
         });
         const double begin = now + sample.from * seconds;
-        if (latest < endS.size() && begin - endS[latest] < leastS)
-          spans.push_back({waypointOf[latest], w, std::max(0.0, (begin - endS[latest]) / leastS)});
+        if (latest < endS.size() && begin - endS[latest] < minS)
+          spans.push_back({waypointOf[latest], w, std::max(0.0, (begin - endS[latest]) / minS)});
         grid.add(sample);
         endS.push_back(now + sample.to * seconds);
         waypointOf.push_back(w);
@@ -59,7 +59,7 @@ std::vector<HastySpan> hastySpans(const plan::ToolPlan& plan, double leastS) {
 }
 
 // Returns per waypoint the least share of the spans that contain it; 1 where there is none.
-std::vector<double> leastShares(const std::vector<HastySpan>& spans, std::size_t waypoints) {
+std::vector<double> minShares(const std::vector<HastySpan>& spans, std::size_t waypoints) {
   std::vector<double> shares(waypoints, 1.0);
   std::vector<std::size_t> next(waypoints + 1); // waypoint without a share, at or behind this one
   std::iota(next.begin(), next.end(), std::size_t{0});
@@ -78,10 +78,10 @@ std::vector<double> leastShares(const std::vector<HastySpan>& spans, std::size_t
 } // namespace
 
 void slowToCool(plan::ToolPlan& plan, const CoolingOptions& options) {
-  if (options.leastLayerTimeS <= 0.0 || options.slowestMmPerS <= 0.0)
+  if (options.minLayerTimeS <= 0.0 || options.slowestMmPerS <= 0.0)
     return;
   const std::vector<double> shares =
-      leastShares(hastySpans(plan, options.leastLayerTimeS), plan.waypointCount());
+      minShares(hastySpans(plan, options.minLayerTimeS), plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t w = path.first; w < path.first + path.count && !plan::isWaste(path.kind);
          ++w) {

@@ -117,7 +117,7 @@ public:
     constexpr double kEndShare = 0.1;
     const auto count = static_cast<double>(volume_.size());
     double volume = 0.0, interfaces = 0.0;
-    s.leastSectionMm2 = std::numeric_limits<double>::infinity();
+    s.minSectionMm2 = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < volume_.size(); ++i) {
       const double at = (static_cast<double>(i) + 0.5) / count;
       if (at < kEndShare || at > 1.0 - kEndShare)
@@ -126,13 +126,13 @@ public:
       interfaces += interface_[i];
       const double area = volume_[i] / widthMm(), atMm = at * (high_ - low_);
       const double share = volume_[i] > 0.0 ? interface_[i] / volume_[i] : 0.0;
-      if (area < s.leastSectionMm2 - kSame) {
-        s.leastSectionMm2 = area;
-        s.leastSectionAtMm = atMm;
+      if (area < s.minSectionMm2 - kSame) {
+        s.minSectionMm2 = area;
+        s.minSectionAtMm = atMm;
       }
-      if (share > s.mostInterfaceFraction + kSame) {
-        s.mostInterfaceFraction = share;
-        s.mostInterfaceAtMm = atMm;
+      if (share > s.maxInterfaceFraction + kSame) {
+        s.maxInterfaceFraction = share;
+        s.maxInterfaceAtMm = atMm;
       }
     }
     s.interfaceFraction = volume > 0.0 ? interfaces / volume : 0.0;
@@ -166,8 +166,8 @@ void addAngles(const plan::ToolPlan& plan, int item, const Vector3d& load,
       if (length <= 0.0)
         continue;
       const double mm3 = process::beadTo(plan, i);
-      const double along = std::abs(step.dot(load)), aside = step.cross(load).norm();
-      const double angleDeg = base::radiansToDegrees(std::atan2(aside, along));
+      const double along = std::abs(step.dot(load)), lateral = step.cross(load).norm();
+      const double angleDeg = base::radiansToDegrees(std::atan2(lateral, along));
       volume += mm3;
       s.angleMeanDeg += mm3 * angleDeg;
       s.alignedFraction += angleDeg <= kAlignedDeg ? mm3 : 0.0;

@@ -24,12 +24,12 @@ Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& 
 }
 
 // Returns the length of the circular arc over a chord that leaves the tangent planes at both ends;
-// infinity if it is at least `most`.
+// infinity if it is at least `limit`.
 double arcLength(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq,
-                 double most) {
+                 double limit) {
   const Vector3d c = p - q;
   const double squared = c.squaredNorm();
-  if (squared >= most * most)
+  if (squared >= limit * limit)
     return INFINITY;
   const double chord = std::sqrt(squared);
   if (chord < 1e-9)
@@ -103,13 +103,13 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
     const Vector3d& p = s.position[at(v)];
     const Vector3d along = e.b - e.a;
     const Vector3d q = e.a + std::clamp(along.dot(p - e.a) * inverse[at(source)], 0.0, 1.0) * along;
-    const double most = distance[at(v)];
+    const double limit = distance[at(v)];
     double d = INFINITY;
     if (!s.planeNormal)
-      d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], most);
-    else if (const double squared = (p - q).squaredNorm(); squared < most * most)
+      d = arcLength(p, s.normal[at(v)], q, s.triangleNormal[at(e.triangle)], limit);
+    else if (const double squared = (p - q).squaredNorm(); squared < limit * limit)
       d = std::sqrt(squared);
-    if (!(d < most))
+    if (!(d < limit))
       return false;
     distance[at(v)] = d;
     nearest[at(v)] = source;
@@ -118,10 +118,10 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (const int v : s.triangles[at(sources[i].triangle)])
       offer(v, static_cast<int>(i));
-  const auto goesOn = [&](int v) { return onwards.empty() || onwards[at(v)] != 0; };
+  const auto continues = [&](int v) { return onwards.empty() || onwards[at(v)] != 0; };
   std::vector<Front> fronts;
   for (std::size_t v = 0; v < distance.size(); ++v)
-    if (nearest[v] >= 0 && goesOn(static_cast<int>(v)))
+    if (nearest[v] >= 0 && continues(static_cast<int>(v)))
       fronts.push_back({distance[v], static_cast<int>(v)});
   FrontQueue queue(std::greater<>(), std::move(fronts));
   while (!queue.empty()) {
@@ -136,9 +136,9 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
       const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
       // Around an inner vertex, each neighbour is the next corner of exactly one triangle.
       const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-      if (nearest[at(next)] != source && offer(next, source) && goesOn(next))
+      if (nearest[at(next)] != source && offer(next, source) && continues(next))
         queue.push({distance[at(next)], next});
-      if (open && nearest[at(last)] != source && offer(last, source) && goesOn(last))
+      if (open && nearest[at(last)] != source && offer(last, source) && continues(last))
         queue.push({distance[at(last)], last});
     }
   }

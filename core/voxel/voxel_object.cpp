@@ -9,10 +9,11 @@
 
 namespace voluta::voxel {
 
-SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& turn, double pitch,
+SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& rotation, double pitch,
                         const Eigen::Vector2d& centreMm, int liftCells) {
   base::require(pitch > 0.0, "solidVoxels: pitch > 0");
-  base::require(turn * turn.transpose() == Eigen::Matrix3i::Identity() && turn.determinant() == 1,
+  base::require(rotation * rotation.transpose() == Eigen::Matrix3i::Identity() &&
+                    rotation.determinant() == 1,
                 "solidVoxels: a rotation by quarter turns");
   const auto eachSolid = [&](auto&& visit) {
     for (int k = 0; k < object.size.z(); ++k)
@@ -20,7 +21,7 @@ SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& turn, 
         for (int i = 0; i < object.size.x(); ++i)
           if (object.solid[object.index(i, j, k)])
             // Twice the centre: integers before and after the rotation.
-            visit(Eigen::Vector3i(turn * Eigen::Vector3i(2 * i + 1, 2 * j + 1, 2 * k + 1)));
+            visit(Eigen::Vector3i(rotation * Eigen::Vector3i(2 * i + 1, 2 * j + 1, 2 * k + 1)));
   };
   SolidVoxels out;
   constexpr int kNone = 1 << 30;

@@ -32,10 +32,10 @@ struct VoxelObject {
 geometry::TriangleMesh surfaceOf(const VoxelObject& object);
 
 // Returns the object's cells, rotated, `pitch` mm wide, with an empty border. The box of its solid
-// cells is centred over `centreMm`, its lowest layer is `liftCells` above the plate. `turn`: a
+// cells is centred over `centreMm`, its lowest layer is `liftCells` above the plate. `rotation`: a
 // rotation by quarter turns, entries -1, 0, 1. Preconditions (Error{Internal}): such a rotation,
 // pitch > 0, at least one solid cell.
-SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& turn, double pitch,
+SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& rotation, double pitch,
                         const Eigen::Vector2d& centreMm, int liftCells);
 
 } // namespace voluta::voxel

@@ -117,7 +117,7 @@ ThinPlace placeOf(const std::vector<ThinPoint>& points, std::vector<std::size_t>
                                                       : a < b;
   });
   place.at = points[members.front()].at;
-  place.leastMm = points[members.front()].thickness;
+  place.minMm = points[members.front()].thickness;
   double half = 0.0;
   for (const std::size_t p : members) {
     place.usualMm = points[p].thickness;

@@ -14,7 +14,7 @@ namespace voluta::voxel {
 struct ThinPlace {
   // The thinnest point of the place on the surface [mm]
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  double leastMm = 0.0; // Thickness there
+  double minMm = 0.0;   // Thickness there
   double usualMm = 0.0; // Median over the place's area
   double areaMm2 = 0.0; // Surface area over thin walls
   std::size_t facets = 0;

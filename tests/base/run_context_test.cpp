@@ -34,12 +34,12 @@ TEST(RunContext, NestedSpansReportTheWhole) {
 
 TEST(RunContext, QuietContextReportsNoProgress) {
   const CancelToken token;
-  int told = 0;
-  const RunContext ctx(token, 3, [&](double, const voluta::base::Message&) { ++told; });
+  int reported = 0;
+  const RunContext ctx(token, 3, [&](double, const voluta::base::Message&) { ++reported; });
   const RunContext quiet = ctx.sub(0.2, 0.4).quiet();
   quiet.report(0.5, "a"_text);
   quiet.sub(0.0, 0.5).report(0.5, "b"_text);
-  EXPECT_EQ(told, 0);
+  EXPECT_EQ(reported, 0);
   EXPECT_EQ(quiet.threads(), 3);
   token.cancel();
   EXPECT_TRUE(quiet.cancelled());
@@ -73,20 +73,20 @@ TEST(Parallel, ChunksCoverTheRangeOnceForAnyThreads) {
 TEST(Parallel, WaitingThreadReportsProgress) {
   for (const int threads : {1, 2, 3}) {
     const std::thread::id caller = std::this_thread::get_id();
-    std::vector<double> told;
+    std::vector<double> reported;
     const RunContext ctx(CancelToken{}, threads, [&](double f, const voluta::base::Message&) {
       EXPECT_EQ(std::this_thread::get_id(), caller);
-      told.push_back(f);
+      reported.push_back(f);
     });
     std::vector<int> times(200, 0);
     parallelWithProgress(ctx, times.size(), 0.6, "a"_text, [&](std::size_t i) { ++times[i]; });
     EXPECT_EQ(times, std::vector<int>(200, 1));
-    ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told.front(), 0.0);
-    EXPECT_TRUE(std::ranges::is_sorted(told));
-    EXPECT_LE(told.back(), 0.6);
+    ASSERT_FALSE(reported.empty());
+    EXPECT_EQ(reported.front(), 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(reported));
+    EXPECT_LE(reported.back(), 0.6);
     if (threads == 1) {
-      EXPECT_EQ(told.size(), 201u);
+      EXPECT_EQ(reported.size(), 201u);
     }
     EXPECT_THROW(parallelWithProgress(ctx, 9, 1.0, "b"_text,
                                       [](std::size_t i) {

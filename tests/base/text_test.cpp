@@ -34,13 +34,13 @@ TEST(Text, NumbersFollowTheFormatOfTheirPlaceholder) {
 }
 
 TEST(Text, TheFirstWholeNumberDecidesAboutTheForm) {
-  const auto told = [](int n) {
+  const auto textOf = [](int n) {
     return english(message("{name}: {n} piece is not laid|{name}: {n} pieces are not laid"_plural,
                            "x"_name, n));
   };
-  EXPECT_EQ(told(1), "x: 1 piece is not laid");
-  EXPECT_EQ(told(0), "x: 0 pieces are not laid");
-  EXPECT_EQ(told(2), "x: 2 pieces are not laid");
+  EXPECT_EQ(textOf(1), "x: 1 piece is not laid");
+  EXPECT_EQ(textOf(0), "x: 0 pieces are not laid");
+  EXPECT_EQ(textOf(2), "x: 2 pieces are not laid");
 }
 
 TEST(Text, MessagesCanBeNestedInMessages) {
@@ -77,13 +77,13 @@ public:
 };
 
 TEST(Text, TranslationsFormatTheSameValues) {
-  const auto told = [](int n) {
+  const auto textOf = [](int n) {
     return inWords(message("{n} of {all} piece, {area:.1f}|{n} of {all} pieces, {area:.1f}"_plural,
                            n, 12345, base::mm2(1.25)),
                    Other());
   };
-  EXPECT_EQ(told(1), "1,2 mm²: von 12.345 eins");
-  EXPECT_EQ(told(20), "1,2 mm²: von 12.345 20");
+  EXPECT_EQ(textOf(1), "1,2 mm²: von 12.345 eins");
+  EXPECT_EQ(textOf(20), "1,2 mm²: von 12.345 20");
 }
 
 TEST(Text, AnErrorIsOneLineAndAllOfItIsData) {

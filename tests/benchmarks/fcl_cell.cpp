@@ -152,15 +152,15 @@ bool FclCell::collides(const std::vector<Isometry3d>& base_T_frame) {
 double FclCell::distance(const std::vector<Isometry3d>& base_T_frame) {
   place(base_T_frame);
   const fcl::DistanceRequestd request;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   objects_->any(cell_, [&](const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b) {
-    if (a.getAABB().distance(b.getAABB()) < least) {
+    if (a.getAABB().distance(b.getAABB()) < minimum) {
       fcl::DistanceResultd result;
-      least = std::min(least, std::max(0.0, fcl::distance(&a, &b, request, result)));
+      minimum = std::min(minimum, std::max(0.0, fcl::distance(&a, &b, request, result)));
     }
-    return least <= 0.0;
+    return minimum <= 0.0;
   });
-  return least;
+  return minimum;
 }
 
 } // namespace voluta::test

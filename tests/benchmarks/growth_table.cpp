@@ -92,7 +92,8 @@ int main(int argc, char** argv) try {
       if (best >= 0.02)
         rows.push_back({static_cast<double>(voxels.count), best});
       std::printf("| %s | %zu | %.3f | %zu | %zu | %d | %.0f |\n", name.c_str(), voxels.count, best,
-                  voxels.count - growth.laid, growth.relaxed, growth.ranks, base::peakResidentMb());
+                  voxels.count - growth.printed, growth.relaxed, growth.ranks,
+                  base::peakResidentMb());
       std::fflush(stdout);
     }
     if (rows.size() >= 2)

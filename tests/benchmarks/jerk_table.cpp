@@ -96,7 +96,8 @@ struct Node {
 // by at most so many turns, which is further than a joint's speed allows.
 Joints shortestPath(const robot::Cell& cell, const plan::ToolPlan& plan, const plan::ToolPath& path,
                     const std::vector<double>& times, int samples, double reachRad) {
-  const int reach = std::min((samples - 1) / 2, static_cast<int>(reachRad * samples / base::kTurn));
+  const int reach =
+      std::min((samples - 1) / 2, static_cast<int>(reachRad * samples / base::kTwoPi));
   std::vector<std::vector<Node>> rungs(path.count);
   std::vector<std::vector<double>> cost(path.count);
   std::vector<std::vector<int>> parent(path.count);
@@ -109,7 +110,7 @@ Joints shortestPath(const robot::Cell& cell, const plan::ToolPlan& plan, const p
     tool = motion::carried(tool, plan.direction[w]);
     for (int k = 0; k < samples; ++k) {
       cell.inverse(
-          motion::toolPose(plan.position[w], motion::turned(tool, base::kTurn * k / samples)),
+          motion::toolPose(plan.position[w], motion::turned(tool, base::kTwoPi * k / samples)),
           cell.home(), solutions);
       for (const JointVector& q : solutions)
         rungs[i].push_back({q, k});
@@ -133,7 +134,7 @@ Joints shortestPath(const robot::Cell& cell, const plan::ToolPlan& plan, const p
           double sum = cost[i - 1][static_cast<std::size_t>(a)];
           for (Eigen::Index j = 0; j < cell.armDof() && sum < cost[i][b]; ++j) {
             double d = to[j] - from[j];
-            d -= base::kTurn * std::round(d / base::kTurn);
+            d -= base::kTwoPi * std::round(d / base::kTwoPi);
             if (std::abs(d) > dt * cell.limits()[static_cast<std::size_t>(j)].velocity)
               sum = std::numeric_limits<double>::infinity();
             sum += d * d;
@@ -148,7 +149,7 @@ Joints shortestPath(const robot::Cell& cell, const plan::ToolPlan& plan, const p
         const JointVector& from = wound[i - 1][static_cast<std::size_t>(parent[i][b])];
         wound[i][b] = to;
         for (Eigen::Index j = 0; j < cell.armDof(); ++j)
-          wound[i][b][j] -= base::kTurn * std::round((to[j] - from[j]) / base::kTurn);
+          wound[i][b][j] -= base::kTwoPi * std::round((to[j] - from[j]) / base::kTwoPi);
       }
     }
     if (!any)
@@ -186,19 +187,19 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
   constexpr int kRounds = 100;
   constexpr double kAllowed = 1.0; // rad/s3
   const std::vector<motion::RunPoint> points = runOf(cell, q);
-  const motion::TurnSmoother smoother(cell, twists, points, times);
+  const motion::RotationSmoother smoother(cell, twists, points, times);
   std::vector<motion::TurnedPoint> at = smoother.start(ctx);
   std::vector<char> locked(q.size(), 0);
   for (int round = 0; round < kRounds; ++round) {
-    double most = kAllowed;
+    double maximum = kAllowed;
     std::size_t centre = q.size();
     for (std::size_t i = 2; i + 2 < q.size(); ++i) {
       const auto weights = test::fivePointJerk(times, i);
       JointVector jerk = JointVector::Zero(q[i].size());
       for (std::size_t k = 0; k < 5; ++k)
         jerk += weights[k] * at[i + k - 2].q;
-      if (!locked[i] && jerk.norm() > most) {
-        most = jerk.norm();
+      if (!locked[i] && jerk.norm() > maximum) {
+        maximum = jerk.norm();
         centre = i;
       }
     }
@@ -207,9 +208,9 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
     bool success = false;
     for (std::size_t d = kFirst; d <= kMax && !success; d += 5) {
       const std::size_t b = centre < d ? 0 : centre - d, e = std::min(q.size(), centre + d + 1);
-      std::vector<motion::TurnHold> held(q.size(), {motion::kHeld, 0.0});
+      std::vector<motion::RotationHold> held(q.size(), {motion::kHeld, 0.0});
       std::fill(held.begin() + static_cast<std::ptrdiff_t>(b),
-                held.begin() + static_cast<std::ptrdiff_t>(e), motion::TurnHold{});
+                held.begin() + static_cast<std::ptrdiff_t>(e), motion::RotationHold{});
       const double before = smoother.cost(at, held);
       smoother.smooth(at, held, {}, ctx);
       success = smoother.cost(at, held) < before * (1.0 - 1e-6);
@@ -227,12 +228,12 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
 Joints wholePath(const robot::Cell& cell, const robot::ArmTwists& twists, const Joints& q,
                  const std::vector<double>& times, double leanRad, const base::RunContext& ctx) {
   const std::vector<motion::RunPoint> points = runOf(cell, q);
-  const motion::TurnSmoother smoother(cell, twists, points, times, leanRad);
+  const motion::RotationSmoother smoother(cell, twists, points, times, leanRad);
   std::vector<motion::TurnedPoint> at = smoother.start(ctx);
-  motion::TurnSmoothing much;
+  motion::RotationSmoothing much;
   much.rounds = 60;
   much.enough = 1e-5;
-  smoother.smooth(at, std::vector<motion::TurnHold>(q.size()), much, ctx);
+  smoother.smooth(at, std::vector<motion::RotationHold>(q.size()), much, ctx);
   Joints smooth;
   for (const motion::TurnedPoint& p : at)
     smooth.push_back(p.q);
@@ -277,7 +278,7 @@ plan::ToolPlan layerOf(const plan::ToolPlan& plan, int wanted, double noise, boo
     for (std::size_t i = p.first; i < p.first + p.count; ++i) {
       Eigen::Vector3d d = plan.direction[i];
       if (noise > 0.0) {
-        const double side = base::kTurn * unit(random), angle = noise * unit(random);
+        const double side = base::kTwoPi * unit(random), angle = noise * unit(random);
         const Eigen::Vector3d x = d.unitOrthogonal();
         d = std::cos(angle) * d +
             std::sin(angle) * (std::cos(side) * x + std::sin(side) * d.cross(x));
@@ -351,7 +352,7 @@ int main(int argc, char** argv) {
   const collision::GrowingPart part(plan, collision::growingPitch(plan, process::Tooling(process)),
                                     ctx);
   motion::MotionOptions options;
-  options.smoothing = ladder ? motion::TurnMethod::None : motion::TurnMethod::WholePath;
+  options.smoothing = ladder ? motion::SmoothingMethod::None : motion::SmoothingMethod::WholePath;
   options.leanRad = leanRad;
   options.axesRad = axesRad;
 

@@ -33,7 +33,7 @@ using namespace voluta;
 constexpr double kCapMm = 50.0, kNearMm = 5.0;
 
 struct Clearance {
-  double meanMm = 0.0, nearShare = 0.0, leastMm = kCapMm; // of printing time
+  double meanMm = 0.0, nearShare = 0.0, minMm = kCapMm; // of printing time
 };
 
 Clearance clearanceOf(const plan::Trajectory& t, const robot::Cell& cell,
@@ -61,7 +61,7 @@ Clearance clearanceOf(const plan::Trajectory& t, const robot::Cell& cell,
     total += dt;
     c.meanMm += clear[i] * dt;
     c.nearShare += clear[i] < kNearMm ? dt : 0.0;
-    c.leastMm = std::min(c.leastMm, clear[i]);
+    c.minMm = std::min(c.minMm, clear[i]);
   }
   if (total > 0.0) {
     c.meanMm /= total;
@@ -87,18 +87,18 @@ plan::ToolPlan firstPaths(plan::ToolPlan plan, std::size_t paths) {
 
 int main(int argc, char** argv) {
   motion::MotionOptions options;
-  options.smoothing = motion::TurnMethod::WholePath;
+  options.smoothing = motion::SmoothingMethod::WholePath;
   int threads = 2;
   std::size_t paths = 0;
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--ladder")
-      options.smoothing = motion::TurnMethod::None;
+      options.smoothing = motion::SmoothingMethod::None;
     else if (word == "--lean" && i + 1 < argc)
       options.leanRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--evened")
-      options.smoothing = motion::TurnMethod::Evened;
+      options.smoothing = motion::SmoothingMethod::Evened;
     else if (word == "--axes" && i + 1 < argc)
       options.axesRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--near-cost" && i + 1 < argc)
@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
                 s.arcTransfers, s.jointTransfers, s.treeTransfers, printingS);
     std::printf("\n  duration %.0f s, clearance mean %.2f mm, under %.0f mm %.2f %% of the time, "
                 "least %.2f mm\n",
-                s.durationS, c.meanMm, kNearMm, 100.0 * c.nearShare, c.leastMm);
+                s.durationS, c.meanMm, kNearMm, 100.0 * c.nearShare, c.minMm);
   }
   return 0;
 }

@@ -107,8 +107,8 @@ void bodiesOfTheCell(benchmark::State& state) {
   while (frames.size() < 2000) {
     Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
     work_T_tool.linear() =
-        geometry::leastTurn(Eigen::Vector3d::UnitZ(),
-                            -(random.point(0.7) + Eigen::Vector3d::UnitZ()).normalized())
+        geometry::shortestRotation(Eigen::Vector3d::UnitZ(),
+                                   -(random.point(0.7) + Eigen::Vector3d::UnitZ()).normalized())
             .toRotationMatrix();
     work_T_tool.translation() = random.point(30) + Eigen::Vector3d(0, 0, 50);
     solutions.clear();

@@ -38,9 +38,9 @@ std::filesystem::path local(const std::filesystem::path& schema,
   std::string text = base::readFile(schema);
   if (const std::size_t at = text.find("<xs:import"); at != std::string::npos)
     text.erase(at, text.find("/>", at) + 2 - at);
-  const std::string most = "\"2147483647\"";
-  for (std::size_t at = 0; (at = text.find(most, at)) != std::string::npos;)
-    text.replace(at, most.size(), "\"unbounded\"");
+  const std::string maximum = "\"2147483647\"";
+  for (std::size_t at = 0; (at = text.find(maximum, at)) != std::string::npos;)
+    text.replace(at, maximum.size(), "\"unbounded\"");
   const std::filesystem::path copy = folder / schema.filename();
   base::writeFile(copy, text);
   return copy;

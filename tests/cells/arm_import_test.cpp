@@ -151,10 +151,10 @@ TEST_F(ArmImporting, NamesInUseAreRefused) {
 TEST_F(ArmImporting, AnEarlierImportIsKeptUnlessItMayBeReplaced) {
   const std::filesystem::path data = folder_ / std::filesystem::path("data");
   const ArmImport import = this->import(test::urdfOf(test::irb1200()));
-  EXPECT_TRUE(filesInTheWay(import, data).empty());
+  EXPECT_TRUE(conflictingFiles(import, data).empty());
   const ImportedFiles files = writeImport(import, data);
   base::writeFile(files.cell, "measured");
-  EXPECT_EQ(filesInTheWay(import, data), (std::vector{files.robot, files.cell}));
+  EXPECT_EQ(conflictingFiles(import, data), (std::vector{files.robot, files.cell}));
   EXPECT_THROW(writeImport(import, data), base::Error);
   EXPECT_EQ(base::readFile(files.cell), "measured");
   writeImport(import, data, Existing::Replace);

@@ -101,12 +101,12 @@ TEST(BestPlace, EqualsCountingEveryPose) {
       bestUpright = std::max(bestUpright, place.uprightShare);
       all.push_back(place);
     }
-    const double least = bestUpright == 1.0 ? 1.0 : bestUpright - kSameShare;
-    std::erase_if(all, [&](const Place& place) { return place.uprightShare < least; });
+    const double minimum = bestUpright == 1.0 ? 1.0 : bestUpright - kSameShare;
+    std::erase_if(all, [&](const Place& place) { return place.uprightShare < minimum; });
     for (const Place& place : all)
       best = std::max(best, place.share);
     const Place found = bestPlace(map, part);
-    EXPECT_GE(found.uprightShare, least);
+    EXPECT_GE(found.uprightShare, minimum);
     EXPECT_GE(found.share, best - kSameShare);
     for (const Place& place : all) {
       EXPECT_FALSE(isBetter(place, found));

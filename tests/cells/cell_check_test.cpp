@@ -31,12 +31,12 @@ protected:
   }
   static process::Process process() { return process::loadProcess("fdm-1.0"); }
   static std::vector<std::string> faults(const CellDraft& draft, double partKg = 0.0) {
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const CellFault& fault : cellFaults(read(draft), process(), partKg, {})) {
-      told.push_back(base::english(fault.what));
+      reported.push_back(base::english(fault.what));
       EXPECT_FALSE(fault.remedy.empty());
     }
-    return told;
+    return reported;
   }
   static DraftBody body(const CellDraft& draft, DraftBody::Kind kind) {
     const std::vector<DraftBody> bodies = draft.bodies();
@@ -59,7 +59,7 @@ TEST_F(CellCheck, theShippedCellsHaveNothingWrong) {
 }
 
 TEST_F(CellCheck, findsAPurgePlaceOutOfReach) {
-  const auto told = [](const std::string& place) {
+  const auto faultsOf = [](const std::string& place) {
     std::string text = robot::draftOfCell("five-axis").text();
     text.insert(text.find('{') + 1, "\"purgeMm\": " + place + ",");
     const robot::Cell cell = robot::Cell::readText(text, "five-axis.json", process(), square(60));
@@ -68,9 +68,10 @@ TEST_F(CellCheck, findsAPurgePlaceOutOfReach) {
       faults.push_back(base::english(fault.what));
     return faults;
   };
-  EXPECT_THAT(told("[-150, -120, 60]"), ElementsAre());
-  EXPECT_THAT(told("[5000, 0, 60]"), ElementsAre("the arm does not reach the place for purges"));
-  EXPECT_THAT(told("[0, 190, 30]"), ElementsAre("the arm collides at the place for purges"))
+  EXPECT_THAT(faultsOf("[-150, -120, 60]"), ElementsAre());
+  EXPECT_THAT(faultsOf("[5000, 0, 60]"),
+              ElementsAre("the arm does not reach the place for purges"));
+  EXPECT_THAT(faultsOf("[0, 190, 30]"), ElementsAre("the arm collides at the place for purges"))
       << "within a stand";
 }
 

@@ -29,12 +29,12 @@ TEST(NozzlePlace, EqualsCountingEveryPlace) {
     const Vector3d half = 0.5 * step * box.cast<double>();
     const NozzlePlace found = bestNozzlePlace(frames, step, box);
     EXPECT_EQ(found.frames, counted(frames, found.at, half));
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (int x = -20; x <= 30; ++x)
       for (int y = -20; y <= 20; ++y)
         for (int z = -25; z <= 20; ++z)
-          most = std::max(most, counted(frames, step * Vector3d(x, y, z), half));
-    EXPECT_EQ(found.frames, most);
+          maximum = std::max(maximum, counted(frames, step * Vector3d(x, y, z), half));
+    EXPECT_EQ(found.frames, maximum);
   }
   EXPECT_EQ(bestNozzlePlace({}, 10, {2, 2, 2}).frames, 0u);
 }

@@ -42,10 +42,10 @@ bool reachedOneByOne(const robot::Cell& cell, const process::Process& process,
   bool reached = false;
   for (const robot::JointVector& axes : axisPlaces(cell, grid.axisPlaces))
     for (int n = 0; n < grid.turns; ++n) {
-      const double turn = 2 * kPi * n / grid.turns;
+      const double angle = 2 * kPi * n / grid.turns;
       // Rz(azimuth) Ry(pi + tilt) Rz(turn), multiplied out.
       const double ca = std::cos(azimuth), sa = std::sin(azimuth), ct = std::cos(tilt),
-                   st = std::sin(tilt), cn = std::cos(turn), sn = std::sin(turn);
+                   st = std::sin(tilt), cn = std::cos(angle), sn = std::sin(angle);
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
       pose.linear() << -ca * ct * cn - sa * sn, ca * ct * sn - sa * cn, -ca * st, //
           -sa * ct * cn + ca * sn, sa * ct * sn + ca * cn, -sa * st,              //

@@ -17,7 +17,7 @@ TEST(BeadSolid, ItsBoxHoldsIt) {
   };
   std::size_t inside = 0, tight = 0, beads = 0;
   for (int n = 0; n < 400; ++n) {
-    const double turn = n % 4 == 0 ? 0.0 : n % 4 == 1 ? 0.1 : n % 4 == 2 ? 0.8 : 3.0;
+    const double angle = n % 4 == 0 ? 0.0 : n % 4 == 1 ? 0.1 : n % 4 == 2 ? 0.8 : 3.0;
     plan::ToolPlan plan;
     Vector3d direction = anywhere(1.0).normalized();
     for (int i = 0; i < 2; ++i) {
@@ -25,7 +25,7 @@ TEST(BeadSolid, ItsBoxHoldsIt) {
       plan.direction.push_back(direction);
       plan.widthMm.push_back(static_cast<float>(number(0.6, 2.0)));
       plan.heightMm.push_back(static_cast<float>(number(0.3, 1.0)));
-      direction = (direction + anywhere(turn)).normalized();
+      direction = (direction + anywhere(angle)).normalized();
     }
     const collision::BeadSolid bead(plan, 0);
     const Vector3d low = bead.low(), high = bead.high();

@@ -51,13 +51,13 @@ TEST(Polyhedron, AgainstSampling) {
     const Isometry3d place = random.pose(8.0);
     const double found = collision::Polyhedron::distance(
         collision::Polyhedron(a), Isometry3d::Identity(), collision::Polyhedron(b), place);
-    double least = 1e9;
+    double minimum = 1e9;
     for (const Vector3d& p : samples(a, 4.0, random))
-      least = std::min(least, collision::signedDistance(b, place.inverse() * p));
-    EXPECT_LE(found, std::max(least, 0.0) + 1e-6) << n;
-    if (least > 0.2) {
-      EXPECT_GE(found, least - 1.0) << n;
-    } else if (least < 0.0) {
+      minimum = std::min(minimum, collision::signedDistance(b, place.inverse() * p));
+    EXPECT_LE(found, std::max(minimum, 0.0) + 1e-6) << n;
+    if (minimum > 0.2) {
+      EXPECT_GE(found, minimum - 1.0) << n;
+    } else if (minimum < 0.0) {
       EXPECT_LE(found, 0.0) << n;
     }
   }
@@ -101,17 +101,17 @@ TEST(Polyhedron, BoxesAndPrismsAreAsFarApartAsTheirSides) {
     Vector3d away;
     for (int k = 0; k < 3; ++k)
       away[k] = gap[k] > 0.0 ? half[k] + other[k] + gap[k] : random.number(-0.4, 0.4);
-    const Isometry3d turn = random.pose(20.0), slid = turn * Eigen::Translation3d(away);
+    const Isometry3d rotation = random.pose(20.0), slid = rotation * Eigen::Translation3d(away);
     const collision::Polyhedron a(robot::Box{Isometry3d::Identity(), half});
     const collision::Polyhedron b(robot::Box{Isometry3d::Identity(), other});
-    EXPECT_NEAR(collision::Polyhedron::distance(a, turn, b, slid), gap.norm(), 1e-5) << n;
+    EXPECT_NEAR(collision::Polyhedron::distance(a, rotation, b, slid), gap.norm(), 1e-5) << n;
     const robot::Prism hexagon{
         {{2, 0}, {1, 1.8}, {-1, 1.8}, {-2, 0}, {-1, -1.8}, {1, -1.8}}, -1, 1};
     const collision::Polyhedron prism(hexagon);
-    const Isometry3d above = turn * Eigen::Translation3d(0.3, 0.2, 2.0 + gap.norm()),
-                     beside = turn * Eigen::Translation3d(0.1, 3.6 + gap.norm(), 0.4);
+    const Isometry3d above = rotation * Eigen::Translation3d(0.3, 0.2, 2.0 + gap.norm()),
+                     beside = rotation * Eigen::Translation3d(0.1, 3.6 + gap.norm(), 0.4);
     for (const Isometry3d& place : {above, beside})
-      EXPECT_NEAR(collision::Polyhedron::distance(prism, turn, prism, place), gap.norm(), 1e-5)
+      EXPECT_NEAR(collision::Polyhedron::distance(prism, rotation, prism, place), gap.norm(), 1e-5)
           << n;
   }
 }
@@ -129,7 +129,7 @@ TEST(Holder, MeetsAPlateThatReachesUnderIt) {
     const collision::CellCollision collision(cell, process);
     Isometry3d work_T_tool = Isometry3d::Identity();
     work_T_tool.linear() =
-        geometry::leastTurn(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
+        geometry::shortestRotation(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
     work_T_tool.translation() = Vector3d(0, 0, tipMm);
     return collision.holderTouches(work_T_tool, nothing, 0, {2.0, 2.0, 0.0});
   };
@@ -157,7 +157,7 @@ TEST(Holder, MeetsThePartThatIsPrintedByThen) {
   const collision::CellCollision collision(cell, process);
   Isometry3d work_T_tool = Isometry3d::Identity();
   work_T_tool.linear() =
-      geometry::leastTurn(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
+      geometry::shortestRotation(Vector3d::UnitZ(), -Vector3d::UnitX()).toRotationMatrix();
   work_T_tool.translation() = Vector3d(-150.0, 0.0, 100.0); // 150 mm behind: in the holder
   EXPECT_TRUE(collision.holderTouches(work_T_tool, part, 11, {}));
   EXPECT_FALSE(collision.holderTouches(work_T_tool, part, 0, {}));
@@ -183,11 +183,11 @@ protected:
     return q;
   }
   // Nozzle at a point of the work frame with direction d.
-  static Isometry3d toolAt(const Vector3d& p, const Vector3d& d, double turn) {
+  static Isometry3d toolAt(const Vector3d& p, const Vector3d& d, double rotation) {
     Isometry3d t = Isometry3d::Identity();
-    t.linear() = (geometry::leastTurn(-Vector3d::UnitZ(), -d) *
+    t.linear() = (geometry::shortestRotation(-Vector3d::UnitZ(), -d) *
                   Eigen::AngleAxisd(base::kPi, Vector3d::UnitX()) *
-                  Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
+                  Eigen::AngleAxisd(rotation, Vector3d::UnitZ()))
                      .toRotationMatrix();
     t.translation() = p;
     return t;
@@ -231,7 +231,7 @@ TEST_F(CellCollisionTest, ClearanceAgainstSampledBodies) {
     const robot::JointVector q = randomJoints(random);
     collision::CellCollision::Frames frames;
     cell.framePoses(q, frames);
-    double least = 1e9;
+    double minimum = 1e9;
     for (const auto& [a, b] : cell.checkedPairs()) {
       const auto &bodyA = cell.bodies()[static_cast<std::size_t>(a)],
                  &bodyB = cell.bodies()[static_cast<std::size_t>(b)];
@@ -241,17 +241,17 @@ TEST_F(CellCollisionTest, ClearanceAgainstSampledBodies) {
                                frames[static_cast<std::size_t>(bodyA.frame)];
       for (const robot::Shape& s : bodyB.shapes)
         for (const Vector3d& p : points[static_cast<std::size_t>(a)])
-          least = std::min(least, collision::signedDistance(s, b_T_a * p));
+          minimum = std::min(minimum, collision::signedDistance(s, b_T_a * p));
     }
     const double clearance = collision.clearance(frames, 500.0);
-    EXPECT_LE(clearance, std::max(least, 0.0) + 1e-6);
-    if (least <= 0.0) {
+    EXPECT_LE(clearance, std::max(minimum, 0.0) + 1e-6);
+    if (minimum <= 0.0) {
       EXPECT_TRUE(collides(q, 0.0));
       ++hit;
     }
     if (!collides(q, 2.0)) {
       EXPECT_GT(clearance, 2.0);
-      EXPECT_LT(least - clearance, 80.0); // sparse samples of large bodies
+      EXPECT_LT(minimum - clearance, 80.0); // sparse samples of large bodies
       ++free;
     }
   }
@@ -268,17 +268,17 @@ TEST_F(CellCollisionTest, ClearanceDoesNotDependOnTheFirstPair) {
     collision::CellCollision::Frames frames;
     cell.framePoses(randomJoints(random), frames);
     const double capMm = n % 2 == 0 ? 500.0 : 20.0;
-    const double least = collision.clearance(frames, capMm);
+    const double minimum = collision.clearance(frames, capMm);
     std::set<std::size_t> nearest;
     for (std::size_t first = 0; first <= cell.checkedPairs().size(); ++first) {
       std::size_t pair = first;
-      EXPECT_NEAR(collision.clearance(frames, capMm, &pair), least, 1e-9) << first;
-      if (least < capMm)
+      EXPECT_NEAR(collision.clearance(frames, capMm, &pair), minimum, 1e-9) << first;
+      if (minimum < capMm)
         nearest.insert(pair);
       else
         EXPECT_EQ(pair, first);
     }
-    if (least < capMm && least > 0.0) {
+    if (minimum < capMm && minimum > 0.0) {
       EXPECT_LE(nearest.size(), 2u);
       ++near;
     }

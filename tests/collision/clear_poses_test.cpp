@@ -91,13 +91,13 @@ protected:
                       &to = cell.bodies()[static_cast<std::size_t>(b)];
     const Isometry3d to_T_from = frames[static_cast<std::size_t>(to.frame)].inverse() *
                                  frames[static_cast<std::size_t>(from.frame)];
-    double least = 1e9;
+    double minimum = 1e9;
     for (const Vector3d& p : points[static_cast<std::size_t>(a)]) {
       const Vector3d q = to_T_from * p;
       for (const robot::Shape& shape : to.shapes)
-        least = std::min(least, collision::signedDistance(shape, q));
+        minimum = std::min(minimum, collision::signedDistance(shape, q));
     }
-    return least;
+    return minimum;
   }
 
   const process::Process process;

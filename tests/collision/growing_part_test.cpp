@@ -202,15 +202,15 @@ TEST(GrowingPart, TouchesAndDistanceAgainstBruteForce) {
     const Isometry3d pose = random.pose(n % 3 == 0 ? 20.0 : 10.0);
     const double margin = random.number(-0.5, 2.0), cap = random.number(0.5, 30.0);
     const auto before = static_cast<std::size_t>(random.number(0.0, 125.0));
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const auto& [centre, time] : cells)
       if (time < before)
-        least = std::min(least, collision::signedDistance(shape, pose.inverse() * centre));
-    if (std::abs(least - margin) > 1e-9) {
-      EXPECT_EQ(part.touches(shape, pose, margin, before), least <= margin) << n;
+        minimum = std::min(minimum, collision::signedDistance(shape, pose.inverse() * centre));
+    if (std::abs(minimum - margin) > 1e-9) {
+      EXPECT_EQ(part.touches(shape, pose, margin, before), minimum <= margin) << n;
     }
-    EXPECT_NEAR(part.distance(shape, pose, cap, before), std::clamp(least, 0.0, cap), 1e-9) << n;
-    touching += least <= margin;
+    EXPECT_NEAR(part.distance(shape, pose, cap, before), std::clamp(minimum, 0.0, cap), 1e-9) << n;
+    touching += minimum <= margin;
   }
   EXPECT_GT(touching, 50);
 }
@@ -234,14 +234,14 @@ TEST(GrowingPart, DistinguishesShapesJustAboveAndJustInFilledCells) {
     const double lowest = pose.translation().z() -
                           collision::support(shape, pose.linear().transpose() * -Vector3d::UnitZ());
     pose.translation().z() += top - lowest + margin + random.number(-2.0, 0.1);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const auto& [centre, time] : cells)
       if (time < before)
-        least = std::min(least, collision::signedDistance(shape, pose.inverse() * centre));
-    if (std::abs(least - margin) < 1e-9)
+        minimum = std::min(minimum, collision::signedDistance(shape, pose.inverse() * centre));
+    if (std::abs(minimum - margin) < 1e-9)
       continue;
-    EXPECT_EQ(part.touches(shape, pose, margin, before), least <= margin) << n;
-    (least <= margin ? touching : clear) += 1;
+    EXPECT_EQ(part.touches(shape, pose, margin, before), minimum <= margin) << n;
+    (minimum <= margin ? touching : clear) += 1;
   }
   EXPECT_GT(touching, 5);
   EXPECT_GT(clear, 100);

@@ -32,7 +32,7 @@ struct Rod {
 
   // The greatest clearance of the poses that deposit a bead at x with the nozzle turned from
   // straight down about the rod; 0 where none of them keeps 2 mm.
-  double clearance(double x, double turn) const {
+  double clearance(double x, double angle) const {
     double best = 0.0;
     for (int k = 0; k < 24; ++k) {
       // With the rod at 0 the work frame's z is up.
@@ -42,7 +42,7 @@ struct Rod {
           Eigen::AngleAxisd(k * base::kPi / 12, Vector3d::UnitZ()).toRotationMatrix();
       work_T_tool.translation() = Vector3d(x, 0, radius + 0.25);
       robot::JointVector near = cell.home();
-      near[6] = turn;
+      near[6] = angle;
       std::vector<robot::JointVector> solutions;
       cell.inverse(work_T_tool, near, solutions);
       for (const robot::JointVector& q : solutions) {
@@ -71,8 +71,8 @@ TEST(LatheCell, AllOfTheRodIsPrintedOnWithTheNozzleDown) {
     const Rod rod(radius);
     for (double x = -100; x <= 100; x += 5) {
       EXPECT_GT(rod.clearance(x, 0.0), std::abs(x) < 85 ? 10.0 : 2.0) << radius << ", " << x;
-      for (const double turn : {-15.0, 15.0})
-        EXPECT_GT(rod.clearance(x, base::degreesToRadians(turn)), 2.0) << radius << ", " << x;
+      for (const double angle : {-15.0, 15.0})
+        EXPECT_GT(rod.clearance(x, base::degreesToRadians(angle)), 2.0) << radius << ", " << x;
     }
   }
 }
@@ -80,18 +80,18 @@ TEST(LatheCell, AllOfTheRodIsPrintedOnWithTheNozzleDown) {
 // By the layout of the cell the wrist is not stretched, where joints 4 and 6 would spin.
 TEST(LatheCell, WristIsBentInAllPrintingPoses) {
   const Rod rod(25);
-  for (const double turn : {-30.0, 0.0, 30.0})
+  for (const double angle : {-30.0, 0.0, 30.0})
     for (double x = -100; x <= 100; x += 10)
       for (const double r : {2.5, 50.0}) {
         Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
         work_T_tool.linear() = Vector3d(1, -1, -1).asDiagonal();
         work_T_tool.translation() = Vector3d(x, 0, r);
         robot::JointVector near = rod.cell.home();
-        near[6] = base::degreesToRadians(turn);
+        near[6] = base::degreesToRadians(angle);
         std::vector<robot::JointVector> solutions;
         rod.cell.inverse(work_T_tool, near, solutions);
-        ASSERT_FALSE(solutions.empty()) << x << ", " << r << ", " << turn;
+        ASSERT_FALSE(solutions.empty()) << x << ", " << r << ", " << angle;
         for (const robot::JointVector& q : solutions)
-          EXPECT_GT(std::abs(q[4]), base::degreesToRadians(20)) << x << ", " << r << ", " << turn;
+          EXPECT_GT(std::abs(q[4]), base::degreesToRadians(20)) << x << ", " << r << ", " << angle;
       }
 }

@@ -14,13 +14,13 @@ using namespace voluta;
 using robot::JointVector;
 
 // The way's bound of the least distance falls below 0 where bodies are nearer than it is exact.
-TEST(LeastClearance, IsNotBelowZeroWhereNothingTouches) {
+TEST(MinClearance, IsNotBelowZeroWhereNothingTouches) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell =
       robot::loadCell("ur5-moving", process, {{-60, -60}, {60, -60}, {60, 60}, {-60, 60}});
   const collision::CellCollision collision(cell, process);
   const collision::GrowingPart part(plan::ToolPlan{}, 0.45, {});
-  const collision::WayClearance ways(collision, part);
+  const collision::MotionClearance ways(collision, part);
   const auto at = [&](const JointVector& q) {
     collision::CellCollision::Frames frames;
     cell.framePoses(q, frames);

@@ -140,13 +140,13 @@ TEST(ShapeDistance, SegmentsAgainstSampling) {
   for (int n = 0; n < 300; ++n) {
     const Vector3d a = random.point(3), b = random.point(3), c = random.point(3);
     const Vector3d d = n % 5 == 0 ? Vector3d(c + 0.7 * (b - a)) : random.point(3);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= 100; ++i)
       for (int j = 0; j <= 100; ++j)
-        least = std::min(least, (a + i / 100.0 * (b - a) - c - j / 100.0 * (d - c)).norm());
+        minimum = std::min(minimum, (a + i / 100.0 * (b - a) - c - j / 100.0 * (d - c)).norm());
     const double exact = collision::segmentDistance(a, b, c, d);
-    EXPECT_LE(exact, least + 1e-9);
-    EXPECT_GE(exact, least - 0.12);
+    EXPECT_LE(exact, minimum + 1e-9);
+    EXPECT_GE(exact, minimum - 0.12);
   }
   EXPECT_DOUBLE_EQ(collision::segmentDistance({0, 0, 0}, {0, 0, 0}, {3, 4, 0}, {3, 4, 0}), 5.0);
 }
@@ -158,15 +158,15 @@ TEST(ShapeDistance, CapsulesAgainstSolids) {
     const robot::Capsule capsule{random.point(8), random.point(8), random.number(0.1, 1.0)};
     const robot::Shape other = random.shape(n, 4.0);
     const auto placed = collision::place(other, Isometry3d::Identity());
-    double least = infinity;
+    double minimum = infinity;
     for (int i = 0; i <= 2000; ++i)
-      least = std::min(least, collision::signedDistance(
-                                  other, capsule.p0 + i / 2000.0 * (capsule.p1 - capsule.p0)));
-    least -= capsule.radius;
+      minimum = std::min(minimum, collision::signedDistance(
+                                      other, capsule.p0 + i / 2000.0 * (capsule.p1 - capsule.p0)));
+    minimum -= capsule.radius;
     const double found = collision::capsuleDistance(capsule, placed, infinity);
     // Two capsules that cross: both results are negative; the depth is only bounded.
-    if (least > 0.0)
-      EXPECT_NEAR(found, least, 0.01) << n;
+    if (minimum > 0.0)
+      EXPECT_NEAR(found, minimum, 0.01) << n;
     else
       EXPECT_LT(found, 1e-3) << n;
     for (const double enough : {-1.0, 0.0, 2.0}) {
@@ -183,8 +183,8 @@ TEST(ShapeDistance, SupportIsTheFurthestPoint) {
   for (int n = 0; n < 200; ++n) {
     const robot::Shape shape = random.shape(n, 5.0);
     const Vector3d d = random.point(1.0).normalized();
-    double most = -std::numeric_limits<double>::infinity();
-    const auto take = [&](const Vector3d& p) { most = std::max(most, p.dot(d)); };
+    double maximum = -std::numeric_limits<double>::infinity();
+    const auto take = [&](const Vector3d& p) { maximum = std::max(maximum, p.dot(d)); };
     if (const auto* c = std::get_if<robot::Capsule>(&shape)) {
       for (const Vector3d& end : {c->p0, c->p1})
         take(end + c->radius * d);
@@ -196,7 +196,7 @@ TEST(ShapeDistance, SupportIsTheFurthestPoint) {
     } else if (const auto* f = std::get_if<robot::Frustum>(&shape)) {
       const Vector3d u = (f->p1 - f->p0).normalized(), x = u.unitOrthogonal(), y = u.cross(x);
       for (int k = 0; k < 7200; ++k) {
-        const double a = k * base::kTurn / 7200;
+        const double a = k * base::kTwoPi / 7200;
         const Vector3d rim = std::cos(a) * x + std::sin(a) * y;
         take(f->p0 + f->r0 * rim);
         take(f->p1 + f->r1 * rim);
@@ -207,11 +207,11 @@ TEST(ShapeDistance, SupportIsTheFurthestPoint) {
         for (const double z : {prism.zMin, prism.zMax})
           take({corner.x(), corner.y(), z});
     }
-    EXPECT_NEAR(collision::support(shape, d), most, 1e-5) << n;
+    EXPECT_NEAR(collision::support(shape, d), maximum, 1e-5) << n;
     // And its ball is as large as it has to be about its middle.
     const collision::Ball ball =
         collision::boundingBall(collision::place(shape, Isometry3d::Identity()));
-    EXPECT_GE(ball.centre.dot(d) + ball.radius, most - 1e-9);
+    EXPECT_GE(ball.centre.dot(d) + ball.radius, maximum - 1e-9);
   }
 }
 
@@ -241,7 +241,7 @@ TEST(ShapeDistance, SegmentsInAnyPosition) {
                     std::round(random.number(-2, 2)));
   };
   // Of a convex function over [0, 1], by thirds.
-  const auto least = [](const auto& f) {
+  const auto minimum = [](const auto& f) {
     double a = 0.0, b = 1.0;
     for (int k = 0; k < 50; ++k) {
       const double u = a + (b - a) / 3.0, v = b - (b - a) / 3.0;
@@ -254,9 +254,9 @@ TEST(ShapeDistance, SegmentsInAnyPosition) {
   };
   for (int n = 0; n < 200; ++n) {
     const Vector3d a = grid(), b = grid(), c = grid(), d = grid();
-    const double wanted = least([&](double s) {
+    const double wanted = minimum([&](double s) {
       const Vector3d p = a + s * (b - a);
-      return least([&](double t) { return (p - c - t * (d - c)).norm(); });
+      return minimum([&](double t) { return (p - c - t * (d - c)).norm(); });
     });
     EXPECT_NEAR(collision::segmentDistance(a, b, c, d), wanted, 1e-6) << n;
     EXPECT_NEAR(collision::segmentDistance(d, c, a, b), wanted, 1e-6) << n;

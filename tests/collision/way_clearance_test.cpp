@@ -51,11 +51,12 @@ struct Scene {
     cell.framePoses(q, frames);
     return collision.clearanceToPart(frames, part, before, collision.clearance(frames, kCap));
   }
-  double leastSampled(const JointVector& from, const JointVector& to) const {
-    double least = std::min(clearanceAt(from), clearanceAt(to));
+  double sampledMinimum(const JointVector& from, const JointVector& to) const {
+    double minimum = std::min(clearanceAt(from), clearanceAt(to));
     for (int k = 1; k < kSamples; ++k)
-      least = std::min(least, clearanceAt(from + static_cast<double>(k) / kSamples * (to - from)));
-    return least;
+      minimum =
+          std::min(minimum, clearanceAt(from + static_cast<double>(k) / kSamples * (to - from)));
+    return minimum;
   }
   // How the clearance grows with each joint of the arm.
   JointVector growthAt(const JointVector& q) const {
@@ -75,7 +76,7 @@ struct Scene {
   const collision::CellCollision collision;
   const plan::ToolPlan plan;
   const collision::GrowingPart part;
-  const collision::WayClearance ways;
+  const collision::MotionClearance ways;
   const std::size_t before;
 };
 
@@ -89,21 +90,22 @@ protected:
   }
   void expectKept(const JointVector& from, const JointVector& to, double reach) {
     const double ends = std::min(scene_.clearanceAt(from), scene_.clearanceAt(to));
-    const double least = scene_.leastSampled(from, to);
-    if (least <= 0.5)
+    const double minimum = scene_.sampledMinimum(from, to);
+    if (minimum <= 0.5)
       return; // contact: there is no clearance to compare
-    ++told_;
-    between_ += least < ends - 0.1;
+    ++reported_;
+    between_ += minimum < ends - 0.1;
     const double reported = scene_.ways.along(from, to, scene_.before, ends);
-    EXPECT_LE(reported, least + 1e-6) << GetParam() << " " << told_;
+    EXPECT_LE(reported, minimum + 1e-6) << GetParam() << " " << reported_;
     // Samples are no closer to the truth than the distance moved between them.
-    EXPECT_GE(reported, least - collision::kWayExactMm - 0.5 * reach) << GetParam() << " " << told_;
+    EXPECT_GE(reported, minimum - collision::kMotionExactMm - 0.5 * reach)
+        << GetParam() << " " << reported_;
   }
 
   const Scene scene_{GetParam()};
   std::mt19937 engine_{7};
   std::uniform_real_distribution<double> share_{-1.0, 1.0};
-  int told_ = 0, between_ = 0; // motions, and those whose least distance is at neither end
+  int reported_ = 0, between_ = 0; // motions, and those whose least distance is at neither end
 };
 
 } // namespace
@@ -115,14 +117,14 @@ TEST_P(WayClearances, NothingComesCloserOnTheWay) {
     const JointVector from = scene_.cell.home() + random(0.5);
     expectKept(from, from + random(reach), reach);
   }
-  EXPECT_GT(told_, 10);
+  EXPECT_GT(reported_, 10);
 }
 
 // Motions that pass by something: in their middle the clearance neither grows nor falls, and at
 // both ends it is greater.
 TEST_P(WayClearances, NothingComesCloserWhereSomethingIsPassed) {
   constexpr int kMotions = 20, kAttempts = 20000;
-  for (int n = 0; n < kAttempts && told_ < kMotions; ++n) {
+  for (int n = 0; n < kAttempts && reported_ < kMotions; ++n) {
     const double reach = n % 2 == 0 ? 0.2 : 0.6; // rad
     const JointVector middle = scene_.cell.home() + random(0.7);
     const JointVector growth = scene_.growthAt(middle);
@@ -135,8 +137,8 @@ TEST_P(WayClearances, NothingComesCloserWhereSomethingIsPassed) {
         scene_.clearanceAt(middle) + 0.2)
       expectKept(from, to, 2.0 * reach);
   }
-  EXPECT_EQ(told_, kMotions);
-  EXPECT_EQ(between_, told_);
+  EXPECT_EQ(reported_, kMotions);
+  EXPECT_EQ(between_, reported_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, WayClearances,

@@ -128,7 +128,7 @@ private:
 
 struct Tally {
   std::size_t triangles = 0, sharp = 0, points = 0, notManifold = 0;
-  double sum = 0.0, most = 0.0, seconds = 0.0;
+  double sum = 0.0, maximum = 0.0, seconds = 0.0;
 
   // Triangles wholly inside the part are judged, by their corners and middles.
   void add(const geometry::TriangleMesh& m, const test::FieldFunction& field, double iso,
@@ -144,7 +144,7 @@ struct Tally {
             (field(p + h * Vector3d::Unit(axis)) - field(p - h * Vector3d::Unit(axis))) / (2 * h);
       const double d = std::abs(field(p) - iso) / g.norm();
       sum += d;
-      most = std::max(most, d);
+      maximum = std::max(maximum, d);
       ++points;
     };
     std::map<std::pair<int, int>, int> directed;
@@ -157,10 +157,10 @@ struct Tally {
       const auto angle = [](const Vector3d& u, const Vector3d& v) {
         return base::radiansToDegrees(std::atan2(u.cross(v).norm(), u.dot(v)));
       };
-      const double least =
+      const double minimum =
           std::min({angle(b - a, c - a), angle(a - b, c - b), angle(a - c, b - c)});
       ++triangles;
-      sharp += least < 15.0;
+      sharp += minimum < 15.0;
       for (const Vector3d& p : {a, b, c, Vector3d((a + b + c) / 3.0)})
         off(p);
     }
@@ -170,7 +170,7 @@ struct Tally {
         "  %-22s %7zu triangles, %.4f below 15 degrees, off the level %.4f mm mean, %.4f most, "
         "%zu edges not manifold, %.2f s\n",
         name, triangles, static_cast<double>(sharp) / static_cast<double>(triangles),
-        sum / static_cast<double>(points), most, notManifold, seconds);
+        sum / static_cast<double>(points), maximum, notManifold, seconds);
   }
 };
 

@@ -163,8 +163,10 @@ TEST(ConvexFront, KeptFacetsAnswerLikeThoseFromScratch) {
         left.insert(v);
     EXPECT_EQ(left, std::set<std::int32_t>(near.begin(), near.end()));
 
-    const auto goes = [&](std::size_t v) { return left.count(static_cast<std::int32_t>(v)) > 0; };
-    front.nearRemovable(1.0, goes, near);
+    const auto isRemovable = [&](std::size_t v) {
+      return left.count(static_cast<std::int32_t>(v)) > 0;
+    };
+    front.nearRemovable(1.0, isRemovable, near);
     for (const std::int32_t v : left)
       if (random() % 4 == 0)
         front.remove(static_cast<std::size_t>(v));
@@ -229,12 +231,12 @@ TEST(ConvexFront, OfAFlatPartIsThePlanarHull) {
     for (const Eigen::Vector2d& a : points)
       for (const Eigen::Vector2d& b : points) {
         const Eigen::Vector2d side = b - a;
-        const auto turn = [&](const Eigen::Vector2d& p) {
+        const auto orientation = [&](const Eigen::Vector2d& p) {
           return side.x() * (p.y() - a.y()) - side.y() * (p.x() - a.x());
         };
-        outside |= side.squaredNorm() > 0.0 && turn(q) <= 0.0 &&
+        outside |= side.squaredNorm() > 0.0 && orientation(q) <= 0.0 &&
                    std::all_of(points.begin(), points.end(),
-                               [&](const Eigen::Vector2d& p) { return turn(p) >= 0.0; });
+                               [&](const Eigen::Vector2d& p) { return orientation(p) >= 0.0; });
       }
     inside += !outside;
     EXPECT_EQ(front.deeperThan(v, 0.0, hint), !outside) << v;
@@ -251,18 +253,18 @@ TEST(Flood, LeavesNoPits) {
   const std::vector<float> raised = withoutPits(graph, field, 0.15f, kQuiet);
   // Every voxel from a neighbour to another, by faces where they reach it: a plain search for the
   // shortest distances.
-  std::vector<float> least(graph.size(), std::numeric_limits<float>::infinity());
+  std::vector<float> minimum(graph.size(), std::numeric_limits<float>::infinity());
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (graph.onPlatform[v])
-      least[v] = std::max(field[v], 0.075f);
+      minimum[v] = std::max(field[v], 0.075f);
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t v = 0; v < graph.size(); ++v)
       for (std::size_t s = 0; s < 6; ++s)
         if (const std::int32_t w = graph.neighbour[v][s]; w >= 0) {
-          const float by = std::max(field[v], least[static_cast<std::size_t>(w)] + 0.15f);
-          changed |= by < least[v];
-          least[v] = std::min(least[v], by);
+          const float by = std::max(field[v], minimum[static_cast<std::size_t>(w)] + 0.15f);
+          changed |= by < minimum[v];
+          minimum[v] = std::min(minimum[v], by);
         }
   }
   std::size_t byEdge = 0, kept = 0;
@@ -273,8 +275,8 @@ TEST(Flood, LeavesNoPits) {
     EXPECT_TRUE(carried) << v;
     EXPECT_GE(raised[v], field[v]);
     kept += raised[v] == field[v];
-    if (std::isfinite(least[v]))
-      EXPECT_EQ(raised[v], least[v]) << v;
+    if (std::isfinite(minimum[v]))
+      EXPECT_EQ(raised[v], minimum[v]) << v;
     else
       ++byEdge;
   }

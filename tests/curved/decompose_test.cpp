@@ -36,10 +36,10 @@ void expectValid(const Decomposition& d, const voxel::SolidVoxels& part) {
   EXPECT_EQ(verdict.missed, d.missedVoxels);
   EXPECT_EQ(verdict.printed + verdict.missed, d.voxels);
   EXPECT_EQ(d.missedVoxels, d.shadowedVoxels + d.unreachedVoxels);
-  std::size_t told = 0;
+  std::size_t reported = 0;
   for (const plan::Finding& f : d.findings)
-    told += f.count;
-  EXPECT_EQ(told, d.missedVoxels);
+    reported += f.count;
+  EXPECT_EQ(reported, d.missedVoxels);
 }
 
 TEST(Decompose, BoxGrowsInFlatLayers) {

@@ -284,7 +284,7 @@ TEST(ForwardGrowth, EverySchemeKeepsItsInvariants) {
         options.queue = variant == 1 ? QueueOrder::Insertion : QueueOrder::Flooding;
         options.boundary = variant == 2 ? Boundary::Inside : Boundary::Outside;
         options.ispThreshold = variant == 3 ? 0 : variant == 4 ? 4 : variant == 5 ? 20 : 1;
-        options.sacrifice = variant >= 4 ? Sacrifice::Least : Sacrifice::Layer;
+        options.sacrifice = variant >= 4 ? Sacrifice::Fewest : Sacrifice::Layer;
         const ForwardGrowth g = forwardGrowth(graph, scheme, options, kQuiet);
         EXPECT_EQ(g.rank, PlainGrowth(graph, scheme, options).rank)
             << graph.size() << " voxels, scheme " << static_cast<int>(scheme) << ", variant "
@@ -308,7 +308,7 @@ TEST(ForwardGrowth, EveryRankKeepsBothConstraints) {
         options.queue = variant == 1 ? QueueOrder::Insertion : QueueOrder::Flooding;
         options.boundary = variant == 2 ? Boundary::Inside : Boundary::Outside;
         options.ispThreshold = variant == 3 ? 0 : variant == 4 ? 5 : 1;
-        options.sacrifice = variant == 4 ? Sacrifice::Least : Sacrifice::Layer;
+        options.sacrifice = variant == 4 ? Sacrifice::Fewest : Sacrifice::Layer;
         options.fieldStep = variant == 4 ? 3 : 1;
         const ForwardGrowth g = forwardGrowth(graph, scheme, options, kQuiet);
         const test::RankVerdict verdict = judged(part, graph, g.rank, margin);
@@ -335,18 +335,18 @@ TEST(ForwardGrowth, ThePeelingFieldBendsTheLayersOfAnArch) {
   EXPECT_EQ(guided.reduced, 0u); // nothing to prevent any more
 }
 
-TEST(ForwardGrowth, LeastSacrificeLosesLessThanALayer) {
+TEST(ForwardGrowth, FewestSacrificeLosesLessThanALayer) {
   // A hanging tip between two posts: nothing saves all of it.
   const VoxelGraph graph = graphOf(test::voxelPart(31, 7, 24, [](int i, int, int k) {
     return i < 5 || i >= 26 || k >= 19 || (i >= 13 && i < 18 && k >= 4);
   }));
   ForwardOptions options;
   const ForwardGrowth layer = forwardGrowth(graph, ForwardScheme::Adaptive, options, kQuiet);
-  options.sacrifice = Sacrifice::Least;
-  const ForwardGrowth least = forwardGrowth(graph, ForwardScheme::Adaptive, options, kQuiet);
+  options.sacrifice = Sacrifice::Fewest;
+  const ForwardGrowth fewest = forwardGrowth(graph, ForwardScheme::Adaptive, options, kQuiet);
   EXPECT_GT(layer.sacrificed, 0u);
-  EXPECT_GT(missed(least), 0u);
-  EXPECT_LE(missed(least), missed(layer));
+  EXPECT_GT(missed(fewest), 0u);
+  EXPECT_LE(missed(fewest), missed(layer));
 }
 
 TEST(ForwardGrowth, SameForAnyNumberOfThreads) {

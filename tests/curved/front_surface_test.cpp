@@ -39,14 +39,14 @@ Decomposition rankedBy(const voxel::SolidVoxels& v, int across) {
 
 // In cells: how far the point is in front of the facet that it is farthest in front of.
 double outside(const geometry::TriangleMesh& surface, const Eigen::Vector3d& point, double pitch) {
-  double most = -1e9;
+  double maximum = -1e9;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Eigen::Vector3d a = surface.corner(t, 0);
     const Eigen::Vector3d n =
         (surface.corner(t, 1) - a).cross(surface.corner(t, 2) - a).normalized();
-    most = std::max(most, n.dot(point - a) / pitch);
+    maximum = std::max(maximum, n.dot(point - a) / pitch);
   }
-  return most;
+  return maximum;
 }
 
 void expectFront(const Decomposition& d, std::int32_t rank) {

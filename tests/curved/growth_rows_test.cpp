@@ -49,13 +49,13 @@ TEST(GrowthRows, RanksKeepBothConstraints) {
       d.rank.assign(part.grid.cellCount(), 0);
       for (std::size_t c = 0; c < d.rank.size(); ++c)
         d.rank[c] = part.solid[c] ? -1 : 0;
-      std::size_t laid = 0;
+      std::size_t printed = 0;
       for (std::size_t v = 0; v < graph.size(); ++v)
         if (growth.rank[v] > 0) {
           d.rank[graph.cellOf(v)] = growth.rank[v];
-          ++laid;
+          ++printed;
         }
-      EXPECT_EQ(growth.laid, laid) << scheme.id();
+      EXPECT_EQ(growth.printed, printed) << scheme.id();
       EXPECT_FALSE(growth.scheme.empty());
       const test::RankVerdict verdict = test::checkRanks(d, part.solid);
       EXPECT_GT(verdict.printed, part.count / 2) << scheme.id();

@@ -39,16 +39,16 @@ void triangleQuality(const layers::LayerStack& stack) {
   double shortest = 1e9;
   for (const auto& p : stack.patches)
     for (std::size_t t = 0; t < p.surface.triangles.size(); ++t) {
-      double least = 180.0;
+      double minimum = 180.0;
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d a = p.surface.corner(t, (k + 1) % 3) - p.surface.corner(t, k),
                               b = p.surface.corner(t, (k + 2) % 3) - p.surface.corner(t, k);
-        least = std::min(least, std::atan2(a.cross(b).norm(), a.dot(b)) * 57.29578);
+        minimum = std::min(minimum, std::atan2(a.cross(b).norm(), a.dot(b)) * 57.29578);
         shortest = std::min(shortest, a.norm());
       }
       ++triangles;
-      below5 += least < 5.0;
-      below15 += least < 15.0;
+      below5 += minimum < 5.0;
+      below15 += minimum < 15.0;
     }
   std::printf("  %zu triangles; least angle below 5: %.4f, below 15: %.4f; shortest edge %.5f\n",
               triangles, static_cast<double>(below5) / static_cast<double>(triangles),
@@ -162,16 +162,16 @@ int main(int argc, char** argv) try {
         v.volumeRatio, v.boundaryFarthestMm, v.seamVertices, v.nearVertices, v.looseVertices,
         v.notSimple, v.layersRise ? "" : ", LAYERS OUT OF ORDER");
     std::printf("  thickness by distance %.3f, P01 %.3f, P99 %.3f, within %.4f, as told %.4f\n",
-                v.thicknessMeanMm, v.thicknessP01Mm, v.thicknessP99Mm, v.within, v.asTold);
+                v.thicknessMeanMm, v.thicknessP01Mm, v.thicknessP99Mm, v.within, v.asReported);
     std::printf("  unsupported %.4f of the area, patches in the air %zu, out of order %zu; points "
                 "in none %.4f, in several %.4f; sharp edges %zu, P99 %.4f mm off, most %.4f\n",
                 v.unsupported, v.patchesInTheAir, v.outOfOrder, v.inNone, v.inSeveral,
-                v.sharpCrossings, v.sharpOffP99Mm, v.sharpOffMostMm);
+                v.sharpCrossings, v.sharpOffP99Mm, v.sharpOffMaxMm);
     std::printf(
         "  sharp most at %.2f %.2f %.2f; upward surface to tops: mean %.4f, P99 %.4f mm; plate "
         "to feet %.4f mm\n",
         v.sharpOffAt.x(), v.sharpOffAt.y(), v.sharpOffAt.z(), v.topMeanMm, v.topP99Mm,
-        v.plateMostMm);
+        v.plateMaxMm);
     std::printf("  within 25 degrees of the layers (%.3f of the surface): mean %.4f, P99 %.4f mm\n",
                 v.flatTopShare, v.flatTopMeanMm, v.flatTopP99Mm);
     for (const auto& a : v.air) {

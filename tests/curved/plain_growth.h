@@ -41,7 +41,7 @@ public:
     for (std::int32_t r = 1; !layer.empty(); ++r) {
       for (const std::int32_t v : layer) {
         rank[at(v)] = r;
-        state_[at(v)] = State::Laid;
+        state_[at(v)] = State::Printed;
       }
       corners_ = cornersWith(layer);
       lose(insideOf(corners_));
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  enum class State { Free, Waiting, Tried, Laid, Lost };
+  enum class State { Free, Waiting, Tried, Printed, Lost };
   static std::size_t at(std::int32_t v) { return static_cast<std::size_t>(v); }
 
   std::vector<curved::LatticePoint> cornersWith(const std::vector<std::int32_t>& more) const {
@@ -136,7 +136,7 @@ private:
           threshold_ += options_.fieldStep;
         continue;
       }
-      if (taken.empty() && options_.sacrifice == curved::Sacrifice::Least) {
+      if (taken.empty() && options_.sacrifice == curved::Sacrifice::Fewest) {
         limit = shadowed.size();
         for (const std::int32_t v : layer)
           limit = std::min(limit, insideOf(cornersWith({v})).size());

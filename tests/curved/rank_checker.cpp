@@ -53,13 +53,13 @@ public:
 
   // Below the nearest facet's plane; negative outside; -1 where there is no hull.
   double depth(const Eigen::Vector3d& p) const {
-    double least = planes_.empty() ? -1.0 : 1e9;
+    double minimum = planes_.empty() ? -1.0 : 1e9;
     for (const auto& [n, offset] : planes_) {
-      least = std::min(least, offset - n.dot(p));
-      if (least < 0.0)
+      minimum = std::min(minimum, offset - n.dot(p));
+      if (minimum < 0.0)
         break;
     }
-    return least;
+    return minimum;
   }
 
 private:
@@ -87,13 +87,13 @@ bool onPlatform(const curved::Decomposition& d, std::size_t at) {
 }
 
 template <typename Visit>
-void eachNeighbour(const curved::Decomposition& d, std::size_t at, int most, Visit&& visit) {
+void eachNeighbour(const curved::Decomposition& d, std::size_t at, int maximum, Visit&& visit) {
   const Eigen::Vector3i c = d.grid.cell(at);
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const int l1 = std::abs(dx) + std::abs(dy) + std::abs(dz);
-        if (l1 > 0 && l1 <= most && d.grid.contains(c.x() + dx, c.y() + dy, c.z() + dz))
+        if (l1 > 0 && l1 <= maximum && d.grid.contains(c.x() + dx, c.y() + dy, c.z() + dz))
           visit(d.grid.index(c.x() + dx, c.y() + dy, c.z() + dz), Eigen::Vector3d(dx, dy, dz));
       }
 }

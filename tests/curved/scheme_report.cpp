@@ -64,7 +64,7 @@ int main(int argc, char** argv) try {
     else if (arg == "--step")
       options.fieldStep = std::stoi(next());
     else if (arg == "--sacrifice")
-      options.sacrifice = next() == "least" ? curved::Sacrifice::Least : curved::Sacrifice::Layer;
+      options.sacrifice = next() == "least" ? curved::Sacrifice::Fewest : curved::Sacrifice::Layer;
     else if (arg == "--no-check")
       check = false;
     else

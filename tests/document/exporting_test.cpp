@@ -70,9 +70,9 @@ TEST_F(ExportingTest, LeavesTheProgramsAndAReportOfThemAndNothingElse) {
 
 TEST_F(ExportingTest, NamesTheFilesItWouldReplace) {
   const pipeline::Programs csv = programs({"csv"});
-  EXPECT_TRUE(Exporting::inTheWay(folder_.path(), *plan_, csv).isEmpty());
+  EXPECT_TRUE(Exporting::conflictingFiles(folder_.path(), *plan_, csv).isEmpty());
   write(csv, folder_.path());
-  const QStringList names = Exporting::inTheWay(folder_.path(), *plan_, csv);
+  const QStringList names = Exporting::conflictingFiles(folder_.path(), *plan_, csv);
   const std::vector<std::string> proofs = pipeline::proofNames(*plan_, csv);
   EXPECT_EQ(names.size(), 4 + static_cast<qsizetype>(proofs.size()));
   EXPECT_TRUE(names.contains("report.json"));
@@ -82,7 +82,7 @@ TEST_F(ExportingTest, NamesTheFilesItWouldReplace) {
   QStringList shared{"pedestal.dxf", "pedestal.stl"};
   if (!proofs.empty()) // the mesh of the part as printed is of the plan
     shared << QString::fromStdString(proofs.back());
-  EXPECT_EQ(Exporting::inTheWay(folder_.path(), *plan_, programs({"gcode-extended"})),
+  EXPECT_EQ(Exporting::conflictingFiles(folder_.path(), *plan_, programs({"gcode-extended"})),
             shared << "report.json");
 }
 

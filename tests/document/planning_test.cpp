@@ -314,9 +314,9 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   document_.setChoices(close->choices, "Close the openings");
   plan(Stage::Load);
   EXPECT_EQ(document_.result(Stage::Load)->job.item().part->triangles.size(), 12u);
-  const plan::Finding told = document_.lastResult()->job.report.findings.at(0);
-  EXPECT_EQ(told.kind, plan::FindingKind::RimsClosed);
-  EXPECT_FALSE(told.blocking);
+  const plan::Finding reported = document_.lastResult()->job.report.findings.at(0);
+  EXPECT_EQ(reported.kind, plan::FindingKind::RimsClosed);
+  EXPECT_FALSE(reported.blocking);
 }
 
 TEST(ProgressOfWay, ShowsRemainingTimeForTheLastWayOnly) {
@@ -325,11 +325,11 @@ TEST(ProgressOfWay, ShowsRemainingTimeForTheLastWayOnly) {
   progress.fraction = 0.25;
   progress.secondsLeft = 7.0;
   for (const std::size_t number : {1, 2, 3}) {
-    const jobs::Progress told = progressOfWay(progress, {"pieces"_text, number, 3});
-    EXPECT_EQ(base::english(told.stage),
+    const jobs::Progress reported = progressOfStrategy(progress, {"pieces"_text, number, 3});
+    EXPECT_EQ(base::english(reported.stage),
               "Trying pieces (" + std::to_string(number) + " of 3): Layers");
-    EXPECT_EQ(told.fraction, 0.25);
-    EXPECT_EQ(told.secondsLeft, number == 3 ? std::optional(7.0) : std::nullopt) << number;
+    EXPECT_EQ(reported.fraction, 0.25);
+    EXPECT_EQ(reported.secondsLeft, number == 3 ? std::optional(7.0) : std::nullopt) << number;
   }
 }
 

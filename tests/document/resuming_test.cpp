@@ -46,7 +46,7 @@ protected:
 
 TEST_F(ResumingTest, OpensAsAProjectOfItsOwn) {
   const std::size_t point = middle();
-  const double laid = document_.result(Stage::Motion)->job.trajectory->extrudedMm3[point];
+  const double deposited = document_.result(Stage::Motion)->job.trajectory->extrudedMm3[point];
   resume();
   EXPECT_TRUE(document_.isRest());
   EXPECT_TRUE(document_.projectFile().isEmpty());
@@ -56,7 +56,7 @@ TEST_F(ResumingTest, OpensAsAProjectOfItsOwn) {
   for (const Stage stage : {Stage::Load, Stage::Toolpath, Stage::Motion, Stage::Replay})
     EXPECT_TRUE(document_.upToDate(stage));
   const project::Job& job = document_.result(Stage::Motion)->job;
-  EXPECT_DOUBLE_EQ(job.trajectory->extrudedMm3[job.resumedAt], laid);
+  EXPECT_DOUBLE_EQ(job.trajectory->extrudedMm3[job.resumedAt], deposited);
 }
 
 TEST_F(ResumingTest, CancelledTheDocumentIsAsItWas) {

@@ -137,10 +137,10 @@ TEST_F(SavingTest, AFailedSaveLeavesTheOldFile) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   QSignalSpy failed(&saving_, &Saving::failed);
   saving_.save();
-  const bool told = failed.wait(5000);
+  const bool reported = failed.wait(5000);
   ::setrlimit(RLIMIT_FSIZE, &limit);
   ::signal(SIGXFSZ, oldHandler);
-  ASSERT_TRUE(told);
+  ASSERT_TRUE(reported);
   EXPECT_TRUE(document_.dirty());
   QFile after(file);
   ASSERT_TRUE(after.open(QIODevice::ReadOnly));

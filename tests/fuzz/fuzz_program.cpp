@@ -34,10 +34,10 @@ plan::Trajectory sampleTrajectory(bool external) {
   constexpr int kPoints = 8;
   for (int i = 0; i < kPoints; ++i) {
     const bool prints = i > 2 && i + 1 < kPoints;
-    const double turn = 0.002 * i;
-    t.joints.insert(t.joints.end(), {0.1 + turn, -1.9, 1.7, -1.2, -1.4, 0.3});
+    const double rotation = 0.002 * i;
+    t.joints.insert(t.joints.end(), {0.1 + rotation, -1.9, 1.7, -1.2, -1.4, 0.3});
     if (external)
-      t.joints.push_back(100.0 * turn);
+      t.joints.push_back(100.0 * rotation);
     t.timeS.push_back(0.5 * i);
     t.extrudedMm3.push_back(prints ? t.extrudedMm3.back() + 0.8
                                    : (i == 0 ? 0.0 : t.extrudedMm3.back()));

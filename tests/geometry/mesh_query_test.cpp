@@ -57,7 +57,7 @@ double windingByExcess(const TriangleMesh& m, const Vector3d& p) {
 double distanceBySampling(const TriangleMesh& m, const Vector3d& p) {
   double best = 1e300;
   for (std::size_t t = 0; t < m.triangles.size(); ++t) {
-    double u0 = 0.0, v0 = 0.0, width = 1.0, least = 1e300;
+    double u0 = 0.0, v0 = 0.0, width = 1.0, minimum = 1e300;
     for (int level = 0; level < 30; ++level) {
       double bestU = u0, bestV = v0;
       for (int i = -4; i <= 4; ++i)
@@ -66,8 +66,8 @@ double distanceBySampling(const TriangleMesh& m, const Vector3d& p) {
           const double v = std::clamp(v0 + j * width / 4, 0.0, 1.0 - u);
           const Vector3d q = m.corner(t, 0) + u * (m.corner(t, 1) - m.corner(t, 0)) +
                              v * (m.corner(t, 2) - m.corner(t, 0));
-          if ((q - p).norm() < least) {
-            least = (q - p).norm();
+          if ((q - p).norm() < minimum) {
+            minimum = (q - p).norm();
             bestU = u;
             bestV = v;
           }
@@ -76,7 +76,7 @@ double distanceBySampling(const TriangleMesh& m, const Vector3d& p) {
       v0 = bestV;
       width *= 0.6;
     }
-    best = std::min(best, least);
+    best = std::min(best, minimum);
   }
   return best;
 }

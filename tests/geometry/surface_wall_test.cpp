@@ -159,11 +159,11 @@ TEST(SurfaceWall, RandomWavesHaveTheVolumeOfTheirAreaAndAreClosed) {
   for (int k = 0; k < test::ofSeeds(30, 150); ++k) {
     const double amplitude = 2.0 * unit(random), waves = 0.5 + unit(random),
                  width = 0.4 + unit(random);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
+    const Eigen::Quaterniond rotation = Eigen::Quaterniond::UnitRandom();
     const int cells = 16 + static_cast<int>(10 * unit(random));
     const TriangleMesh sheet = gridOf(cells, cells, false, [&](double u, double v) {
       const double h = amplitude * std::sin(2 * std::numbers::pi * waves * u);
-      return Vector3d(turn * Vector3d(30 * u, 30 * v, h));
+      return Vector3d(rotation * Vector3d(30 * u, 30 * v, h));
     });
     const TriangleMesh wall = surfaceWall(sheet, {width}, {});
     EXPECT_TRUE(diagnose(wall).watertight) << k;

@@ -25,14 +25,14 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Quaterniond& by, const Vecto
 
 // A tube of `sides` about a helix, closed at its ends: where the pitch is less than its width it
 // sweeps through itself.
-TriangleMesh thread(double radius, double pitch, double tubeRadius, int turns, int perTurn = 32,
-                    int sides = 10) {
+TriangleMesh thread(double radius, double pitch, double tubeRadius, int turns,
+                    int perRevolution = 32, int sides = 10) {
   TriangleMesh m;
-  const int rings = turns * perTurn;
+  const int rings = turns * perRevolution;
   for (int i = 0; i <= rings; ++i) {
-    const double a = 2.0 * base::kPi * i / perTurn;
+    const double a = 2.0 * base::kPi * i / perRevolution;
     const Vector3d out(std::cos(a), std::sin(a), 0.0);
-    const Vector3d middle = radius * out + Vector3d(0, 0, pitch * i / perTurn);
+    const Vector3d middle = radius * out + Vector3d(0, 0, pitch * i / perRevolution);
     for (int s = 0; s < sides; ++s) {
       const double b = 2.0 * base::kPi * s / sides;
       m.vertices.push_back(middle +
@@ -116,9 +116,9 @@ TEST(WindingUnion, TurnedBoxes) {
     std::uniform_real_distribution<double> in(-1.0, 1.0);
     TriangleMesh m;
     for (int i = 0; i < 8; ++i) {
-      const Eigen::Quaterniond turn =
+      const Eigen::Quaterniond rotation =
           Eigen::Quaterniond(in(random), in(random), in(random), in(random)).normalized();
-      test::append(m, turned(test::box({-3, -4, -5}, {3, 4, 5}), turn,
+      test::append(m, turned(test::box({-3, -4, -5}, {3, 4, 5}), rotation,
                              4.0 * Vector3d(in(random), in(random), in(random))));
     }
     expectUnited(m, "turned boxes " + std::to_string(seed));

@@ -52,7 +52,7 @@ TEST_F(AutomaticTest, ChosenWayIsShown) {
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
   EXPECT_EQ(mode(), "auto");
-  const auto& first = pipeline::automaticWays().front();
+  const auto& first = pipeline::automaticStrategies().front();
   EXPECT_EQ(document().choices().item().mode, first.mode);
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
   EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
@@ -84,7 +84,7 @@ TEST_F(AutomaticTest, TheFormShowsTheValuesOfTheWayAndTheUsersOwnOverThem) {
   auto choices = document().choices();
   choices.item().mode = "flat";
   choices.item().platform = project::Platform("cell");
-  choices.item().automaticWay = "flat-low";
+  choices.item().automaticStrategy = "flat-low";
   window().document().setChoices(choices, "way");
   EXPECT_EQ(supports(), "auto");
   EXPECT_DOUBLE_EQ(layerHeight(), 0.5);

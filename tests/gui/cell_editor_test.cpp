@@ -142,18 +142,19 @@ TEST_F(CellEditorTest, NozzleMovesToTheMeasuredPose) {
   inEditor([&](window::CellEditor& editor) {
     choose(editor, "Nozzle");
     const Eigen::Isometry3d before = body(editor, robot::DraftBody::Kind::Nozzle).pose;
-    inMeasuring([&](QDialog& dialog, QPlainTextEdit& rows, QLabel& told) {
+    inMeasuring([&](QDialog& dialog, QPlainTextEdit& rows, QLabel& reported) {
       auto* use = dialog.findChild<QPushButton*>("measureUse");
       EXPECT_FALSE(use->isEnabled());
       paste(rows, "400 100 20\n550 100 20\n700 100 20");
       EXPECT_FALSE(use->isEnabled());
-      EXPECT_TRUE(told.text().contains("line")) << told.text().toStdString();
-      EXPECT_FALSE(told.text().contains('\n')) << told.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("line")) << reported.text().toStdString();
+      EXPECT_FALSE(reported.text().contains('\n')) << reported.text().toStdString();
       paste(rows, "400 100 20\n550 100 x");
-      EXPECT_TRUE(told.text().contains("'x' is not a number")) << told.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("'x' is not a number")) << reported.text().toStdString();
       paste(rows, "400 100 20\n400 250 20\n250 100 20");
-      EXPECT_TRUE(told.text().contains("400.000, 100.000, 20.000")) << told.text().toStdString();
-      EXPECT_TRUE(told.text().contains("90.000")) << told.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("400.000, 100.000, 20.000"))
+          << reported.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("90.000")) << reported.text().toStdString();
       keepPicture(dialog, "measure_frame");
       press(dialog, "measureUse");
     });
@@ -181,29 +182,30 @@ TEST_F(CellEditorTest, ATipIsMeasuredByTouchingOnePoint) {
   QString rows;
   for (int i = 0; i < 5; ++i) {
     const Vector3d axis(std::cos(1.2 * i), std::sin(1.2 * i), 0.3);
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(2.6 + 0.1 * i, axis.normalized()));
-    const Vector3d flange = point - turn * tip;
-    for (const double value :
-         {flange.x(), flange.y(), flange.z(), turn.w(), turn.x(), turn.y(), turn.z()})
+    const Eigen::Quaterniond rotation(Eigen::AngleAxisd(2.6 + 0.1 * i, axis.normalized()));
+    const Vector3d flange = point - rotation * tip;
+    for (const double value : {flange.x(), flange.y(), flange.z(), rotation.w(), rotation.x(),
+                               rotation.y(), rotation.z()})
       rows += QString::number(value, 'f', 9) + QLatin1Char(' ');
     rows += QLatin1Char('\n');
   }
   inEditor([&](window::CellEditor& editor) {
     choose(editor, "Nozzle");
-    const Eigen::Matrix3d turn = body(editor, robot::DraftBody::Kind::Nozzle).pose.linear();
-    inMeasuring([&](QDialog& dialog, QPlainTextEdit& into, QLabel& told) {
+    const Eigen::Matrix3d rotation = body(editor, robot::DraftBody::Kind::Nozzle).pose.linear();
+    inMeasuring([&](QDialog& dialog, QPlainTextEdit& into, QLabel& reported) {
       paste(into, rows.section(QLatin1Char('\n'), 0, 2));
       EXPECT_FALSE(dialog.findChild<QPushButton*>("measureUse")->isEnabled()) << "three poses";
-      EXPECT_FALSE(told.text().isEmpty());
+      EXPECT_FALSE(reported.text().isEmpty());
       paste(into, rows);
-      EXPECT_TRUE(told.text().contains("3.000, -2.000, 210.000")) << told.text().toStdString();
-      EXPECT_TRUE(told.text().contains("5 rows")) << told.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("3.000, -2.000, 210.000"))
+          << reported.text().toStdString();
+      EXPECT_TRUE(reported.text().contains("5 rows")) << reported.text().toStdString();
       press(dialog, "measureUse");
     });
     press(editor, "cellMeasure");
     const Eigen::Isometry3d pose = body(editor, robot::DraftBody::Kind::Nozzle).pose;
     EXPECT_LT((pose.translation() - tip).norm(), 1e-6);
-    EXPECT_LT((pose.linear() - turn).norm(), 1e-9);
+    EXPECT_LT((pose.linear() - rotation).norm(), 1e-9);
     ASSERT_TRUE(settled(editor));
     editor.done(QDialog::Rejected);
   });

@@ -98,9 +98,9 @@ TEST_F(CellTest, PartBeyondThePlateIsAmberAndOneClickMovesItBack) {
   EXPECT_TRUE(window().viewport().view().reach);
   EXPECT_GT(colouredShare(picture()), colouredShare(before) + 0.02);
 
-  geometry::Placement aside;
-  aside.centreMm = {400.0, 0.0};
-  document().place(aside, "move");
+  geometry::Placement shifted;
+  shifted.centreMm = {400.0, 0.0};
+  document().place(shifted, "move");
   ASSERT_TRUE(reachKnown());
   EXPECT_TRUE(window().viewport().view().partBeyond);
   EXPECT_TRUE(reachText().startsWith("The part is off")) << reachText().toStdString();
@@ -122,9 +122,9 @@ TEST_F(CellTest, OneClickMovesThePartToTheBestPlaceOfAnotherArm) {
   document().setChoices(choices, "cell");
   find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
   ASSERT_TRUE(reachKnown());
-  geometry::Placement aside;
-  aside.centreMm = {900.0, 300.0};
-  document().place(aside, "move");
+  geometry::Placement shifted;
+  shifted.centreMm = {900.0, 300.0};
+  document().place(shifted, "move");
   ASSERT_TRUE(reachKnown());
   EXPECT_TRUE(reachText().startsWith("The part is off")) << reachText().toStdString();
   click(moveButton());
@@ -136,7 +136,7 @@ TEST_F(CellTest, OneClickMovesThePartToTheBestPlaceOfAnotherArm) {
   keepPicture(window(), "best_place");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(reachKnown());
-  EXPECT_EQ(document().choices().item().placement.centreMm, aside.centreMm);
+  EXPECT_EQ(document().choices().item().placement.centreMm, shifted.centreMm);
 }
 
 // A post beside the plate, of the user's own: saved, taken, and a body of the planned job.

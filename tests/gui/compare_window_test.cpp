@@ -75,7 +75,7 @@ TEST_F(CompareTest, RowsAppearAndOneIsAdoptedAsOneEdit) {
 
   EXPECT_FALSE(find<QPushButton>("adopt")->isEnabled());
   select(3);
-  EXPECT_EQ(table().entries()[3].way, QString("Flat layers"));
+  EXPECT_EQ(table().entries()[3].strategy, QString("Flat layers"));
   const int edits = document().undoStack()->index();
   press("adopt");
   EXPECT_EQ(document().choices().item().mode, "flat");

@@ -226,11 +226,11 @@ TEST_F(ExportTest, ShowsSizeFilesAndTimesOfAProgram) {
   EXPECT_TRUE(text("programTime").startsWith("Time on the controller: "))
       << text("programTime").toStdString();
   EXPECT_TRUE(text("assumptions").contains("8 ms")) << text("assumptions").toStdString();
-  auto* most = qobject_cast<QSpinBox*>(option("motionsPerFile")->editor());
-  most->setFocus();
-  QTest::keyClick(most, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClicks(most, "600");
-  QTest::keyClick(most, Qt::Key_Tab);
+  auto* spinBox = qobject_cast<QSpinBox*>(option("motionsPerFile")->editor());
+  spinBox->setFocus();
+  QTest::keyClick(spinBox, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(spinBox, "600");
+  QTest::keyClick(spinBox, Qt::Key_Tab);
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   choosePage(Page::Export);

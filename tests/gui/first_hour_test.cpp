@@ -200,13 +200,13 @@ TEST_F(FirstHourTest, InvalidProcessValueIsExplainedUnderItsField) {
   EXPECT_TRUE(status->text().contains("marked setting")) << status->text().toStdString();
   EXPECT_FALSE(find<QLabel>("notice")->isVisible()) << "told once";
   EXPECT_EQ(document().failure(), nullptr);
-  int told = 0;
+  int reported = 0;
   for (const QLabel* label : window().findChildren<QLabel*>())
     if (label->isVisible()) {
       EXPECT_FALSE(label->text().contains("layerHeightMm")) << label->text().toStdString();
-      told += label->text().contains("5 mm");
+      reported += label->text().contains("5 mm");
     }
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(reported, 1);
   type(height->editor(), "0.8");
   QTest::keyClick(height->editor(), Qt::Key_Tab);
   EXPECT_FALSE(height->hasProblem());
@@ -434,10 +434,10 @@ TEST_F(FirstHourTest, PictureKeepsItsSizeDuringAPlan) {
 TEST_F(FirstHourTest, SizeOfThePartIsShownAtMostTwice) {
   openPart(plinth());
   choosePage(Page::Prepare);
-  int told = 0;
+  int reported = 0;
   for (const QLabel* label : window().findChildren<QLabel*>())
-    told += label->text().contains(QString::fromUtf8("9.0 × 9.0 × 5.0"));
-  EXPECT_LE(told, 2); // where it is scaled, and in the status line
+    reported += label->text().contains(QString::fromUtf8("9.0 × 9.0 × 5.0"));
+  EXPECT_LE(reported, 2); // where it is scaled, and in the status line
   auto* tree = find<QTreeWidget>("tree");
   for (int column = 0; column < tree->columnCount(); ++column)
     EXPECT_FALSE(tree->topLevelItem(0)->text(column).contains("9.0"));

@@ -164,7 +164,7 @@ TEST_F(LatheWindowTest, LayersShowTheirRadiusAndAreUnrolledBesideThePicture) {
   auto* bar = find<timeline::TimelineBar>("timeline");
   const int half = window().presenter().movesOf(1) / 2;
   bar->setMove(half);
-  EXPECT_EQ(canvas().content().notLaidFrom,
+  EXPECT_EQ(canvas().content().unprintedFrom,
             window().presenter().waypointsOf(1)[static_cast<std::size_t>(half)]);
   clickMenu("viewMenu", "toggleUnrolled");
   EXPECT_FALSE(find<QDockWidget>("unrolledDock")->isVisible());

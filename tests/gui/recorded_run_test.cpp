@@ -54,10 +54,10 @@ protected:
     };
     std::vector<double> printedMm(t.pointCount(), 0.0);
     for (std::size_t i = 1; i < t.pointCount(); ++i) {
-      const double way = (cell.work_T_tool(jointsAt(i)).translation() -
-                          cell.work_T_tool(jointsAt(i - 1)).translation())
-                             .norm();
-      printedMm[i] = printedMm[i - 1] + (t.move[i] == plan::MoveKind::Print ? way : 0.0);
+      const double distance = (cell.work_T_tool(jointsAt(i)).translation() -
+                               cell.work_T_tool(jointsAt(i - 1)).translation())
+                                  .norm();
+      printedMm[i] = printedMm[i - 1] + (t.move[i] == plan::MoveKind::Print ? distance : 0.0);
     }
     std::string text = "time_s";
     for (int k = 1; k <= t.dof; ++k)
@@ -83,40 +83,40 @@ protected:
     return file;
   }
   // By the menu; the sentence that the dialog begins with and its sign.
-  struct Told {
+  struct Reported {
     QString sentence;
     bool isBlocked = false;
   };
-  Told compared(const QString& file, const char* name) {
+  Reported compared(const QString& file, const char* name) {
     answerFileDialog(file);
     clickMenu("runMenu", "compareRun");
-    Told told;
+    Reported reported;
     auto* dialog = window().findChild<QDialog*>("runDialog");
     EXPECT_NE(dialog, nullptr);
     if (!dialog)
-      return told;
+      return reported;
     auto* buttons = dialog->findChild<QDialogButtonBox*>();
     EXPECT_TRUE(waitFor([&] { return buttons->button(QDialogButtonBox::Close) != nullptr; }));
     keepPicture(*dialog, name);
-    told.sentence = dialog->findChild<QLabel*>("runFigures")->text().section('\n', 0, 0);
+    reported.sentence = dialog->findChild<QLabel*>("runFigures")->text().section('\n', 0, 0);
     const QImage sign = dialog->findChild<QLabel*>("runSign")->pixmap().toImage();
-    told.isBlocked = sign == forms::icon(forms::Icon::Blocked).pixmap(sign.size()).toImage();
+    reported.isBlocked = sign == forms::icon(forms::Icon::Blocked).pixmap(sign.size()).toImage();
     QTest::mouseClick(buttons->button(QDialogButtonBox::Close), Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return !window().findChild<QDialog*>("runDialog"); }));
-    return told;
+    return reported;
   }
 };
 
 TEST_P(RecordedRunTest, LessThanNineTenthsIsIncompleteAndLessThanAHundredthNoRecord) {
-  const Told whole = compared(record(1.0), "run_whole");
+  const Reported whole = compared(record(1.0), "run_whole");
   EXPECT_FALSE(whole.isBlocked) << whole.sentence.toStdString();
-  const Told most = compared(record(0.95), "run_most");
-  EXPECT_FALSE(most.isBlocked) << most.sentence.toStdString();
-  const Told half = compared(record(0.5), "run_half");
+  const Reported maximum = compared(record(0.95), "run_most");
+  EXPECT_FALSE(maximum.isBlocked) << maximum.sentence.toStdString();
+  const Reported half = compared(record(0.5), "run_half");
   EXPECT_TRUE(half.isBlocked);
   EXPECT_TRUE(half.sentence.startsWith("Only ") && half.sentence.endsWith("of beads are recorded"))
       << half.sentence.toStdString();
-  const Told begin = compared(record(0.005), "run_begin");
+  const Reported begin = compared(record(0.005), "run_begin");
   EXPECT_TRUE(begin.isBlocked);
   EXPECT_TRUE(begin.sentence.startsWith("This is no record of this job"))
       << begin.sentence.toStdString();

@@ -26,7 +26,9 @@ using project::Stage;
 class StandTest : public WindowTest {
 protected:
   panels::WaysList* ways() { return find<panels::WaysList>("waysToStand"); }
-  QAbstractButton* way(int n) { return find<QAbstractButton>(qPrintable(QString("way%1").arg(n))); }
+  QAbstractButton* orientationButton(int n) {
+    return find<QAbstractButton>(qPrintable(QString("way%1").arg(n)));
+  }
   bool settled() {
     return waitFor([&] {
       return document().upToDate(Stage::Load) && !window().planning().running() &&
@@ -41,7 +43,7 @@ protected:
   double heightMm() { return window().presenter().partBox().sizes().z(); }
   int marked() {
     for (int n = 0; n < static_cast<int>(ways()->count()); ++n)
-      if (way(n)->isChecked())
+      if (orientationButton(n)->isChecked())
         return n;
     return -1;
   }
@@ -68,9 +70,10 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
   ASSERT_EQ(ways()->count(), 3u);
   EXPECT_EQ(marked(), 1) << "as it came, 24 mm would be lower";
   EXPECT_FALSE(tellsOfLyingBadly());
-  EXPECT_TRUE(way(0)->accessibleName().contains("1,800")) << way(0)->accessibleName().toStdString();
+  EXPECT_TRUE(orientationButton(0)->accessibleName().contains("1,800"))
+      << orientationButton(0)->accessibleName().toStdString();
   const QImage before = picture();
-  click(way(0));
+  click(orientationButton(0));
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 24.0, 1e-6);
   EXPECT_EQ(marked(), 0);
@@ -87,10 +90,11 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
 TEST_F(StandTest, TheKeyboardLaysItToo) {
   openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
   const auto* reset = find<panels::PlacementPanel>("placement")->findChild<QWidget*>("reset");
-  EXPECT_EQ(reset->nextInFocusChain(), way(0)) << "Tab comes there from what stands before";
-  EXPECT_EQ(way(1)->nextInFocusChain(), way(2));
-  way(2)->setFocus();
-  QTest::keyClick(way(2), Qt::Key_Space);
+  EXPECT_EQ(reset->nextInFocusChain(), orientationButton(0))
+      << "Tab comes there from what stands before";
+  EXPECT_EQ(orientationButton(1)->nextInFocusChain(), orientationButton(2));
+  orientationButton(2)->setFocus();
+  QTest::keyClick(orientationButton(2), Qt::Key_Space);
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 60.0, 1e-6);
   EXPECT_EQ(marked(), 2);
@@ -98,14 +102,14 @@ TEST_F(StandTest, TheKeyboardLaysItToo) {
 
 TEST_F(StandTest, APlaceOfItsOwnStays) {
   openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
-  geometry::Placement aside;
-  aside.centreMm = {12.0, -7.0};
-  aside.liftMm = 3.0;
-  document().place(aside, "move");
+  geometry::Placement shifted;
+  shifted.centreMm = {12.0, -7.0};
+  shifted.liftMm = 3.0;
+  document().place(shifted, "move");
   ASSERT_TRUE(settled());
-  click(way(0));
+  click(orientationButton(0));
   ASSERT_TRUE(settled());
-  EXPECT_EQ(document().choices().item().placement.centreMm, aside.centreMm);
+  EXPECT_EQ(document().choices().item().placement.centreMm, shifted.centreMm);
   EXPECT_EQ(document().choices().item().placement.liftMm, 0.0) << "on the plate";
 }
 
@@ -139,7 +143,7 @@ TEST_F(StandTest, ListIncludesTheOrientationSetByHand) {
   EXPECT_EQ(ways()->count(), 3u) << "on a corner it does not stand";
   EXPECT_EQ(marked(), -1);
   EXPECT_FALSE(find<QLabel>("waysState")->text().isEmpty());
-  click(way(0));
+  click(orientationButton(0));
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 24.0, 1e-3);
   EXPECT_EQ(marked(), 0);
@@ -167,7 +171,7 @@ TEST_F(StandTest, TheTimeOnACardIsThatOfThePlan) {
   ASSERT_TRUE(settled());
   const auto minutes = [&] {
     const QRegularExpression about("About (\\d+) min");
-    return about.match(way(marked())->accessibleName()).captured(1).toInt();
+    return about.match(orientationButton(marked())->accessibleName()).captured(1).toInt();
   };
   const int solid = minutes();
   EXPECT_GT(solid, 15);

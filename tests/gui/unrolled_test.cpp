@@ -19,7 +19,7 @@ using window::UnrolledLayer;
 
 using base::kPi;
 constexpr double kRadius = 3.625, kHeight = 0.25, kLength = 50.0, kPitch = 0.65;
-constexpr int kAround = 90, kTurns = 70, kStepsATurn = 120;
+constexpr int kAround = 90, kTurns = 70, kStepsPerRevolution = 120;
 
 Eigen::Vector3d onCylinder(double radius, double angle, double x) {
   return {x, radius * std::cos(angle), radius * std::sin(angle)};
@@ -63,8 +63,8 @@ plan::ToolPlan helix() {
   add(0.0, 0.0);
   add(0.1, 0.0);
   plan.paths.push_back({0, 2, plan::PathKind::Wall, 0, 0, 0, false});
-  for (int i = 0; i <= kTurns * kStepsATurn; ++i) {
-    const double turns = static_cast<double>(i) / kStepsATurn;
+  for (int i = 0; i <= kTurns * kStepsPerRevolution; ++i) {
+    const double turns = static_cast<double>(i) / kStepsPerRevolution;
     add(2 * kPi * turns + 0.3, kPitch * (turns - 0.5 * kTurns));
   }
   plan.paths.push_back({2, plan.position.size() - 2, plan::PathKind::Infill, 1, 0, 0, false});
@@ -92,7 +92,7 @@ TEST(UnrolledLayer, KeepsLengthsAndContinuesAcrossTheSeam) {
       EXPECT_LE(std::abs(layer->points[i].x()), 0.5 * period + 1e-9);
       if (i > s.first) {
         const QPointF step = layer->points[i] - layer->points[i - 1];
-        EXPECT_LT(std::hypot(step.x(), step.y()), 1.2 * period / kStepsATurn) << i;
+        EXPECT_LT(std::hypot(step.x(), step.y()), 1.2 * period / kStepsPerRevolution) << i;
         length += std::hypot(step.x(), step.y());
       }
     }
@@ -113,7 +113,7 @@ TEST(UnrolledLayer, KeepsLengthsAndContinuesAcrossTheSeam) {
 
 TEST(UnrolledLayer, FindsThePathUnderAPlaceAlsoAcrossTheSeam) {
   const auto layer = unrolled();
-  const std::size_t waypoint = 2 + 10 * kStepsATurn + 7;
+  const std::size_t waypoint = 2 + 10 * kStepsPerRevolution + 7;
   const auto at = window::placeOf(*layer, waypoint);
   ASSERT_TRUE(at);
   for (const double turns : {0.0, 1.0, -1.0}) {
@@ -168,15 +168,17 @@ TEST(UnrolledPicture, UnprintedMovesAreFaint) {
   window::UnrolledFrame frame;
   frame.pixelsPerMm = 8.0;
   frame.size = {200, 440};
-  const auto blue = [&](std::size_t notLaidFrom) {
-    const QImage image = window::unrolledPicture({layer, notLaidFrom, {}}, frame, plainLook(), {});
+  const auto blue = [&](std::size_t unprintedFrom) {
+    const QImage image =
+        window::unrolledPicture({layer, unprintedFrom, {}}, frame, plainLook(), {});
     int count = 0;
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x)
         count += image.pixelColor(x, y).red() < 60 && image.pixelColor(x, y).blue() > 180;
     return count;
   };
-  const int all = blue(1'000'000), half = blue(2 + kTurns * kStepsATurn / 2), none = blue(0);
+  const int all = blue(1'000'000), half = blue(2 + kTurns * kStepsPerRevolution / 2),
+            none = blue(0);
   EXPECT_GT(all, 20'000);
   EXPECT_NEAR(half, 0.5 * all, 0.06 * all);
   EXPECT_EQ(none, 0);
@@ -205,7 +207,7 @@ TEST_F(UnrolledViewTest, ClickSelectsTheWaypointUnderIt) {
   std::vector<std::optional<std::size_t>> chosen;
   QObject::connect(&view_, &window::UnrolledView::chosen,
                    [&](std::optional<std::size_t> waypoint) { chosen.push_back(waypoint); });
-  const std::size_t waypoint = 2 + 30 * kStepsATurn + 11;
+  const std::size_t waypoint = 2 + 30 * kStepsPerRevolution + 11;
   const QPointF at = canvas().pixelOf(*window::placeOf(*canvas().content().layer, waypoint));
   QTest::mouseMove(&canvas(), at.toPoint());
   QTest::mouseClick(&canvas(), Qt::LeftButton, {}, at.toPoint());

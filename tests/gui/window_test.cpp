@@ -320,9 +320,9 @@ TEST_F(WindowTest, FitsASmallScreenInEveryLanguage) {
     for (const char* page : {Page::Prepare, Page::Layers, Page::Simulate, Page::Export}) {
       window().pages().show(*window().pages().find(page));
       QCoreApplication::processEvents();
-      const QSize least = window().minimumSizeHint();
-      EXPECT_LE(least.width(), 853) << language << " page " << page;
-      EXPECT_LE(least.height(), 533) << language << " page " << page;
+      const QSize minimum = window().minimumSizeHint();
+      EXPECT_LE(minimum.width(), 853) << language << " page " << page;
+      EXPECT_LE(minimum.height(), 533) << language << " page " << page;
     }
   }
 }

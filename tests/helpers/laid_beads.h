@@ -11,7 +11,7 @@
 namespace voluta::test {
 
 // A piece for each segment; BeadPiece::motion is the waypoint that it leads to.
-inline std::vector<replay::BeadPiece> laidBeads(const plan::ToolPlan& plan) {
+inline std::vector<replay::BeadPiece> depositedBeads(const plan::ToolPlan& plan) {
   std::vector<replay::BeadPiece> pieces;
   for (std::size_t k = 0; k < plan.paths.size(); ++k) {
     const plan::ToolPath& path = plan.paths[k];

@@ -45,12 +45,12 @@ inline double revolvedVolume(const std::vector<Eigen::Vector2d>& section) {
 // A section that is convex in the plane across `along`, drawn out from `from` to `to`: `corners` in
 // order around, each given where it starts.
 inline geometry::TriangleMesh drawnOut(const std::vector<Eigen::Vector3d>& corners,
-                                       const Eigen::Vector3d& way) {
+                                       const Eigen::Vector3d& offset) {
   geometry::TriangleMesh m;
   const int n = static_cast<int>(corners.size());
   m.vertices = corners;
   for (const Eigen::Vector3d& p : corners)
-    m.vertices.push_back(p + way);
+    m.vertices.push_back(p + offset);
   for (int k = 0; k < n; ++k) {
     m.triangles.push_back({k, (k + 1) % n, n + (k + 1) % n});
     m.triangles.push_back({k, n + (k + 1) % n, n + k});

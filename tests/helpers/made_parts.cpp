@@ -41,10 +41,10 @@ TriangleMesh arch(Dice& d) {
 
 TriangleMesh hook(Dice& d) {
   const double rod = d.between(3, 6), bend = d.between(8, 16), up = d.between(15, 40);
-  const double turn = base::degreesToRadians(d.between(90, 170));
+  const double angle = base::degreesToRadians(d.between(90, 170));
   std::vector<Vector3d> line{{0, 0, 1}, {0, 0, 0.5 * up}};
   for (int k = 0; k <= 24; ++k) {
-    const double a = turn * k / 24;
+    const double a = angle * k / 24;
     line.emplace_back(bend * (1 - std::cos(a)), 0, up + bend * std::sin(a));
   }
   const std::vector<double> radius(line.size(), rod);
@@ -56,12 +56,12 @@ TriangleMesh stairs(Dice& d) {
   const int steps = d.among(3, 6);
   const double run = d.between(6, 12), rise = d.between(5, 10), depth = d.between(12, 30);
   const bool over = d.between(0, 1) < 0.4; // each step reaches over the one below
-  const double least = over ? d.between(10, 16) : 0.0;
+  const double minimum = over ? d.between(10, 16) : 0.0;
   TriangleMesh m;
   for (int k = 0; k < steps; ++k) {
     const double low = over ? k * rise - (k > 0 ? 0.5 : 0.0) : 0.0;
     const TriangleMesh step =
-        over ? box({0.0, 0.01 * k, low}, {least + k * run, depth - 0.01 * k, (k + 1) * rise})
+        over ? box({0.0, 0.01 * k, low}, {minimum + k * run, depth - 0.01 * k, (k + 1) * rise})
              : box({k * run - (k > 0 ? 0.5 : 0.0), 0.01 * k, 0.0},
                    {(k + 1) * run, depth - 0.01 * k, (k + 1) * rise});
     m = k == 0 ? step : m + step;
@@ -153,10 +153,10 @@ MadePart madePart(unsigned seed) {
                                         {"tube", flangedTube}}};
   Dice dice(seed);
   const Kind& kind = kKinds[seed % kKinds.size()];
-  const double turn = dice.between(0, 2 * base::kPi);
+  const double angle = dice.between(0, 2 * base::kPi);
   TriangleMesh mesh = kind.make(dice);
   return {std::string(kind.name) + "-" + std::to_string(seed),
-          moved(std::move(mesh), Eigen::Isometry3d(Eigen::AngleAxisd(turn, Vector3d::UnitZ())))};
+          moved(std::move(mesh), Eigen::Isometry3d(Eigen::AngleAxisd(angle, Vector3d::UnitZ())))};
 }
 
 } // namespace voluta::test

@@ -15,10 +15,10 @@ inline std::string otherText(const base::ParameterSpec& spec) {
     return base::formatParameter(
         std::get<double>(spec.defaultValue) == spec.maximum ? spec.minimum : spec.maximum);
   case base::ParameterType::Integer: {
-    const auto most = static_cast<long long>(spec.maximum);
-    return base::formatParameter(std::get<long long>(spec.defaultValue) == most
+    const auto limit = static_cast<long long>(spec.maximum);
+    return base::formatParameter(std::get<long long>(spec.defaultValue) == limit
                                      ? static_cast<long long>(spec.minimum)
-                                     : most);
+                                     : limit);
   }
   case base::ParameterType::Boolean:
     return std::get<bool>(spec.defaultValue) ? "false" : "true";

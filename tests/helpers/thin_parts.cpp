@@ -246,12 +246,12 @@ ThinPart thinPart(unsigned seed) {
                                          {"impeller", impeller}}};
   Dice dice(seed + 1000);
   const Kind& kind = kKinds[seed % kKinds.size()];
-  const double turn = dice.between(0, 2 * base::kPi);
+  const double angle = dice.between(0, 2 * base::kPi);
   Made made = kind.make(dice);
   ThinPart part;
   part.name = std::string("thin-") + kind.name + "-" + std::to_string(seed);
   part.mesh =
-      moved(std::move(made.mesh), Eigen::Isometry3d(Eigen::AngleAxisd(turn, Vector3d::UnitZ())));
+      moved(std::move(made.mesh), Eigen::Isometry3d(Eigen::AngleAxisd(angle, Vector3d::UnitZ())));
   part.thinnestMm = made.thinnestMm;
   return part;
 }

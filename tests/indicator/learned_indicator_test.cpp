@@ -17,7 +17,7 @@ using robot::JointVector;
 
 namespace {
 
-constexpr robot::JointLimits kTurning{-base::kTurn, base::kTurn, 1.0, 1.0};
+constexpr robot::JointLimits kTurning{-base::kTwoPi, base::kTwoPi, 1.0, 1.0};
 constexpr robot::JointLimits kSliding{-500.0, 500.0, 1.0, 1.0, robot::JointKind::Sliding};
 
 JointVector joints(double a, double b) {
@@ -68,11 +68,12 @@ TEST(JointCircle, HasTheLengthOfSmallSteps) {
 
 TEST(JointCircle, HalfWayIsTheShorterWayRound) {
   const std::vector<robot::JointLimits> limits{kTurning, kSliding};
-  const JointVector q = indicator::halfWay(joints(3.0, -20.0), joints(-3.0, 60.0), limits);
+  const JointVector q = indicator::jointMidpoint(joints(3.0, -20.0), joints(-3.0, 60.0), limits);
   EXPECT_NEAR(std::abs(q[0]), base::kPi, 1e-12);
   EXPECT_NEAR(q[1], 20.0, 1e-12);
-  EXPECT_NEAR(indicator::halfWay(joints(0.2, 0), joints(0.5 + 2 * base::kTurn, 0), limits)[0], 0.35,
-              1e-12);
+  EXPECT_NEAR(
+      indicator::jointMidpoint(joints(0.2, 0), joints(0.5 + 2 * base::kTwoPi, 0), limits)[0], 0.35,
+      1e-12);
 }
 
 // Two samples a chord d apart: kernels of weights 1 / (1 - exp(-gamma d^2)) and its negative.
@@ -118,8 +119,8 @@ TEST(LearnedIndicator, WholeTurnsChangeNothing) {
   const LearnedIndicator learned(taught(arm, arm.onTheLine(400, 1)), arm.limits(), {});
   for (const JointVector& q : arm.onTheLine(100, 2)) {
     JointVector turned = q;
-    turned[0] += base::kTurn;
-    turned[2] -= 2.0 * base::kTurn;
+    turned[0] += base::kTwoPi;
+    turned[2] -= 2.0 * base::kTwoPi;
     EXPECT_NEAR(learned.value(turned), learned.value(q), 1e-6);
   }
 }

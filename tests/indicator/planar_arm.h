@@ -20,7 +20,7 @@ struct PlanarArm {
   double radius = 0.35;
 
   std::vector<robot::JointLimits> limits() const {
-    return std::vector<robot::JointLimits>(3, {-base::kTurn, base::kTurn, 1.0, 1.0});
+    return std::vector<robot::JointLimits>(3, {-base::kTwoPi, base::kTwoPi, 1.0, 1.0});
   }
 
   static std::array<Eigen::Vector2d, 4> joints(const robot::JointVector& q) {
@@ -37,13 +37,13 @@ struct PlanarArm {
   // Of the arm from the disc; negative where a link meets it.
   double clearance(const robot::JointVector& q) const {
     const auto at = joints(q);
-    double least = 1e9;
+    double minimum = 1e9;
     for (std::size_t j = 0; j < 3; ++j) {
       const Eigen::Vector2d along = at[j + 1] - at[j];
       const double t = std::clamp((disc - at[j]).dot(along), 0.0, 1.0);
-      least = std::min(least, (disc - at[j] - t * along).norm());
+      minimum = std::min(minimum, (disc - at[j] - t * along).norm());
     }
-    return least - radius;
+    return minimum - radius;
   }
   bool collides(const robot::JointVector& q) const { return clearance(q) < 0.0; }
 
@@ -90,10 +90,10 @@ struct PlanarArm {
   }
 };
 
-inline std::vector<robot::JointVector> shaken(std::vector<robot::JointVector> all, double most,
+inline std::vector<robot::JointVector> shaken(std::vector<robot::JointVector> all, double maximum,
                                               std::uint64_t seed) {
   std::mt19937_64 engine(seed);
-  std::uniform_real_distribution<double> step(-most, most);
+  std::uniform_real_distribution<double> step(-maximum, maximum);
   for (robot::JointVector& q : all)
     for (double& joint : q)
       joint += step(engine);

@@ -140,7 +140,7 @@ TEST(JobRunner, ACancelStopsWorkThatListens) {
 // window sets the interval.
 TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
   struct Bursts {
-    std::binary_semaphore told{0}, seen{0};
+    std::binary_semaphore reported{0}, seen{0};
   };
   JobRunner runner;
   QSignalSpy finished(&runner, &JobRunner::finished), progress(&runner, &JobRunner::progressed);
@@ -151,7 +151,7 @@ TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
           const double from = std::string_view(stage) == "first" ? 0.0 : 0.5;
           for (int i = 0; i <= 500; ++i)
             ctx.report(from + i / 1000.0, base::message("{stage}"_text, std::string(stage)));
-          bursts->told.release();
+          bursts->reported.release();
           bursts->seen.acquire();
         }
         return 0;
@@ -164,7 +164,7 @@ TEST(JobRunner, ProgressIsThrottledAndEndsWithTheLatest) {
   const double fractions[] = {0.5, 1.0};
   const char* const stages[] = {"first", "second"};
   for (int i = 0; i < 2; ++i) {
-    bursts->told.acquire();
+    bursts->reported.acquire();
     ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > i; }, kPatienceMs));
     EXPECT_EQ(progress.size(), i + 1);
     EXPECT_EQ(base::english(runner.progress().stage), stages[i]);

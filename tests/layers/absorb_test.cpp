@@ -63,10 +63,10 @@ TEST(AbsorbSlivers, PatchesUnderAndOverRiseEvenlyUntilTheyAreFull) {
   EXPECT_EQ(a.refused, 0u);
   EXPECT_TRUE(a.dropped.empty());
 
-  double most = 0.0, taken = 0.0;
+  double maximum = 0.0, taken = 0.0;
   for (std::size_t p = 0; p < 2; ++p)
     for (std::size_t v = 0; v < patches[p].thicknessMm.size(); ++v)
-      most = std::max(most, patches[p].thicknessMm[v] - before[p].thicknessMm[v]);
+      maximum = std::max(maximum, patches[p].thicknessMm[v] - before[p].thicknessMm[v]);
   std::size_t full = 0, free = 0;
   for (std::size_t p = 0; p < 2; ++p) {
     const std::vector<double> area = shares(before[p].surface);
@@ -74,17 +74,17 @@ TEST(AbsorbSlivers, PatchesUnderAndOverRiseEvenlyUntilTheyAreFull) {
       const Vector3d &from = before[p].surface.vertices[v], &to = patches[p].surface.vertices[v];
       const double rise = patches[p].thicknessMm[v] - before[p].thicknessMm[v];
       const double room = options.heightMaxMm - before[p].thicknessMm[v];
-      const double aside = std::max(std::abs(from.x()), std::abs(from.y()));
+      const double lateral = std::max(std::abs(from.x()), std::abs(from.y()));
       if (rise == 0.0) {
         EXPECT_EQ(from, to);
-        EXPECT_GT(aside, kHalf) << "what the sliver lies on takes of it";
+        EXPECT_GT(lateral, kHalf) << "what the sliver lies on takes of it";
         continue;
       }
-      EXPECT_LT(aside, kHalf + 0.5 * options.beadWidthMm);
-      EXPECT_NEAR(rise, std::min(room, most), 1e-12);
+      EXPECT_LT(lateral, kHalf + 0.5 * options.beadWidthMm);
+      EXPECT_NEAR(rise, std::min(room, maximum), 1e-12);
       // Its far side stays; patches under the sliver grow up, patches over it down.
-      const double way = p == 0 ? -0.5 * rise : 0.5 * rise;
-      EXPECT_LT((to - from - Vector3d(0, 0, way)).norm(), 1e-12);
+      const double distance = p == 0 ? -0.5 * rise : 0.5 * rise;
+      EXPECT_LT((to - from - Vector3d(0, 0, distance)).norm(), 1e-12);
       taken += rise * area[v];
       (rise < room - 1e-12 ? free : full)++;
     }
@@ -121,9 +121,9 @@ TEST(AbsorbSlivers, VolumeWithoutRoomIsDropped) {
 // A sliver with room for a given share: refused where the required share is greater, merged where
 // hardly anything remains.
 TEST(AbsorbSlivers, AreRefusedMergedOrDroppedByTheShareThatFindsRoom) {
-  const auto absorbed = [](double roomMm, double leastShare, std::vector<Patch>& patches) {
+  const auto absorbed = [](double roomMm, double minShare, std::vector<Patch>& patches) {
     patches = {square(5, 0.25, 1.0, 0.7, 1)};
-    return absorbSlivers(patches, {sliverAt(1.6)}, {0.7 + roomMm, 1.2, leastShare});
+    return absorbSlivers(patches, {sliverAt(1.6)}, {0.7 + roomMm, 1.2, minShare});
   };
   std::vector<Patch> patches;
   const double area = absorbed(0.02, 0.0, patches).mergedVolumeMm3 / 0.02;

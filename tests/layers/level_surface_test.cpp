@@ -132,17 +132,17 @@ TEST(LevelSurface, KeepPositiveCutsEveryTriangleAtZero) {
 }
 
 TEST(LayerFindings, UnprintedSliversAreCountedAndBlockFromAShareOn) {
-  EXPECT_EQ(notLaid({}).pieces, 0u);
-  EXPECT_FALSE(sliversFinding(notLaid({}), 100.0, 0.01));
-  const NotLaid lost =
-      notLaid({{{1, 0, 0}, 2.0, 0.3, 1}, {{2, 0, 0}, 1.0, 0.9, 2}, {{3, 0, 0}, 9.0, 0.8, 3}});
+  EXPECT_EQ(notPrinted({}).pieces, 0u);
+  EXPECT_FALSE(sliversFinding(notPrinted({}), 100.0, 0.01));
+  const NotPrinted lost =
+      notPrinted({{{1, 0, 0}, 2.0, 0.3, 1}, {{2, 0, 0}, 1.0, 0.9, 2}, {{3, 0, 0}, 9.0, 0.8, 3}});
   EXPECT_EQ(lost.pieces, 3u);
   EXPECT_NEAR(lost.volumeMm3, 2.0, 1e-12);
   EXPECT_EQ(lost.largestAt, Vector3d(2, 0, 0));
-  for (const double laid : {100.0, 300.0}) { // 2 of 102, 2 of 302
-    const auto finding = sliversFinding(lost, laid, 0.01);
+  for (const double deposited : {100.0, 300.0}) { // 2 of 102, 2 of 302
+    const auto finding = sliversFinding(lost, deposited, 0.01);
     ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->blocking, laid < 198.0);
+    EXPECT_EQ(finding->blocking, deposited < 198.0);
     ASSERT_TRUE(finding->where);
     EXPECT_EQ(*finding->where, Vector3d(2, 0, 0));
     EXPECT_EQ(finding->count, 3u);

@@ -139,9 +139,9 @@ struct Facet {
 
 class Checker {
 public:
-  Checker(const layers::LayerStack& stack, const geometry::TriangleMesh& part, double least,
-          double most)
-      : stack_(stack), part_(part), least_(least), most_(most), middles_(1.0), tops_(1.0),
+  Checker(const layers::LayerStack& stack, const geometry::TriangleMesh& part, double minimum,
+          double maximum)
+      : stack_(stack), part_(part), minimum_(minimum), maximum_(maximum), middles_(1.0), tops_(1.0),
         feet_(1.0), surface_(2.0), rims_(1.0) {
     for (const auto& t : part.triangles)
       surface_.add(part.vertices[at(t[0])], part.vertices[at(t[1])], part.vertices[at(t[2])]);
@@ -184,7 +184,7 @@ public:
 
 private:
   void volume() {
-    double part = 0.0, laid = 0.0;
+    double part = 0.0, deposited = 0.0;
     for (const auto& t : part_.triangles)
       part +=
           part_.vertices[at(t[0])].dot(part_.vertices[at(t[1])].cross(part_.vertices[at(t[2])])) /
@@ -192,9 +192,9 @@ private:
     for (std::size_t id = 0; id < facets_.size(); ++id) {
       const auto& c = middles_.corners(static_cast<int>(id));
       const auto& t = facets_[id].thickness;
-      laid += 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm() * (t[0] + t[1] + t[2]) / 3.0;
+      deposited += 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm() * (t[0] + t[1] + t[2]) / 3.0;
     }
-    v_.volumeRatio = laid / part;
+    v_.volumeRatio = deposited / part;
   }
 
   void boundaries() {
@@ -264,7 +264,7 @@ private:
     std::vector<double> areaOf(stack_.patches.size(), 0.0), onOf(areaOf), onLaterOf(areaOf);
     std::vector<Vector3d> someOf(stack_.patches.size(), Vector3d::Zero());
     std::vector<std::pair<double, double>> found; // thickness, area
-    double all = 0.0, lying = 0.0, within = 0.0, told = 0.0, sum = 0.0;
+    double all = 0.0, lying = 0.0, within = 0.0, reported = 0.0, sum = 0.0;
     const std::size_t step = std::max<std::size_t>(1, facets_.size() / 60000);
     std::vector<std::size_t> countOf(stack_.patches.size(), 0);
     for (std::size_t id = 0; id < facets_.size(); ++id) {
@@ -308,10 +308,10 @@ private:
       lying += area;
       sum += area * measured;
       found.emplace_back(measured, area);
-      if (measured >= least_ - 0.01 && measured <= most_ + 0.01)
+      if (measured >= minimum_ - 0.01 && measured <= maximum_ + 0.01)
         within += area;
       if (std::abs(measured - t) <= 0.1 * t)
-        told += area;
+        reported += area;
     }
     v_.unsupported = all > 0 ? 1.0 - lying / all : 0.0;
     for (std::size_t p = 0; p < areaOf.size(); ++p)
@@ -324,7 +324,7 @@ private:
       return;
     v_.thicknessMeanMm = sum / lying;
     v_.within = within / lying;
-    v_.asTold = told / lying;
+    v_.asReported = reported / lying;
     std::sort(found.begin(), found.end());
     double passed = 0.0;
     for (const auto& [t, area] : found) {
@@ -378,7 +378,7 @@ private:
       ++inside;
       // Per patch the nearest point; inside where its foot is no boundary of the patch.
       std::map<int, std::pair<double, double>> best; // distance, half thickness
-      const Vector3d r = Vector3d::Constant(0.6 * most_ + 0.1);
+      const Vector3d r = Vector3d::Constant(0.6 * maximum_ + 0.1);
       middles_.near(x - r, x + r, [&](int id) {
         const auto& c = middles_.corners(id);
         const Vector3d w = closestWeights(x, c[0], c[1], c[2]);
@@ -424,7 +424,7 @@ private:
       double height = 0.0;
       for (int k = 0; k <= count; ++k) {
         const Vector3d x = a + static_cast<double>(k) / count * (b - a);
-        const auto near = middles_.nearest(x, most_, kAny);
+        const auto near = middles_.nearest(x, maximum_, kAny);
         const int before = std::exchange(patch, -1);
         if (near.triangle < 0)
           continue;
@@ -450,7 +450,7 @@ private:
     std::sort(off.begin(), off.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     v_.sharpOffP99Mm = off[off.size() * 99 / 100].first;
-    v_.sharpOffMostMm = off.back().first;
+    v_.sharpOffMaxMm = off.back().first;
     v_.sharpOffAt = off.back().second;
   }
 
@@ -477,7 +477,7 @@ private:
         }
         const Vector3d x = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
         if (x.z() < 1e-3 && n.z() < -0.99)
-          v_.plateMostMm = std::max(v_.plateMostMm, feet_.nearest(x, 1.0, kAny).distance);
+          v_.plateMaxMm = std::max(v_.plateMaxMm, feet_.nearest(x, 1.0, kAny).distance);
         ++drawn;
         const auto near = middles_.nearest(x, 2.0, kAny);
         const double along =
@@ -513,7 +513,7 @@ private:
 
   const layers::LayerStack& stack_;
   const geometry::TriangleMesh& part_;
-  double least_, most_;
+  double minimum_, maximum_;
   Grid middles_, tops_, feet_, surface_, rims_;
   std::vector<Facet> facets_;
   struct Rim {

@@ -26,7 +26,7 @@ struct StackVerdict {
   // nearest top of an earlier patch, or the plate.
   double thicknessMeanMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
   double within = 0.0;             // share within the limits, of the supported area
-  double asTold = 0.0;             // share within 10 % of the patch's own thickness, of the same
+  double asReported = 0.0;         // share within 10 % of the patch's own thickness, of the same
   double unsupported = 0.0;        // share with nothing within a quarter thickness of its foot
   std::size_t patchesInTheAir = 0; // hardly (2 %) any of it is on an earlier patch or the plate
   std::size_t outOfOrder = 0;      // in the air, but a later patch or a higher layer is under it
@@ -39,12 +39,12 @@ struct StackVerdict {
   // Where the part's sharp edges (more than 40 degrees) pass through a patch's middle at 30 degrees
   // or more: how far that patch's boundary stays away.
   std::size_t sharpCrossings = 0;
-  double sharpOffP99Mm = 0.0, sharpOffMostMm = 0.0;
+  double sharpOffP99Mm = 0.0, sharpOffMaxMm = 0.0;
   Eigen::Vector3d sharpOffAt = Eigen::Vector3d::Zero(); // where it is most
 
   // Points drawn evenly on the part's surface where it faces along the layers (n . d > 0.5), to the
   // nearest top of a patch; and where it is on the plate, to the nearest foot.
-  double topMeanMm = 0.0, topP99Mm = 0.0, plateMostMm = 0.0;
+  double topMeanMm = 0.0, topP99Mm = 0.0, plateMaxMm = 0.0;
   // The same for those within 25 degrees of the layers, and their share of the part's surface.
   double flatTopMeanMm = 0.0, flatTopP99Mm = 0.0, flatTopShare = 0.0;
 

@@ -89,10 +89,10 @@ TEST(TrimToPart, FindsCornersAtAnyPlaceInTheGrid) {
   // Blocks and fins as wide as a fifth of a triangle, their top 0.03 mm above the level: corners
   // fall inside triangles, poke through their edges by a hair, and no place is far from a facet.
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(0.0, 0.83), turn(0.0, 1.57), width(0.12, 2.0);
+  std::uniform_real_distribution<double> place(0.0, 0.83), rotation(0.0, 1.57), width(0.12, 2.0);
   for (int n = 0; n < 60; ++n) {
     const double w = width(random), x = place(random), y = place(random);
-    const auto part = turned(test::box({x, y, -1}, {x + 4.3, y + w, 0.13}), turn(random));
+    const auto part = turned(test::box({x, y, -1}, {x + 4.3, y + w, 0.13}), rotation(random));
     const PartBoundary boundary(part, 0.8, {});
     const LevelSurface s = trimToPart(flatSquare(8, 0.83, 0.1), boundary, {}, {});
     for (const Vector3d& v : part.vertices)
@@ -247,10 +247,10 @@ TEST(OrderForPrinting, LayersFirstThenShortWays) {
     stack.patches.push_back(p);
   }
   const auto travel = [](const LayerStack& s) {
-    double way = 0.0;
+    double distance = 0.0;
     for (std::size_t p = 1; p < s.patches.size(); ++p)
-      way += (s.patches[p].surface.vertices[0] - s.patches[p - 1].surface.vertices[0]).norm();
-    return way;
+      distance += (s.patches[p].surface.vertices[0] - s.patches[p - 1].surface.vertices[0]).norm();
+    return distance;
   };
   const double before = travel(stack);
   orderForPrinting(stack);

@@ -32,9 +32,9 @@ geometry::TriangleMesh hemisphere(double radius, int rings, int sides) {
   geometry::TriangleMesh m;
   for (int r = 0; r < rings; ++r)
     for (int k = 0; k < sides; ++k) {
-      const double up = 0.5 * base::kPi * r / rings, turn = base::kTurn * k / sides;
-      m.vertices.emplace_back(radius * std::cos(up) * std::cos(turn),
-                              radius * std::cos(up) * std::sin(turn), radius * std::sin(up));
+      const double up = 0.5 * base::kPi * r / rings, angle = base::kTwoPi * k / sides;
+      m.vertices.emplace_back(radius * std::cos(up) * std::cos(angle),
+                              radius * std::cos(up) * std::sin(angle), radius * std::sin(up));
     }
   const int top = static_cast<int>(m.vertices.size());
   m.vertices.emplace_back(0, 0, radius);
@@ -193,9 +193,9 @@ TEST(MilledPart, WallsAreNotCut) {
   test::append(posts, test::box({-3, -2.03, 3}, {4.07, 3, 14}));
   for (const double degrees : {0.0, 17.0, 60.0}) {
     geometry::TriangleMesh part = posts;
-    const Eigen::AngleAxisd turn(base::degreesToRadians(degrees), Vector3d::UnitZ());
+    const Eigen::AngleAxisd rotation(base::degreesToRadians(degrees), Vector3d::UnitZ());
     for (Vector3d& v : part.vertices)
-      v = turn * v;
+      v = rotation * v;
     const MillRule rule = ruleFor("soft-plastic");
     const MillPlan plan = planMilling(part, rule, kOne);
     const CutVerdict v =

@@ -37,7 +37,7 @@ TEST(Outlines, AroundADiscAreCircles) {
     ASSERT_EQ(loops.size(), 1u);
     for (const Vector2d& p : loops[0])
       EXPECT_NEAR((p - middle).norm(), radius + distance, 0.12);
-    const double circle = base::kTurn * (radius + distance);
+    const double circle = base::kTwoPi * (radius + distance);
     EXPECT_NEAR(lengthOf(loops[0]), circle, 0.03 * circle);
   }
 }

@@ -76,9 +76,9 @@ TEST(HeightMap, IsThatOfRaysFromAbove) {
         b(coordinate(random), coordinate(random), coordinate(random));
     const geometry::TriangleMesh one = test::box(a.cwiseMin(b), a.cwiseMax(b));
     const int first = static_cast<int>(parts.vertices.size());
-    const Eigen::AngleAxisd turn(coordinate(random), Vector3d(1, 2, 3).normalized());
+    const Eigen::AngleAxisd rotation(coordinate(random), Vector3d(1, 2, 3).normalized());
     for (const Vector3d& v : one.vertices)
-      parts.vertices.push_back(turn * v);
+      parts.vertices.push_back(rotation * v);
     for (const auto& [p, q, r] : one.triangles)
       parts.triangles.push_back({p + first, q + first, r + first});
   }

@@ -80,8 +80,8 @@ protected:
     cell_.inverse(middle, cell_.home(), solutions);
     JointVector q = solutions.at(0);
     for (const JointVector& s : solutions)
-      if (robot::largestTurn(s - cell_.home(), cell_.robot().limits) <
-          robot::largestTurn(q - cell_.home(), cell_.robot().limits))
+      if (robot::largestRotation(s - cell_.home(), cell_.robot().limits) <
+          robot::largestRotation(q - cell_.home(), cell_.robot().limits))
         q = s;
     q[4] = bendRad;
     const double radius = (cell_.work_T_tool(q).translation() -
@@ -162,7 +162,7 @@ TEST_F(BranchBlend, TheWristChangesAlongThePathWithinTheTolerance) {
   EXPECT_NEAR(volume, 0.9 * (kPoints - 1), 1e-9);
   EXPECT_GT(turned, 2.0) << "joint 4 turns to the other branch";
   EXPECT_TRUE(std::abs(std::remainder((run.points.back().at.q - after.points.back().at.q)[3],
-                                      base::kTurn)) < 1e-6);
+                                      base::kTwoPi)) < 1e-6);
   // Without tolerance the nozzle cannot follow.
   const motion::BlendedRun strict =
       motion::blendBranches(scene, before, after, base::degreesToRadians(0.2));
@@ -245,15 +245,15 @@ protected:
     return cell_.work_T_tool(q);
   }
 
-  // `asideMm`: distance of the stretched pose from the spiral's middle.
-  plan::ToolPlan spiral(double asideMm) const {
+  // `offsetMm`: distance of the stretched pose from the spiral's middle.
+  plan::ToolPlan spiral(double offsetMm) const {
     constexpr double kTurns = 3.0, kRadius = 12.0, kPitch = 1.3, kStepMm = 0.8;
     const Eigen::Isometry3d middle = stretched();
     std::vector<Vector3d> points;
-    for (double angle = 0.0; angle < kTurns * base::kTurn;) {
-      const double radius = kRadius + kPitch * angle / base::kTurn;
-      points.push_back(middle *
-                       Vector3d(radius * std::cos(angle) + asideMm, radius * std::sin(angle), 0.0));
+    for (double angle = 0.0; angle < kTurns * base::kTwoPi;) {
+      const double radius = kRadius + kPitch * angle / base::kTwoPi;
+      points.push_back(
+          middle * Vector3d(radius * std::cos(angle) + offsetMm, radius * std::sin(angle), 0.0));
       angle += kStepMm / radius;
     }
     plan::ToolPlan plan;
@@ -323,9 +323,9 @@ TEST_F(BranchBlendOnASpiral, RoundedDirectionsLeadToTheSameJoints) {
         part = 1e-6 * std::round(1e6 * part);
       pose.linear() = rounded.normalized().toRotationMatrix();
       cell_.inverse(pose, q, solutions);
-      double nearest = base::kTurn;
+      double nearest = base::kTwoPi;
       for (const JointVector& s : solutions)
-        nearest = std::min(nearest, robot::largestTurn(s - q, cell_.robot().limits));
+        nearest = std::min(nearest, robot::largestRotation(s - q, cell_.robot().limits));
       EXPECT_LT(nearest, 0.05) << "spiral " << k << ", point " << i;
     }
   }

@@ -52,10 +52,10 @@ Path randomPath(unsigned seed) {
 }
 
 double shareOfLongest(const Path& path, const std::vector<double>& times) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 1; i < times.size(); ++i)
-    most = std::max(most, (times[i] - times[i - 1]) / (path.times[i] - path.times[i - 1]));
-  return most;
+    maximum = std::max(maximum, (times[i] - times[i - 1]) / (path.times[i] - path.times[i - 1]));
+  return maximum;
 }
 
 } // namespace
@@ -78,7 +78,7 @@ TEST(JerkLimit, IsKeptByRandomPaths) {
       ASSERT_EQ(times.size(), path.times.size());
       for (std::size_t i = 1; i < times.size(); ++i)
         ASSERT_GE(times[i] - times[i - 1], path.times[i] - path.times[i - 1] - 1e-9) << seed;
-      if (shareOfLongest(path, times) < motion::kMostSlower - 1e-6) {
+      if (shareOfLongest(path, times) < motion::kMaxSlowdown - 1e-6) {
         EXPECT_LE(greatest(path.q, times), limit * 1.0001) << seed << " " << limit;
         ++kept;
       }
@@ -107,9 +107,9 @@ TEST(JerkLimit, RampsAreNotMuchLongerThanTheyMustBe) {
   for (const double limit : {10.0, 1.0}) {
     const std::vector<double> times = motion::timesWithinJerk(path.q, path.times, {}, limit);
     EXPECT_LE(greatest(path.q, times), limit * 1.0001);
-    const double added = times.back() - path.times.back(), least = 2.0 / std::sqrt(limit);
-    EXPECT_GT(added, least);
-    EXPECT_LT(added, 1.15 * least);
+    const double added = times.back() - path.times.back(), minimum = 2.0 / std::sqrt(limit);
+    EXPECT_GT(added, minimum);
+    EXPECT_LT(added, 1.15 * minimum);
   }
 }
 

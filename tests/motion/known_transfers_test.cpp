@@ -5,7 +5,7 @@
 namespace voluta::motion {
 namespace {
 
-using Way = KnownTransfers::Way;
+using Purpose = KnownTransfers::Purpose;
 
 RobotState stateWith(double first) {
   RobotState state;
@@ -26,7 +26,7 @@ TEST(KnownTransfers, AreLookedForOnce) {
   const RobotState a = stateWith(0.1), b = stateWith(0.2);
   const PrintedBounds ball{Eigen::Vector3d(1, 2, 3), 4.0};
   for (int i = 0; i < 3; ++i) {
-    const auto transfer = known.of(Way::Between, a, b, 1, 2, ball, found);
+    const auto transfer = known.of(Purpose::Between, a, b, 1, 2, ball, found);
     ASSERT_TRUE(transfer);
     EXPECT_EQ(transfer->kind, TransferKind::Tree);
   }
@@ -41,7 +41,7 @@ TEST(KnownTransfers, ThatAreNotThereAreNotLookedForAgain) {
     return std::optional<Transfer>();
   };
   for (int i = 0; i < 3; ++i)
-    EXPECT_FALSE(known.of(Way::Leave, stateWith(0), stateWith(1), 1, 2, {}, none));
+    EXPECT_FALSE(known.of(Purpose::Leave, stateWith(0), stateWith(1), 1, 2, {}, none));
   EXPECT_EQ(looked, 1);
 }
 
@@ -55,13 +55,13 @@ TEST(KnownTransfers, DifferByAllThatTheyDependOn) {
   const RobotState a = stateWith(0.1), b = stateWith(0.2);
   RobotState moved = a;
   moved.tip.x() += 1e-12;
-  known.of(Way::Between, a, b, 1, 2, {}, look);
-  known.of(Way::Approach, a, b, 1, 2, {}, look);
-  known.of(Way::Between, b, a, 1, 2, {}, look);
-  known.of(Way::Between, moved, b, 1, 2, {}, look);
-  known.of(Way::Between, a, b, 3, 2, {}, look);
-  known.of(Way::Between, a, b, 1, 3, {}, look);
-  known.of(Way::Between, a, b, 1, 2, {Eigen::Vector3d::Zero(), 1.0}, look);
+  known.of(Purpose::Between, a, b, 1, 2, {}, look);
+  known.of(Purpose::Approach, a, b, 1, 2, {}, look);
+  known.of(Purpose::Between, b, a, 1, 2, {}, look);
+  known.of(Purpose::Between, moved, b, 1, 2, {}, look);
+  known.of(Purpose::Between, a, b, 3, 2, {}, look);
+  known.of(Purpose::Between, a, b, 1, 3, {}, look);
+  known.of(Purpose::Between, a, b, 1, 2, {Eigen::Vector3d::Zero(), 1.0}, look);
   EXPECT_EQ(looked, 7);
 }
 

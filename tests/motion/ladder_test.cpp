@@ -37,7 +37,7 @@ Case randomCase(std::mt19937& engine, bool blocks, bool rod = false) {
       node.q.resize(rod ? 3 : 2);
       node.q.head(2) << number(-1, 1), number(-1, 1);
       if (rod) {
-        node.aside = static_cast<int>(number(-2, 2));
+        node.offset = static_cast<int>(number(-2, 2));
         node.q[2] = 100 * number(-1, 1);
       }
       node.sample = n;
@@ -75,7 +75,7 @@ std::pair<std::size_t, double> exhaustive(const Case& c) {
         const LadderNode& last = c.rungs[chosen.size() - 1][chosen.back()];
         const int apart = std::abs(last.sample - rung[n].sample);
         const Eigen::VectorXd d = (rung[n].q - last.q).head(2).cwiseAbs();
-        if (std::abs(last.aside - rung[n].aside) > 1 || last.side * rung[n].side < 0)
+        if (std::abs(last.offset - rung[n].offset) > 1 || last.side * rung[n].side < 0)
           continue;
         if ((apart != 0 && apart != 1 && apart != 5) || d.maxCoeff() > 0.9)
           continue;
@@ -107,12 +107,12 @@ TEST(Ladder, AgainstExhaustiveSearch) {
   for (int n = 0; n < 400; ++n) {
     const Case c = randomCase(engine, n % 2 == 1, n >= 200);
     const auto [reached, cost] = exhaustive(c);
-    const motion::LadderWay way =
-        shortestWay(c.rungs, startsOf(c.rungs, c.startCost), c.limits, c.options);
-    EXPECT_EQ(way.reached, reached);
+    const motion::LadderPath path =
+        shortestPath(c.rungs, startsOf(c.rungs, c.startCost), c.limits, c.options);
+    EXPECT_EQ(path.reached, reached);
     if (reached > 0) {
-      EXPECT_NEAR(way.cost, cost, 1e-12);
-      EXPECT_EQ(way.node.size(), reached);
+      EXPECT_NEAR(path.cost, cost, 1e-12);
+      EXPECT_EQ(path.node.size(), reached);
     }
     (reached == c.rungs.size() ? whole : cut)++;
   }
@@ -140,7 +140,7 @@ TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
         LadderNode node;
         node.q.resize(3);
         for (double& q : node.q)
-          q = std::remainder(base::kPi + number(-spread, spread), base::kTurn);
+          q = std::remainder(base::kPi + number(-spread, spread), base::kTwoPi);
         node.sample = k % options.samples;
         node.cost = number(0, 1) < 0.2 ? number(0, 3) : 0.0;
         node.blocked = number(0, 1) < 0.2;
@@ -152,7 +152,7 @@ TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
       startCost.push_back(number(0, 4));
 
     std::size_t reached = 0;
-    double least = kNone;
+    double minimum = kNone;
     std::vector<double> before;
     for (std::size_t r = 0; r < rungs.size(); ++r) {
       std::vector<double> cost(rungs[r].size(), kNone);
@@ -166,8 +166,8 @@ TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
           const LadderNode& last = rungs[r - 1][m];
           const int apart = std::abs(last.sample - node.sample);
           Eigen::VectorXd d = node.q - last.q;
-          for (double& turn : d)
-            turn = std::abs(std::remainder(turn, base::kTurn));
+          for (double& revolution : d)
+            revolution = std::abs(std::remainder(revolution, base::kTwoPi));
           if (std::min(apart, options.samples - apart) <= options.window && d.maxCoeff() <= 0.7)
             cost[k] = std::min(cost[k], before[m] + d.sum() + node.cost);
         }
@@ -176,12 +176,12 @@ TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
       if (cheapest == kNone)
         break;
       reached = r + 1;
-      least = cheapest;
+      minimum = cheapest;
       before = cost;
     }
-    const auto way = shortestWay(rungs, startsOf(rungs, startCost), limits, options);
-    ASSERT_EQ(way.reached, reached);
-    EXPECT_NEAR(way.cost, least, 1e-9);
+    const auto path = shortestPath(rungs, startsOf(rungs, startCost), limits, options);
+    ASSERT_EQ(path.reached, reached);
+    EXPECT_NEAR(path.cost, minimum, 1e-9);
     (reached == rungs.size() ? whole : cut)++;
   }
   EXPECT_GT(whole, 20);
@@ -199,17 +199,17 @@ TEST(Ladder, RodIsNoStepOfTheArms) {
   }
   motion::LadderOptions options;
   options.maxStepRad.assign(rungs.size(), 0.2);
-  const auto way = shortestWay(rungs, startsOf(rungs), {{-1, 1, 1, 1}}, options);
-  ASSERT_EQ(way.reached, 5u);
-  EXPECT_NEAR(way.cost, 0.4, 1e-12);
-  EXPECT_EQ(way.q.back()[1], 160.0);
+  const auto path = shortestPath(rungs, startsOf(rungs), {{-1, 1, 1, 1}}, options);
+  ASSERT_EQ(path.reached, 5u);
+  EXPECT_NEAR(path.cost, 0.4, 1e-12);
+  EXPECT_EQ(path.q.back()[1], 160.0);
 }
 
-// A slide counts as robot::asTurn has it, and never by whole turns.
+// A slide counts as robot::asAngle has it, and never by whole turns.
 TEST(Ladder, SlidingJointsAreNotWrapped) {
-  const double turn = 2 * base::kPi;
+  const double revolution = 2 * base::kPi;
   const std::vector<robot::JointLimits> slide{{-150, 0, 1, 1, robot::JointKind::Sliding}};
-  const auto wayTo = [&](double mm) {
+  const auto pathTo = [&](double mm) {
     LadderNode from, to;
     from.q.resize(1);
     to.q.resize(1);
@@ -217,13 +217,13 @@ TEST(Ladder, SlidingJointsAreNotWrapped) {
     to.q << -20.0 + mm;
     motion::LadderOptions options;
     options.maxStepRad.assign(2, 0.05); // 5 mm
-    return shortestWay({{from}, {to}}, {{from.q, 0.0}}, slide, options);
+    return shortestPath({{from}, {to}}, {{from.q, 0.0}}, slide, options);
   };
-  EXPECT_EQ(wayTo(turn).reached, 1u);
-  const auto way = wayTo(4.0);
-  ASSERT_EQ(way.reached, 2u);
-  EXPECT_NEAR(way.cost, 0.04, 1e-12);
-  EXPECT_DOUBLE_EQ(way.q.back()[0], -16.0);
+  EXPECT_EQ(pathTo(revolution).reached, 1u);
+  const auto path = pathTo(4.0);
+  ASSERT_EQ(path.reached, 2u);
+  EXPECT_NEAR(path.cost, 0.04, 1e-12);
+  EXPECT_DOUBLE_EQ(path.q.back()[0], -16.0);
 }
 
 // A joint that turns on and on is followed over +-180 degrees, and not beyond its limit.
@@ -239,9 +239,10 @@ TEST(Ladder, TurnsAreFollowedUpToTheLimit) {
   motion::LadderOptions options;
   options.maxStepRad.assign(rungs.size(), 0.6);
   const std::vector<robot::JointLimits> wide{{-20, 20, 1, 1}}, narrow{{-6, 6, 1, 1}};
-  const auto all = shortestWay(rungs, startsOf(rungs), wide, options);
+  const auto all = shortestPath(rungs, startsOf(rungs), wide, options);
   ASSERT_EQ(all.reached, rungs.size());
   for (std::size_t r = 0; r < rungs.size(); ++r)
     EXPECT_NEAR(all.q[r][0], 0.5 * static_cast<double>(r), 1e-12);
-  EXPECT_EQ(shortestWay(rungs, startsOf(rungs), narrow, options).reached, 13u); // 6 rad at the 13th
+  EXPECT_EQ(shortestPath(rungs, startsOf(rungs), narrow, options).reached,
+            13u); // 6 rad at the 13th
 }

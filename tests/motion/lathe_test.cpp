@@ -25,19 +25,19 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kStep = base::kTurn / 3200.0;
+constexpr double kStep = base::kTwoPi / 3200.0;
 
 // A winding at radius r about the rod from x0 on, `pitch` a turn, in steps of at most 10 degrees
 // and 1 mm. `lean`: of the directions towards +x, rad.
 void wind(plan::ToolPlan& plan, double r, double x0, double pitch, double turns, double lean = 0.0,
           int layer = 0) {
   const double step = std::min(base::kPi / 18.0, 1.0 / r);
-  const int n = static_cast<int>(std::ceil(turns * base::kTurn / step));
+  const int n = static_cast<int>(std::ceil(turns * base::kTwoPi / step));
   std::vector<Vector3d> points, directions;
   for (int i = 0; i <= n; ++i) {
-    const double a = turns * base::kTurn * i / n;
+    const double a = turns * base::kTwoPi * i / n;
     const Vector3d out(0, std::cos(a), std::sin(a));
-    points.push_back(r * out + Vector3d(x0 + pitch * a / base::kTurn, 0, 0));
+    points.push_back(r * out + Vector3d(x0 + pitch * a / base::kTwoPi, 0, 0));
     directions.push_back(std::cos(lean) * out + std::sin(lean) * Vector3d::UnitX());
   }
   test::appendPath(plan, points, directions, layer);
@@ -136,7 +136,7 @@ void expectSound(const Wound& w) {
   // It comes home, the rod by whole turns elsewhere where it runs on.
   const robot::JointVector end = w.q(t.pointCount() - 1);
   EXPECT_LT((end - w.cell.home()).head(6).norm(), 1e-12);
-  EXPECT_LT(std::abs(end[6] - base::kTurn * std::round(end[6] / base::kTurn)), 1e-9);
+  EXPECT_LT(std::abs(end[6] - base::kTwoPi * std::round(end[6] / base::kTwoPi)), 1e-9);
 }
 
 // How far the nozzle is from straight down in the base, rad.
@@ -160,7 +160,7 @@ TEST(Lathe, RodTurnsUnderANozzleThatPointsDown) {
       low = std::min(low, w.rod(i));
       high = std::max(high, w.rod(i));
     }
-  EXPECT_NEAR(high - low, 30 * base::kTurn, 0.2);
+  EXPECT_NEAR(high - low, 30 * base::kTwoPi, 0.2);
 }
 
 // Where the axis begins, how far it can turn, and directions along the rod.
@@ -179,16 +179,16 @@ TEST(Lathe, UprightAngles) {
   EXPECT_NEAR(all.front(), base::kPi / 2, 1e-12);
   for (std::size_t i = 1; i < all.size(); ++i)
     EXPECT_NEAR(all[i] - all[i - 1], -base::kPi / 18, 1e-3);
-  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, 7.0).front(), base::kPi / 2 + base::kTurn,
+  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, 7.0).front(), base::kPi / 2 + base::kTwoPi,
               1e-12);
-  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, -9.0).front(), base::kPi / 2 - base::kTurn,
+  EXPECT_NEAR(motion::uprightAngles(plan, cell, 0, 20, -9.0).front(), base::kPi / 2 - base::kTwoPi,
               1e-12);
   // As far as the limits are from the start that allows most.
   const auto furthest = motion::uprightAngles(plan, cell, 0, n, 0.0);
-  EXPECT_NEAR(furthest.front(), base::kPi / 2 + base::kTurn, 1e-12);
+  EXPECT_NEAR(furthest.front(), base::kPi / 2 + base::kTwoPi, 1e-12);
   EXPECT_LT(furthest.size(), n);
-  EXPECT_LT(furthest.back(), -2 * base::kTurn + 1.01 * base::kPi / 18);
-  EXPECT_GE(furthest.back(), -2 * base::kTurn);
+  EXPECT_LT(furthest.back(), -2 * base::kTwoPi + 1.01 * base::kPi / 18);
+  EXPECT_GE(furthest.back(), -2 * base::kTwoPi);
 
   plan::ToolPlan along;
   test::appendPath(along, {{0, 0, 5}, {1, 0, 5}, {2, 0, 5}},
@@ -207,8 +207,8 @@ TEST(Lathe, RodRestsAtTheNearestWholeTurnWhereItRunsOn) {
       Wound::cellOf(process, [](json& j) { j["externalAxes"][0]["end"] = "unwinds"; });
   robot::JointVector q = on.home();
   q[2] += 0.3;
-  q[6] = 7.6 * base::kTurn;
-  EXPECT_NEAR(motion::homeAfter(on, q)[6], 8 * base::kTurn, 1e-9);
+  q[6] = 7.6 * base::kTwoPi;
+  EXPECT_NEAR(motion::homeAfter(on, q)[6], 8 * base::kTwoPi, 1e-9);
   EXPECT_EQ(motion::homeAfter(on, q).head(6), on.home().head(6));
   EXPECT_EQ(motion::homeAfter(back, q), back.home());
 }
@@ -265,23 +265,23 @@ TEST(Lathe, KeepsTheRodsOwnLimits) {
   ASSERT_TRUE(w.result.findings.empty());
   expectSound(w);
   const plan::Trajectory& t = w.result.trajectory;
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 1; i < t.pointCount(); ++i)
     if (t.move[i] == plan::MoveKind::Print)
-      most = std::max(most,
-                      (std::abs(w.rod(i) - w.rod(i - 1)) - kStep) / (t.timeS[i] - t.timeS[i - 1]));
-  EXPECT_LE(most, base::degreesToRadians(180) + 1e-9);
-  EXPECT_GT(most, 0.8 * base::degreesToRadians(180));
+      maximum = std::max(maximum, (std::abs(w.rod(i) - w.rod(i - 1)) - kStep) /
+                                      (t.timeS[i] - t.timeS[i - 1]));
+  EXPECT_LE(maximum, base::degreesToRadians(180) + 1e-9);
+  EXPECT_GT(maximum, 0.8 * base::degreesToRadians(180));
   // Of the angle that the steps follow: the direction's.
   double velocity = 0.0, last = 0.0;
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
     if (t.move[i] != plan::MoveKind::Print)
       continue;
     const double dt = t.timeS[i] - t.timeS[i - 1];
-    const double turn = std::acos(std::clamp(
+    const double rotation = std::acos(std::clamp(
         w.plan.direction[t.waypoint[i]].dot(w.plan.direction[t.waypoint[i] - 1]), -1.0, 1.0));
-    EXPECT_LE(std::abs(turn / dt - velocity), 0.5 * (dt + last) * base::degreesToRadians(600));
-    velocity = turn / dt;
+    EXPECT_LE(std::abs(rotation / dt - velocity), 0.5 * (dt + last) * base::degreesToRadians(600));
+    velocity = rotation / dt;
     last = dt;
   }
 }
@@ -298,12 +298,12 @@ TEST(Lathe, LeaningDirectionsDoNotWindTheArmUp) {
   EXPECT_TRUE(w.result.findings.empty());
   expectSound(w);
   const plan::Trajectory& t = w.result.trajectory;
-  std::vector<double> way(6, 0.0);
+  std::vector<double> distance(6, 0.0);
   for (std::size_t i = 1; i < t.pointCount(); ++i)
     if (t.move[i] == plan::MoveKind::Print)
       for (std::size_t j = 0; j < 6; ++j)
-        way[j] += t.at(i)[j] - t.at(i - 1)[j];
-  for (const double joint : way)
+        distance[j] += t.at(i)[j] - t.at(i - 1)[j];
+  for (const double joint : distance)
     EXPECT_LT(std::abs(joint), 0.5);
 }
 

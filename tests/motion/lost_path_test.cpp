@@ -32,7 +32,7 @@ protected:
     for (const double x : {-kApart, 0.0, kApart}) {
       std::vector<Vector3d> points, up;
       for (int i = 0; i <= 20; ++i) {
-        const double a = base::kTurn * (i % 20) / 20;
+        const double a = base::kTwoPi * (i % 20) / 20;
         points.emplace_back(x + kRing * std::cos(a), kRing * std::sin(a), 0.8);
         up.push_back(Vector3d::UnitZ());
       }
@@ -79,7 +79,7 @@ TEST_F(PathUnderACollar, IsTheOnlyPathLost) {
   EXPECT_EQ(moved.skipped, ring);
 
   const auto lost =
-      std::ranges::find(moved.findings, plan::FindingKind::NoWayTo, &plan::Finding::kind);
+      std::ranges::find(moved.findings, plan::FindingKind::NoPathTo, &plan::Finding::kind);
   ASSERT_NE(lost, moved.findings.end());
   EXPECT_TRUE(lost->blocking);
   EXPECT_EQ(lost->count, middle.count);

@@ -64,14 +64,14 @@ TEST(Margins, IsotropyIsTheRatioOfTheJacobiansSingularValues) {
   const robot::RobotModel ur5 = robot::loadRobot("ur5");
   EXPECT_NEAR(motion::reachOf(ur5), ur5Reach(), 1e-9);
   std::mt19937 random(31);
-  double most = 0.0;
+  double maximum = 0.0;
   for (int round = 0; round < 300; ++round) {
     const JointVector q = anyWithin(ur5.limits, random);
     const double isotropy = motion::isotropyAt(ur5, q, ur5Reach());
     EXPECT_NEAR(isotropy, ratioOf(ur5Jacobian(q)), 1e-6);
-    most = std::max(most, isotropy);
+    maximum = std::max(maximum, isotropy);
   }
-  EXPECT_GT(most, 0.05);
+  EXPECT_GT(maximum, 0.05);
 }
 
 // Four axes, the third of which slides: a mm counts by the reach, as a turn's lengths do.
@@ -115,7 +115,7 @@ TEST(Margins, AreThoseOfTheWorstPoints) {
     plan::Trajectory t;
     t.dof = 6;
     std::size_t worst = 0;
-    double least = 1.0;
+    double minimum = 1.0;
     for (std::size_t i = 0; i < 700; ++i) {
       JointVector q = 0.4 * anyWithin(cell.limits(), random);
       // Joint j is nearest to a limit at point 140 j - 1 and the one behind it; at 0, joint 0.
@@ -128,8 +128,8 @@ TEST(Margins, AreThoseOfTheWorstPoints) {
       t.joints.insert(t.joints.end(), q.data(), q.data() + 6);
       t.timeS.push_back(static_cast<double>(i));
       const double isotropy = motion::isotropyAt(cell.robot(), q, ur5Reach());
-      worst = isotropy < least ? i : worst;
-      least = std::min(least, isotropy);
+      worst = isotropy < minimum ? i : worst;
+      minimum = std::min(minimum, isotropy);
     }
     const motion::MotionMargins margins = motion::marginsOf(t, cell, {});
     ASSERT_EQ(margins.joints.size(), 6u);
@@ -137,7 +137,7 @@ TEST(Margins, AreThoseOfTheWorstPoints) {
       EXPECT_NEAR(margins.joints[j].rad, 0.01 * static_cast<double>(j + 1), 1e-12);
       EXPECT_EQ(margins.joints[j].point, j == 0 ? 0u : 140 * j - 1);
     }
-    EXPECT_NEAR(margins.isotropy, least, 1e-7);
+    EXPECT_NEAR(margins.isotropy, minimum, 1e-7);
     EXPECT_EQ(margins.isotropyPoint, worst);
   }
 }

@@ -76,9 +76,9 @@ TEST(ExternalAxes, MoveTheWorkFrameAsTheCellDoes) {
       const Vector3d p(50 * u(random), 50 * u(random), 50 * u(random));
       EXPECT_LT((motion::movedByAxes(cell, p, axes) - first_T_work * p).norm(), 1e-9) << id;
       EXPECT_LT((motion::turnedByAxes(cell, p, axes) - first_T_work.linear() * p).norm(), 1e-9);
-      EXPECT_LT(
-          motion::angleBetween(motion::axesTurn(cell, axes), Quaterniond(first_T_work.linear())),
-          1e-7);
+      EXPECT_LT(motion::angleBetween(motion::axesRotation(cell, axes),
+                                     Quaterniond(first_T_work.linear())),
+                1e-7);
       // How the point moves by each axis, from a little less to a little more.
       const Vector3d inBase = cell.base_T_work(q) * p;
       const motion::AxisTwists twists = motion::axisTwists(cell, axes, inBase);
@@ -89,8 +89,10 @@ TEST(ExternalAxes, MoveTheWorkFrameAsTheCellDoes) {
         more[cell.armDof() + k] += 1e-5;
         const Isometry3d a = cell.base_T_work(less), b = cell.base_T_work(more);
         EXPECT_LT((twists.col(k).head<3>() - (b * p - a * p) / 2e-5).norm(), 1e-4) << id;
-        const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
-        EXPECT_LT((twists.col(k).tail<3>() - turn.angle() / 2e-5 * turn.axis()).norm(), 1e-4) << id;
+        const Eigen::AngleAxisd rotation(b.linear() * a.linear().transpose());
+        EXPECT_LT((twists.col(k).tail<3>() - rotation.angle() / 2e-5 * rotation.axis()).norm(),
+                  1e-4)
+            << id;
       }
     }
   }
@@ -109,10 +111,10 @@ TEST(ExternalAxes, SnapToTheirStepsAndRestAtWholeTurns) {
   for (const double turns : {0.4, 0.6, 2.3, -3.7}) {
     JointVector q = lathe.home();
     q[0] += 0.3;
-    q[lathe.armDof()] = base::kTurn * turns;
+    q[lathe.armDof()] = base::kTwoPi * turns;
     const JointVector rest = motion::homeAfter(lathe, q);
     EXPECT_EQ(rest.head(lathe.armDof()), lathe.home().head(lathe.armDof()));
-    const double wanted = axis.runsOn ? base::kTurn * std::round(turns) : 0.0;
+    const double wanted = axis.runsOn ? base::kTwoPi * std::round(turns) : 0.0;
     EXPECT_NEAR(rest[lathe.armDof()], wanted, 0.5 * axis.step + 1e-12);
   }
   const robot::Cell irbp = cellOf("irb1200-irbp");
@@ -145,7 +147,7 @@ TEST(MotionScene, NozzleDeviationIsBoundedAndEachDivisionStaysNear) {
         return motion::toolPose(a + t * (b - a), from.slerp(t, to));
       };
       const Isometry3d p = tool(t0).inverse(), q = tool(t1).inverse();
-      double most = 0.0;
+      double maximum = 0.0;
       for (int k = 1; k < 20; ++k) {
         const double t = k / 20.0;
         Isometry3d plate = Isometry3d::Identity();
@@ -153,18 +155,19 @@ TEST(MotionScene, NozzleDeviationIsBoundedAndEachDivisionStaysNear) {
         plate.linear() =
             Quaterniond(p.linear()).slerp(t, Quaterniond(q.linear())).toRotationMatrix();
         const Vector3d start = tool(t0).translation(), end = tool(t1).translation();
-        most = std::max(most, (plate.inverse().translation() - start - t * (end - start)).norm());
+        maximum =
+            std::max(maximum, (plate.inverse().translation() - start - t * (end - start)).norm());
       }
-      return most;
+      return maximum;
     };
-    const double told = s.scene.bend(a, b, angle), bends = farthest(0.0, 1.0);
-    EXPECT_LE(bends, 1.02 * told + 1e-9);
-    worst = std::max(worst, bends / told);
+    const double reported = s.scene.bend(a, b, angle), bends = farthest(0.0, 1.0);
+    EXPECT_LE(bends, 1.02 * reported + 1e-9);
+    worst = std::max(worst, bends / reported);
     const int n = s.scene.divisions(a, b, angle);
     ASSERT_GE(n, 1);
     EXPECT_LE(farthest(0.0, 1.0 / n), 1.02 * s.options.deviationMm + 1e-9);
     if (n > 1) {
-      EXPECT_GT(told, s.options.deviationMm * (n - 1) * (n - 1)) << "as few as will do";
+      EXPECT_GT(reported, s.options.deviationMm * (n - 1) * (n - 1)) << "as few as will do";
     }
   }
   EXPECT_GT(worst, 0.6);
@@ -320,14 +323,14 @@ TEST(JointCosts, RiseTowardsLimits) {
   };
   for (const double share : {0.0, 0.5, 0.79, -0.79})
     EXPECT_EQ(cost(1 + 3 * share, share), 0.0);
-  const double most = cost(4, 0);
-  EXPECT_GT(most, 0.0);
+  const double maximum = cost(4, 0);
+  EXPECT_GT(maximum, 0.0);
   for (const double into : {0.1, 0.5, 0.9, 1.0}) {
     const double share = 0.8 + 0.2 * into;
     for (const double sign : {-1.0, 1.0}) {
-      EXPECT_NEAR(cost(1 + sign * 3 * share, 0), most * into * into, 1e-12);
-      EXPECT_NEAR(cost(1, sign * share), most * into * into, 1e-12);
-      EXPECT_NEAR(cost(1 + sign * 3 * share, -share), 2 * most * into * into, 1e-12);
+      EXPECT_NEAR(cost(1 + sign * 3 * share, 0), maximum * into * into, 1e-12);
+      EXPECT_NEAR(cost(1, sign * share), maximum * into * into, 1e-12);
+      EXPECT_NEAR(cost(1 + sign * 3 * share, -share), 2 * maximum * into * into, 1e-12);
     }
   }
 }
@@ -339,12 +342,12 @@ TEST(JointCosts, TurningBackIsCheaperThanAnotherBranch) {
   };
   EXPECT_EQ(cost(0, 0), 0.0);
   EXPECT_NEAR(cost(0.3, -0.4), 0.7, 1e-12) << "what is near costs its way";
-  const double turn = cost(base::kTurn, 0);
-  EXPECT_GT(turn, 0.0);
-  EXPECT_LT(turn, 1.0);
-  EXPECT_NEAR(cost(-base::kTurn, 0), turn, 1e-12);
-  EXPECT_NEAR(cost(base::kTurn + 0.2, -0.1), turn + 0.3, 1e-12);
-  EXPECT_NEAR(cost(0, 2 * base::kTurn), 2 * turn, 1e-12);
+  const double rotation = cost(base::kTwoPi, 0);
+  EXPECT_GT(rotation, 0.0);
+  EXPECT_LT(rotation, 1.0);
+  EXPECT_NEAR(cost(-base::kTwoPi, 0), rotation, 1e-12);
+  EXPECT_NEAR(cost(base::kTwoPi + 0.2, -0.1), rotation + 0.3, 1e-12);
+  EXPECT_NEAR(cost(0, 2 * base::kTwoPi), 2 * rotation, 1e-12);
   // Beyond a radian it is another branch, the dearer the further.
   EXPECT_NEAR(cost(1.0, 0.9), 1.9, 1e-12);
   const double beyond = cost(1.5, 0) - 1.5;
@@ -356,10 +359,10 @@ TEST(JointCosts, TurningBackIsCheaperThanAnotherBranch) {
 namespace {
 constexpr double kFinelyMm = 0.02;
 
-// The least clearance on the motion to a point, or `least` where that is less: at most kFinelyMm
+// The least clearance on the motion to a point, or `minimum` where that is less: at most kFinelyMm
 // above the true one. From place to place on the way as far as nothing can have come nearer.
 double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scene& s,
-                        std::size_t before, double least) {
+                        std::size_t before, double minimum) {
   constexpr double kFarthestMm = 1500.0; // of a point from a joint's axis
   constexpr double kBent = 1.5, kNearRad = 0.3, kAllMm = 100.0;
   const JointVector from = Eigen::Map<const Eigen::VectorXd>(t.at(point - 1), t.dof);
@@ -367,15 +370,16 @@ double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scen
   const bool straight =
       t.move[point] == plan::MoveKind::Linear || t.move[point] == plan::MoveKind::Wipe;
   const Isometry3d start = s.cell.work_T_tool(from), end = s.cell.work_T_tool(to);
-  const double wayMm = kBent * kFarthestMm * (to - from).cwiseAbs().sum();
+  const double displacementMm = kBent * kFarthestMm * (to - from).cwiseAbs().sum();
   JointVector q = from, solved;
   std::vector<JointVector> scratch;
   collision::CellCollision::Frames frames;
   for (double share = 0.0; share < 1.0;) {
     if (straight) {
       const Vector3d tip = start.translation() + share * (end.translation() - start.translation());
-      const Quaterniond turn = Quaterniond(start.linear()).slerp(share, Quaterniond(end.linear()));
-      EXPECT_TRUE(motion::solveNear(s.cell, tip, turn, q, kNearRad, scratch, solved));
+      const Quaterniond rotation =
+          Quaterniond(start.linear()).slerp(share, Quaterniond(end.linear()));
+      EXPECT_TRUE(motion::solveNear(s.cell, tip, rotation, q, kNearRad, scratch, solved));
       q = solved;
     } else {
       q = from + share * (to - from);
@@ -383,10 +387,10 @@ double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scen
     s.cell.framePoses(q, frames);
     const double clear =
         s.collision.clearanceToPart(frames, s.part, before, s.collision.clearance(frames, kAllMm));
-    least = std::min(least, clear);
-    share += (clear - least + kFinelyMm) / std::max(wayMm, kFinelyMm);
+    minimum = std::min(minimum, clear);
+    share += (clear - minimum + kFinelyMm) / std::max(displacementMm, kFinelyMm);
   }
-  return least;
+  return minimum;
 }
 } // namespace
 
@@ -401,7 +405,7 @@ TEST(LastLook, FindsCollisionsAndTheLeastClearance) {
   const motion::TrajectoryCheck sound = motion::checkTrajectory(t, s.scene, before, 100.0, {});
   EXPECT_TRUE(sound.collisions.empty());
   // The least clearance, point by point and then between them.
-  double least = 100.0;
+  double minimum = 100.0;
   std::size_t at = 0, next = s.plan.waypointCount();
   std::vector<std::size_t> nexts(t.pointCount());
   collision::CellCollision::Frames frames;
@@ -411,23 +415,23 @@ TEST(LastLook, FindsCollisionsAndTheLeastClearance) {
     s.cell.framePoses(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof), frames);
     const double clear =
         s.collision.clearanceToPart(frames, s.part, next, s.collision.clearance(frames, 100.0));
-    if (clear <= least) {
-      least = clear;
+    if (clear <= minimum) {
+      minimum = clear;
       at = i;
     }
   }
-  EXPECT_LT(least, 100.0);
-  double finely = least;
+  EXPECT_LT(minimum, 100.0);
+  double finely = minimum;
   for (std::size_t i = 1; i < t.pointCount(); ++i)
     finely = finelyOnTheWayTo(i, t, s, nexts[i], finely);
   EXPECT_LE(sound.minClearanceMm, finely + 1e-6);
-  EXPECT_GE(sound.minClearanceMm, finely - collision::kWayExactMm - kFinelyMm);
+  EXPECT_GE(sound.minClearanceMm, finely - collision::kMotionExactMm - kFinelyMm);
   EXPECT_LE(sound.closestPoint, at + 1);
   ASSERT_GE(sound.closestPoint + 1, std::max<std::size_t>(at, 2));
   EXPECT_LE(finelyOnTheWayTo(sound.closestPoint, t, s, nexts[sound.closestPoint], 100.0),
-            sound.minClearanceMm + collision::kWayExactMm + kFinelyMm);
-  EXPECT_NEAR(motion::checkTrajectory(t, s.scene, before, 0.5 * least, {}).minClearanceMm,
-              0.5 * least, 1e-12);
+            sound.minClearanceMm + collision::kMotionExactMm + kFinelyMm);
+  EXPECT_NEAR(motion::checkTrajectory(t, s.scene, before, 0.5 * minimum, {}).minClearanceMm,
+              0.5 * minimum, 1e-12);
 
   // A travel through the ring instead of over it.
   std::size_t last = t.pointCount() - 1;

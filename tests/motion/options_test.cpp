@@ -4,8 +4,8 @@
 
 using namespace voluta;
 using motion::MotionOptions;
-using motion::NozzleTurn;
-using motion::TurnMethod;
+using motion::NozzleRotation;
+using motion::SmoothingMethod;
 
 namespace {
 
@@ -30,7 +30,7 @@ TEST(MotionOptions, AreTheDefaultsWhereNothingIsSet) {
   EXPECT_EQ(o.hopLiftMm, d.hopLiftMm);
   EXPECT_EQ(o.wipeMm, d.wipeMm);
   EXPECT_EQ(o.samples, d.samples);
-  EXPECT_EQ(o.turn, d.turn);
+  EXPECT_EQ(o.rotation, d.rotation);
   EXPECT_EQ(o.smoothing, d.smoothing);
   EXPECT_NEAR(o.leanRad, d.leanRad, 1e-12);
   EXPECT_EQ(o.leans(), 0.0) << "of whole paths only";
@@ -51,16 +51,16 @@ TEST(MotionOptions, TakeTheValuesOfTheParameters) {
   EXPECT_NEAR(o.leanRad, base::degreesToRadians(6.0), 1e-12);
   const auto choices = motion::motionParameters().find("nozzleRotation")->choices;
   ASSERT_EQ(choices.size(), 4u);
-  const NozzleTurn turns[] = {NozzleTurn::Free, NozzleTurn::Tangent, NozzleTurn::WorkAxis,
-                              NozzleTurn::Rodrigues};
+  const NozzleRotation turns[] = {NozzleRotation::Free, NozzleRotation::Tangent,
+                                  NozzleRotation::WorkAxis, NozzleRotation::Rodrigues};
   for (std::size_t k = 0; k < 4; ++k)
-    EXPECT_EQ(optionsWith({("nozzleRotation=" + choices[k].id).c_str()}).turn, turns[k]);
+    EXPECT_EQ(optionsWith({("nozzleRotation=" + choices[k].id).c_str()}).rotation, turns[k]);
   const auto ways = motion::motionParameters().find("rotationSmoothing")->choices;
   ASSERT_EQ(ways.size(), 2u);
   EXPECT_EQ(optionsWith({("rotationSmoothing=" + ways[0].id).c_str()}).smoothing,
-            TurnMethod::Evened);
+            SmoothingMethod::Evened);
   const MotionOptions whole =
       optionsWith({("rotationSmoothing=" + ways[1].id).c_str(), "tiltToleranceDeg=2"});
-  EXPECT_EQ(whole.smoothing, TurnMethod::WholePath);
+  EXPECT_EQ(whole.smoothing, SmoothingMethod::WholePath);
   EXPECT_NEAR(whole.leans(), base::degreesToRadians(2.0), 1e-12);
 }

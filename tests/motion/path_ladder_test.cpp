@@ -20,7 +20,7 @@
 using namespace voluta;
 using Eigen::Vector3d;
 using motion::LadderNode;
-using motion::LadderWay;
+using motion::LadderPath;
 using motion::PathLadder;
 using robot::JointVector;
 
@@ -76,26 +76,26 @@ plan::ToolPlan quarterRing(double radius) {
   return plan;
 }
 
-double wayLength(const plan::ToolPlan& plan, std::size_t from, std::size_t to) {
+double pathLength(const plan::ToolPlan& plan, std::size_t from, std::size_t to) {
   double length = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i)
     length += (plan.position[i] - plan.position[i - 1]).norm();
   return length;
 }
-double turnBetween(const plan::ToolPlan& plan, std::size_t from, std::size_t to) {
-  double turn = 0.0;
+double angleBetweenFrames(const plan::ToolPlan& plan, std::size_t from, std::size_t to) {
+  double rotation = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i)
-    turn += std::acos(std::min(1.0, plan.direction[i].dot(plan.direction[i - 1])));
-  return turn;
+    rotation += std::acos(std::min(1.0, plan.direction[i].dot(plan.direction[i - 1])));
+  return rotation;
 }
 
 // Of the arm's joints, as the way was taken.
-double costOf(const Scene& s, PathLadder& ladder, const LadderWay& way, const JointVector& from) {
-  double cost = motion::startCost(from, way.q.front(), s.cell.robot().limits);
-  for (std::size_t r = 0; r < way.reached; ++r) {
-    cost += ladder.node(r, way.node[r]).cost;
+double costOf(const Scene& s, PathLadder& ladder, const LadderPath& path, const JointVector& from) {
+  double cost = motion::startCost(from, path.q.front(), s.cell.robot().limits);
+  for (std::size_t r = 0; r < path.reached; ++r) {
+    cost += ladder.node(r, path.node[r]).cost;
     if (r > 0)
-      cost += (way.q[r] - way.q[r - 1]).head(s.cell.armDof()).cwiseAbs().sum();
+      cost += (path.q[r] - path.q[r - 1]).head(s.cell.armDof()).cwiseAbs().sum();
   }
   return cost;
 }
@@ -114,12 +114,12 @@ TEST(PathLadder, RungsAreAsFarApartAsTheyMayBe) {
       const std::size_t a = ladder.waypointOf(r - 1), b = ladder.waypointOf(r);
       ASSERT_LT(a, b);
       if (b > a + 1) {
-        EXPECT_LE(wayLength(s.plan, a, b), s.options.rungMm + 1e-9);
-        EXPECT_LE(turnBetween(s.plan, a, b), s.options.rungTurnRad + 1e-9);
+        EXPECT_LE(pathLength(s.plan, a, b), s.options.rungMm + 1e-9);
+        EXPECT_LE(angleBetweenFrames(s.plan, a, b), s.options.rungRotationRad + 1e-9);
       }
       if (r + 1 < ladder.size()) {
-        EXPECT_TRUE(wayLength(s.plan, a, b + 1) > s.options.rungMm ||
-                    turnBetween(s.plan, a, b + 1) > s.options.rungTurnRad)
+        EXPECT_TRUE(pathLength(s.plan, a, b + 1) > s.options.rungMm ||
+                    angleBetweenFrames(s.plan, a, b + 1) > s.options.rungRotationRad)
             << "could be further on";
       }
     }
@@ -155,18 +155,18 @@ TEST(PathLadder, AWayCostsItsStartItsNodesAndItsSteps) {
     const JointVector from = s.cell.home();
     PathLadder ladder = s.ladder(from);
     ladder.setRungs(s.plan.waypointCount(), {});
-    const LadderWay way = ladder.bestWay({});
-    ASSERT_EQ(way.reached, ladder.size()) << id;
-    EXPECT_NEAR(way.cost, costOf(s, ladder, way, from), 1e-9);
-    for (std::size_t r = 0; r < way.reached; ++r) {
-      const LadderNode& node = ladder.node(r, way.node[r]);
+    const LadderPath path = ladder.bestPath({});
+    ASSERT_EQ(path.reached, ladder.size()) << id;
+    EXPECT_NEAR(path.cost, costOf(s, ladder, path, from), 1e-9);
+    for (std::size_t r = 0; r < path.reached; ++r) {
+      const LadderNode& node = ladder.node(r, path.node[r]);
       EXPECT_NEAR(node.cost, motion::limitCost(node.q, s.cell.robot().limits), 1e-12);
       // It is there, turned about the nozzle as in its sample.
-      const Eigen::Isometry3d pose = s.cell.work_T_tool(way.q[r]);
+      const Eigen::Isometry3d pose = s.cell.work_T_tool(path.q[r]);
       const std::size_t w = ladder.waypointOf(r);
       EXPECT_LT((pose.translation() - s.plan.position[w]).norm(), 1e-6);
       const Eigen::Quaterniond wanted =
-          motion::turned(ladder.toolAt(w), base::kTurn * node.sample / s.options.samples);
+          motion::turned(ladder.toolAt(w), base::kTwoPi * node.sample / s.options.samples);
       EXPECT_LT(motion::angleBetween(Eigen::Quaterniond(pose.linear()), wanted), 1e-6);
     }
   }
@@ -177,26 +177,26 @@ TEST(PathLadder, ACourseIsLinearBetweenItsRungs) {
   Scene s(unevenLine());
   PathLadder ladder = s.ladder(s.cell.home());
   ladder.setRungs(30, {});
-  LadderWay way = ladder.bestWay({});
-  ASSERT_EQ(way.reached, ladder.size());
+  LadderPath path = ladder.bestPath({});
+  ASSERT_EQ(path.reached, ladder.size());
   const int samples = s.options.samples;
   // Any samples: on, back, and over the full circle both ways.
   const int wanted[] = {1, 3, 2, samples - 1, 1, 0, samples - 2, samples - 2, 4, 9};
-  for (std::size_t r = 0; r < way.reached; ++r)
-    ladder.node(r, way.node[r]).sample = wanted[r % 10];
-  const motion::Course course = ladder.courseOf(way);
-  ASSERT_EQ(course.turn.size(), 30u);
-  ASSERT_EQ(course.aside, std::vector<double>(30, 0.0));
-  double turn = base::kTurn * wanted[0] / samples;
-  EXPECT_NEAR(course.turn[0], turn, 1e-12);
-  for (std::size_t r = 1; r < way.reached; ++r) {
-    const double step = base::kTurn / samples * (wanted[r % 10] - wanted[(r - 1) % 10]);
-    const double change = std::remainder(step, base::kTurn);
+  for (std::size_t r = 0; r < path.reached; ++r)
+    ladder.node(r, path.node[r]).sample = wanted[r % 10];
+  const motion::Course course = ladder.courseOf(path);
+  ASSERT_EQ(course.rotation.size(), 30u);
+  ASSERT_EQ(course.offset, std::vector<double>(30, 0.0));
+  double rotation = base::kTwoPi * wanted[0] / samples;
+  EXPECT_NEAR(course.rotation[0], rotation, 1e-12);
+  for (std::size_t r = 1; r < path.reached; ++r) {
+    const double step = base::kTwoPi / samples * (wanted[r % 10] - wanted[(r - 1) % 10]);
+    const double change = std::remainder(step, base::kTwoPi);
     const std::size_t a = ladder.waypointOf(r - 1), b = ladder.waypointOf(r);
     for (std::size_t w = a; w <= b; ++w)
-      EXPECT_NEAR(course.turn[w], turn + change * wayLength(s.plan, a, w) / wayLength(s.plan, a, b),
-                  1e-9);
-    turn += change;
+      EXPECT_NEAR(course.rotation[w],
+                  rotation + change * pathLength(s.plan, a, w) / pathLength(s.plan, a, b), 1e-9);
+    rotation += change;
   }
 }
 
@@ -210,14 +210,14 @@ TEST(PathLadder, AnArmUnwindsOnlyWhereThatIsCheaper) {
     q[5] = joint6;
     PathLadder ladder = s.ladder(q);
     ladder.setRungs(s.plan.waypointCount(), {});
-    const LadderWay way = ladder.bestWay({});
-    EXPECT_EQ(way.reached, ladder.size());
-    EXPECT_NEAR(way.cost, costOf(s, ladder, way, q), 1e-9);
-    return way.q.front()[5];
+    const LadderPath path = ladder.bestPath({});
+    EXPECT_EQ(path.reached, ladder.size());
+    EXPECT_NEAR(path.cost, costOf(s, ladder, path, q), 1e-9);
+    return path.q.front()[5];
   };
   const double home = s.cell.home()[5];
   EXPECT_LT(std::abs(firstFrom(home) - home), base::kPi);
-  for (const double wound : {-0.62 * base::kTurn, 0.7 * base::kTurn}) {
+  for (const double wound : {-0.62 * base::kTwoPi, 0.7 * base::kTwoPi}) {
     ASSERT_GT(wound, limit.min);
     ASSERT_LT(wound, limit.max);
     EXPECT_LT(std::abs(firstFrom(wound) - wound), 0.5 * base::kPi) << wound;
@@ -241,7 +241,7 @@ TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
     for (int k = 0; k < s.options.samples; ++k) {
       s.cell.inverse(
           motion::toolPose(s.plan.position[0],
-                           motion::turned(ladder.toolAt(0), base::kTurn * k / s.options.samples)),
+                           motion::turned(ladder.toolAt(0), base::kTwoPi * k / s.options.samples)),
           from, solutions);
       count += static_cast<int>(solutions.size());
     }
@@ -275,10 +275,10 @@ TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
   const motion::Refused refused = judged.refusalOf(0);
   EXPECT_EQ(refused.waypoint, 0u);
   EXPECT_EQ(refused.why, motion::Refusal::Collision);
-  int most = 0;
+  int maximum = 0;
   for (const auto& [pair, times] : contacts)
-    most = std::max(most, times);
-  EXPECT_EQ((contacts[{refused.contact.first, refused.contact.second}]), most);
+    maximum = std::max(maximum, times);
+  EXPECT_EQ((contacts[{refused.contact.first, refused.contact.second}]), maximum);
   EXPECT_GT(contacts.size(), 1u);
   // All that was blocked for that may be allowed again, once.
   EXPECT_TRUE(lifted.allowUnliftable());
@@ -295,11 +295,11 @@ TEST(PathLadder, NearnessCostsTheMoreTheNearer) {
   s.options.nearCost = 0.7;
   PathLadder ladder = s.ladder(s.cell.home());
   ladder.setRungs(2, {});
-  const LadderWay way = ladder.bestWay({});
-  ASSERT_EQ(way.reached, 2u);
+  const LadderPath path = ladder.bestPath({});
+  ASSERT_EQ(path.reached, 2u);
   ladder.judge({0, 1}, {});
-  ASSERT_TRUE(ladder.seekClearance(way, {}));
-  EXPECT_FALSE(ladder.seekClearance(way, {})) << "known by now";
+  ASSERT_TRUE(ladder.seekClearance(path, {}));
+  EXPECT_FALSE(ladder.seekClearance(path, {})) << "known by now";
   std::vector<std::pair<double, double>> nearness; // clearance, cost
   collision::CellCollision::Frames frames;
   for (int n = 0; n < 24; ++n) {
@@ -327,7 +327,7 @@ TEST(PathLadder, NearnessCostsTheMoreTheNearer) {
   s.options.nearCost = 0.0;
   PathLadder other = s.ladder(s.cell.home());
   other.setRungs(2, {});
-  EXPECT_FALSE(other.seekClearance(other.bestWay({}), {}));
+  EXPECT_FALSE(other.seekClearance(other.bestPath({}), {}));
 }
 
 TEST(PathLadder, WideningAddsNodesOfTheLastAxisAtACost) {
@@ -336,11 +336,11 @@ TEST(PathLadder, WideningAddsNodesOfTheLastAxisAtACost) {
   ASSERT_TRUE(ladder.movesPart());
   ladder.setRungs(ladder.followed(), {});
   ASSERT_GT(ladder.size(), 2u);
-  const LadderWay before = ladder.bestWay({});
+  const LadderPath before = ladder.bestPath({});
   ASSERT_GT(before.reached, 0u);
   EXPECT_TRUE(ladder.widen(1, {}));
   EXPECT_FALSE(ladder.widen(1, {})) << "they are there";
-  const LadderWay after = ladder.bestWay({});
+  const LadderPath after = ladder.bestPath({});
   EXPECT_GE(after.reached, before.reached);
   if (after.reached == before.reached) {
     EXPECT_LE(after.cost, before.cost + 1e-9) << "more nodes make no way dearer";
@@ -348,12 +348,12 @@ TEST(PathLadder, WideningAddsNodesOfTheLastAxisAtACost) {
   for (std::size_t r = 0; r < after.reached; ++r) {
     const LadderNode& node = ladder.node(r, after.node[r]);
     const double extra = node.cost - motion::limitCost(node.q, s.cell.robot().limits);
-    if (node.aside == 0) {
+    if (node.offset == 0) {
       EXPECT_NEAR(extra, 0.0, 1e-12);
     } else {
       EXPECT_GT(extra, 0.0);
     }
-    const JointVector axes = ladder.axesAt(ladder.waypointOf(r), node.aside * base::kPi / 12);
+    const JointVector axes = ladder.axesAt(ladder.waypointOf(r), node.offset * base::kPi / 12);
     EXPECT_LT((node.q.tail(axes.size()) - axes).norm(), 1e-9);
   }
 }

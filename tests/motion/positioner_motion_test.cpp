@@ -25,8 +25,8 @@ namespace {
 platform::PlatformSolid disc() {
   platform::PlatformSolid plate;
   for (int i = 0; i < 32; ++i)
-    plate.polygon.emplace_back(175 * std::cos(base::kTurn * i / 32),
-                               175 * std::sin(base::kTurn * i / 32));
+    plate.polygon.emplace_back(175 * std::cos(base::kTwoPi * i / 32),
+                               175 * std::sin(base::kTwoPi * i / 32));
   return plate;
 }
 
@@ -140,7 +140,8 @@ TEST(Positioner, AxesMoveDirectionsAndPointsAsTheCellDoes) {
              cell.base_T_work(q).linear() * d)
                 .norm(),
             1e-12);
-  EXPECT_LT((motion::axesTurn(cell, axes) * d - motion::turnedByAxes(cell, d, axes)).norm(), 1e-12);
+  EXPECT_LT((motion::axesRotation(cell, axes) * d - motion::turnedByAxes(cell, d, axes)).norm(),
+            1e-12);
 }
 
 // The arm rests beside the plate, which tilts into it between two points that are clear.

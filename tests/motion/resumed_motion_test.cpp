@@ -216,14 +216,14 @@ TEST_F(ResumeMotion, TheRunThatIsCutBeginsFromRest) {
   const plan::Trajectory& all = r.trajectory;
   const std::size_t begin = all.pointCount() - (t_.pointCount() - point), end = endOfRun(point);
   const double speed = 20.0, acceleration = process_.accelerationMmPerS2;
-  double way = 0.0;
+  double distance = 0.0;
   for (std::size_t i = point + 1; i <= end; ++i) {
     const std::size_t k = begin + i - point;
     const double step = (tip(all, k) - tip(all, k - 1)).norm();
-    way += step;
+    distance += step;
     const double time = all.timeS[k] - all.timeS[begin];
     EXPECT_LE(step / (all.timeS[k] - all.timeS[k - 1]), speed + 1e-6);
-    EXPECT_LE(way, 0.5 * acceleration * time * time + 1e-6);
+    EXPECT_LE(distance, 0.5 * acceleration * time * time + 1e-6);
     for (int j = 0; j < 6; ++j)
       EXPECT_LE(std::abs(at(all, k)[j] - at(all, k - 1)[j]),
                 cell_.limits()[static_cast<std::size_t>(j)].velocity *

@@ -67,7 +67,7 @@ TEST(ScaraMotion, ACylinderIsPrintedWithinLimits) {
         const double step = std::abs(t.at(i)[j] - t.at(i - 1)[j]);
         EXPECT_LE(step / (t.timeS[i] - t.timeS[i - 1]), limit.velocity);
         if (t.move[i] == plan::MoveKind::Print) {
-          EXPECT_LE(robot::asTurn(limit.kind, step), 0.25);
+          EXPECT_LE(robot::asAngle(limit.kind, step), 0.25);
         }
       }
     }
@@ -86,10 +86,10 @@ TEST(ScaraMotion, LeaningDirectionsGiveOneFinding) {
     plan.direction[i] = Vector3d(0.1, 0, 1).normalized();
   const Moved m(std::move(plan));
   ASSERT_GT(leaning, 20u);
-  std::size_t told = 0;
+  std::size_t reported = 0;
   for (const auto& f : m.result.findings)
     if (f.kind == plan::FindingKind::StaysUpright) {
-      ++told;
+      ++reported;
       EXPECT_EQ(f.count, leaning);
       EXPECT_TRUE(f.blocking);
       ASSERT_TRUE(f.where);
@@ -97,7 +97,7 @@ TEST(ScaraMotion, LeaningDirectionsGiveOneFinding) {
       EXPECT_NE(plan::englishReason(f).find("keeps the nozzle upright"), std::string::npos);
       EXPECT_NE(plan::englishRemedy(f).find("mode flat"), std::string::npos);
     }
-  EXPECT_EQ(told, 1u);
+  EXPECT_EQ(reported, 1u);
   EXPECT_GE(m.result.statistics.unreachable, leaning);
 }
 
@@ -114,17 +114,17 @@ TEST(ScaraMotion, TreeFindsAWayRoundByTheSlide) {
     return true;
   };
   const JointVector from = joints({-1, -140}), to = joints({1, -140});
-  const auto way = motion::treeWay(from, to, limits, free, segmentFree, {}, {});
-  ASSERT_GE(way.size(), 3u);
-  EXPECT_EQ(way.front(), from);
-  EXPECT_EQ(way.back(), to);
+  const auto path = motion::treePath(from, to, limits, free, segmentFree, {}, {});
+  ASSERT_GE(path.size(), 3u);
+  EXPECT_EQ(path.front(), from);
+  EXPECT_EQ(path.back(), to);
   double highest = -150.0;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    EXPECT_GE(way[i][1], -150.0);
-    EXPECT_LE(way[i][1], 0.0);
-    highest = std::max(highest, way[i][1]);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_GE(path[i][1], -150.0);
+    EXPECT_LE(path[i][1], 0.0);
+    highest = std::max(highest, path[i][1]);
     if (i > 0) {
-      EXPECT_TRUE(segmentFree(way[i - 1], way[i]));
+      EXPECT_TRUE(segmentFree(path[i - 1], path[i]));
     }
   }
   EXPECT_GT(highest, -30.0);

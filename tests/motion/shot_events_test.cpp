@@ -78,7 +78,7 @@ TEST(ShotEvents, LongShotsGiveAFinding) {
   process::Process process;
   process.maxFlowMm3PerS = 12.0;
   const plan::ToolPlan plan = shotPlan();
-  const auto told = [&](double volumeMm3, double waitS) {
+  const auto findingOf = [&](double volumeMm3, double waitS) {
     plan::Trajectory t;
     t.timeS = {0.0, 1.0};
     t.waypoint = {2, 3};
@@ -87,15 +87,15 @@ TEST(ShotEvents, LongShotsGiveAFinding) {
     addShotEvents(t, volumeMm3, process, options);
     return longShots(t, plan);
   };
-  const auto finding = told(212.0, 0.0);
+  const auto finding = findingOf(212.0, 0.0);
   ASSERT_TRUE(finding);
   EXPECT_FALSE(finding->blocking);
   EXPECT_EQ(finding->where, plan.position[3]);
   EXPECT_NE(plan::englishReason(*finding).find("1 shot into a pocket lasts up to 17.7"),
             std::string::npos)
       << plan::englishReason(*finding);
-  EXPECT_FALSE(told(36.0, 0.0)) << "3 s";
-  EXPECT_TRUE(told(36.0, 1.5)) << "the wait counts too";
+  EXPECT_FALSE(findingOf(36.0, 0.0)) << "3 s";
+  EXPECT_TRUE(findingOf(36.0, 1.5)) << "the wait counts too";
 }
 
 } // namespace

@@ -28,14 +28,14 @@ using robot::JointVector;
 namespace {
 
 // A line across which the nozzle leans back to the arm, further and further, and a little aside.
-plan::ToolPlan leaningBack(double fromDeg, double toDeg, double aside) {
+plan::ToolPlan leaningBack(double fromDeg, double toDeg, double offset) {
   plan::ToolPlan plan;
   std::vector<Vector3d> points, directions;
   constexpr int kSteps = 60;
   for (int i = 0; i <= kSteps; ++i) {
     const double lean = base::degreesToRadians(fromDeg + (toDeg - fromDeg) * i / kSteps);
     points.emplace_back(i - 0.5 * kSteps, 0.0, 40.0);
-    directions.push_back(Vector3d(-std::sin(lean), aside, std::cos(lean)).normalized());
+    directions.push_back(Vector3d(-std::sin(lean), offset, std::cos(lean)).normalized());
   }
   test::appendPath(plan, points, directions, 0);
   return plan;
@@ -92,8 +92,8 @@ protected:
 // Joints next to those before lead from one side of the stretched wrist to the other, past which
 // the controller would have to turn joint 4 by half a turn at once.
 TEST_F(Singular, TheNearestJointsMayBeOnTheOtherSide) {
-  for (const double aside : {0.0, 1e-3}) {
-    const plan::ToolPlan plan = leaningBack(12.5, 42.5, aside);
+  for (const double offset : {0.0, 1e-3}) {
+    const plan::ToolPlan plan = leaningBack(12.5, 42.5, offset);
     const collision::CellCollision collision(cell_, process_);
     const collision::GrowingPart part(plan, 1.0, {});
     const motion::MotionOptions options;
@@ -111,29 +111,29 @@ TEST_F(Singular, TheNearestJointsMayBeOnTheOtherSide) {
         continue;
       ++changed;
       EXPECT_LT(at.q[4] * last.q[4], 0.0);
-      EXPECT_EQ(scene.goesStraight(last, at), aside == 0.0) << i;
-      EXPECT_EQ(endsBeside(last.q, at.q) < 1e-6, aside == 0.0) << i;
+      EXPECT_EQ(scene.movesStraight(last, at), offset == 0.0) << i;
+      EXPECT_EQ(endsBeside(last.q, at.q) < 1e-6, offset == 0.0) << i;
     }
-    EXPECT_EQ(changed, 1) << aside;
+    EXPECT_EQ(changed, 1) << offset;
   }
 }
 
 // Exactly through the stretched wrist in one go; past it with a millimetre or two left out at most.
 TEST_F(Singular, PathsPassNoSingularPoseOnTheirWay) {
-  for (const double aside : {0.0, 1e-3, -3e-3, 0.1}) {
-    const plan::ToolPlan plan = leaningBack(12.5, 42.5, aside);
+  for (const double offset : {0.0, 1e-3, -3e-3, 0.1}) {
+    const plan::ToolPlan plan = leaningBack(12.5, 42.5, offset);
     const collision::GrowingPart part(plan, 1.0, {});
     const motion::MotionResult moved =
         motion::MotionPlanner(plan, cell_, process::Tooling(process_), part, {}).plan({});
-    EXPECT_LE(moved.skipped.size(), std::abs(aside) > 0.0 && std::abs(aside) < 0.05 ? 2u : 0u)
-        << "aside " << aside;
+    EXPECT_LE(moved.skipped.size(), std::abs(offset) > 0.0 && std::abs(offset) < 0.05 ? 2u : 0u)
+        << "aside " << offset;
     const plan::Trajectory& t = moved.trajectory;
     for (std::size_t i = 1; i < t.pointCount(); ++i) {
       if (t.move[i] == plan::MoveKind::Joint)
         continue;
       const JointVector from = Eigen::Map<const Eigen::VectorXd>(t.at(i - 1), t.dof),
                         to = Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
-      EXPECT_LT(endsBeside(from, to), 1e-6) << i << " aside " << aside;
+      EXPECT_LT(endsBeside(from, to), 1e-6) << i << " aside " << offset;
     }
   }
 }

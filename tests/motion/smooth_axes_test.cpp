@@ -11,9 +11,9 @@
 #include <random>
 
 using namespace voluta;
+using motion::RotationHold;
 using motion::RunPoint;
 using motion::TurnedPoint;
-using motion::TurnHold;
 using robot::JointVector;
 using test::evenTimes;
 using test::largestOff;
@@ -35,9 +35,9 @@ std::vector<RunPoint> carriedAbout(const robot::Cell& cell, std::size_t count, d
     p.at = home;
     p.at.axes = motion::axesOf(cell, cell.home());
     for (Eigen::Index k = 0; k < p.at.axes.size() && i > 0 && i + 1 < count; ++k)
-      p.at.axes[k] +=
-          robot::fromTurn(cell.externalAxes()[static_cast<std::size_t>(k)].limits.kind,
-                          rad * (std::sin(base::kPi * t) + chance(random)) * (k == 0 ? 1.0 : -0.5));
+      p.at.axes[k] += robot::fromAngle(cell.externalAxes()[static_cast<std::size_t>(k)].limits.kind,
+                                       rad * (std::sin(base::kPi * t) + chance(random)) *
+                                           (k == 0 ? 1.0 : -0.5));
     if (!motion::solveNear(cell, home.tip, home.tool, motion::withAxes(cell, q, p.at.axes), 0.5,
                            scratch, p.at.q))
       return {};
@@ -63,9 +63,9 @@ TEST_P(SmoothAxes, RatesAreTheDerivativesOfTheInverse) {
   const AxesCell c(GetParam());
   const auto points = carriedAbout(c.cell, 25, 0.1);
   ASSERT_EQ(points.size(), 25u);
-  const motion::TurnSmoother smoother(c.cell, c.twists, points, evenTimes(25, 0.05), 0.05, 0.3);
+  const motion::RotationSmoother smoother(c.cell, c.twists, points, evenTimes(25, 0.05), 0.05, 0.3);
   auto at = smoother.start(onThreads(1));
-  smoother.smooth(at, std::vector<TurnHold>(at.size()), {2, 0.0, 0.3}, onThreads(1));
+  smoother.smooth(at, std::vector<RotationHold>(at.size()), {2, 0.0, 0.3}, onThreads(1));
   constexpr double kStep = 1e-5;
   std::vector<JointVector> scratch;
   const Eigen::Index arm = c.cell.armDof(), axes = c.cell.dof() - arm;
@@ -73,7 +73,7 @@ TEST_P(SmoothAxes, RatesAreTheDerivativesOfTheInverse) {
   for (std::size_t i = 0; i < at.size(); ++i) {
     ASSERT_EQ(at[i].rate.rows(), arm + axes);
     ASSERT_EQ(at[i].rate.cols(), 3 + axes);
-    furthest = std::max(furthest, at[i].aside.norm());
+    furthest = std::max(furthest, at[i].offset.norm());
     for (Eigen::Index k = 0; k < axes; ++k) {
       const auto moved = [&](double by, JointVector& q) {
         JointVector near = at[i].q;
@@ -98,11 +98,11 @@ TEST_P(SmoothAxes, NeedlessMotionOfAxesIsRemoved) {
   constexpr double kRad = 0.05;
   const auto points = carriedAbout(c.cell, kPoints, kRad);
   ASSERT_EQ(points.size(), kPoints);
-  std::vector<TurnHold> holds(kPoints);
+  std::vector<RotationHold> holds(kPoints);
   holds.front().stay = holds.back().stay = motion::kHeld;
   const auto smoothed = [&](double axesRad, int threads) {
-    const motion::TurnSmoother smoother(c.cell, c.twists, points, evenTimes(kPoints, 0.05), 0.0,
-                                        axesRad);
+    const motion::RotationSmoother smoother(c.cell, c.twists, points, evenTimes(kPoints, 0.05), 0.0,
+                                            axesRad);
     auto at = smoother.start(onThreads(threads));
     smoother.smooth(at, holds, {200, 0.0, 0.3}, onThreads(threads));
     return at;
@@ -113,18 +113,18 @@ TEST_P(SmoothAxes, NeedlessMotionOfAxesIsRemoved) {
     EXPECT_EQ(wide[i].q, alone[i].q) << "threads";
   }
   const auto narrow = smoothed(0.5 * kRad, 1);
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < kPoints; ++i) {
     EXPECT_LT(largestOff(c.cell, points[i], narrow[i]), 1e-6);
-    for (Eigen::Index k = 0; k < narrow[i].aside.size(); ++k) {
+    for (Eigen::Index k = 0; k < narrow[i].offset.size(); ++k) {
       const auto kind = c.cell.externalAxes()[static_cast<std::size_t>(k)].limits.kind;
-      most = std::max(most, robot::asTurn(kind, std::abs(narrow[i].aside[k])));
-      EXPECT_NEAR(narrow[i].q[c.cell.armDof() + k], points[i].at.axes[k] + narrow[i].aside[k],
+      maximum = std::max(maximum, robot::asAngle(kind, std::abs(narrow[i].offset[k])));
+      EXPECT_NEAR(narrow[i].q[c.cell.armDof() + k], points[i].at.axes[k] + narrow[i].offset[k],
                   1e-12);
     }
   }
-  EXPECT_LE(most, 0.5 * kRad);
-  EXPECT_GT(most, 0.4 * kRad);
+  EXPECT_LE(maximum, 0.5 * kRad);
+  EXPECT_GT(maximum, 0.4 * kRad);
 }
 
 // For any range that they may use.
@@ -132,9 +132,10 @@ TEST_P(SmoothAxes, LimitsAreKept) {
   const AxesCell c(GetParam());
   const auto points = carriedAbout(c.cell, 30, 0.02);
   ASSERT_EQ(points.size(), 30u);
-  const motion::TurnSmoother smoother(c.cell, c.twists, points, evenTimes(30, 0.05), 0.0, 100.0);
+  const motion::RotationSmoother smoother(c.cell, c.twists, points, evenTimes(30, 0.05), 0.0,
+                                          100.0);
   auto at = smoother.start(onThreads(1));
-  smoother.smooth(at, std::vector<TurnHold>(30), {}, onThreads(1));
+  smoother.smooth(at, std::vector<RotationHold>(30), {}, onThreads(1));
   for (const TurnedPoint& p : at)
     for (Eigen::Index j = 0; j < p.q.size(); ++j) {
       EXPECT_GE(p.q[j], c.cell.limits()[static_cast<std::size_t>(j)].min);

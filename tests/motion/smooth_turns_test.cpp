@@ -17,9 +17,9 @@
 #include <random>
 
 using namespace voluta;
+using motion::RotationHold;
 using motion::RunPoint;
 using motion::TurnedPoint;
-using motion::TurnHold;
 using robot::JointVector;
 using test::evenTimes;
 using test::largestOff;
@@ -44,14 +44,15 @@ struct Wall {
     std::mt19937 random(static_cast<unsigned>(seed));
     std::uniform_real_distribution<double> step(-wander, wander);
     Eigen::Quaterniond tool = motion::uprightTool();
-    double turn = 20.0 * step(random);
+    double rotation = 20.0 * step(random);
     JointVector q = cell.home();
     std::vector<JointVector> scratch;
     for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
       tool = motion::carried(tool, plan.direction[i]);
-      turn += step(random);
-      const Eigen::Quaterniond at = motion::turned(tool, turn);
-      if (!motion::solveNear(cell, plan.position[i], at, q, i == 0 ? base::kTurn : 0.5, scratch, q))
+      rotation += step(random);
+      const Eigen::Quaterniond at = motion::turned(tool, rotation);
+      if (!motion::solveNear(cell, plan.position[i], at, q, i == 0 ? base::kTwoPi : 0.5, scratch,
+                             q))
         break;
       points.push_back({{plan.position[i], at, q, {}}, i, i, 0.0, 20.0});
       times.push_back(times.empty() ? 0.0 : times.back() + 0.04 + 0.5 * std::abs(step(random)));
@@ -63,7 +64,7 @@ struct Wall {
 
 // Of this arm the turn about the nozzle is joint 4 alone, so that the least jerk of a stretch with
 // equal ends keeps joint 4 at rest, whatever the other joints do.
-TEST(TurnSmoother, WristOfAScaraRests) {
+TEST(RotationSmoother, WristOfAScaraRests) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("t3", process, test::disc(20.0));
   const robot::ArmTwists twists(*cell.robot().kinematics);
@@ -81,9 +82,9 @@ TEST(TurnSmoother, WristOfAScaraRests) {
     p.at = motion::stateAt(cell, q);
     points.push_back(p);
   }
-  const motion::TurnSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05));
+  const motion::RotationSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05));
   std::vector<TurnedPoint> at = smoother.start(onThreads(1));
-  std::vector<TurnHold> holds(kPoints);
+  std::vector<RotationHold> holds(kPoints);
   holds.front().stay = holds.back().stay = motion::kHeld;
   smoother.smooth(at, holds, {60, 0.0, 0.3}, onThreads(1));
   for (std::size_t i = 0; i < kPoints; ++i) {
@@ -93,10 +94,10 @@ TEST(TurnSmoother, WristOfAScaraRests) {
   }
 }
 
-TEST(TurnSmoother, RateIsTheDerivativeOfTheInverse) {
+TEST(RotationSmoother, RateIsTheDerivativeOfTheInverse) {
   const Wall wall(1);
   ASSERT_EQ(wall.points.size(), wall.plan.waypointCount());
-  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+  const motion::RotationSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
   const auto at = smoother.start(onThreads(1));
   constexpr double kStep = 1e-5;
   std::vector<JointVector> scratch;
@@ -112,13 +113,13 @@ TEST(TurnSmoother, RateIsTheDerivativeOfTheInverse) {
   }
 }
 
-TEST(TurnSmoother, NeverWorseAndEveryPointStaysWhereItIs) {
+TEST(RotationSmoother, NeverWorseAndEveryPointStaysWhereItIs) {
   for (int seed = 1; seed <= 12; ++seed) {
     const Wall wall(seed);
     ASSERT_EQ(wall.points.size(), wall.plan.waypointCount()) << seed;
-    const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+    const motion::RotationSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
     const auto start = smoother.start(onThreads(2));
-    std::vector<TurnHold> holds(wall.points.size());
+    std::vector<RotationHold> holds(wall.points.size());
     holds[7].stay = motion::kHeld;
     auto at = start;
     smoother.smooth(at, holds, {}, onThreads(2));
@@ -141,24 +142,24 @@ TEST(TurnSmoother, NeverWorseAndEveryPointStaysWhereItIs) {
 
 // A firm hold on turns brings them back to the points' own; one on their differences makes them
 // equal.
-TEST(TurnSmoother, HoldsBringTurnsBack) {
+TEST(RotationSmoother, HoldsBringTurnsBack) {
   const Wall wall(3);
-  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
+  const motion::RotationSmoother smoother(wall.cell, wall.twists, wall.points, wall.times);
   const auto start = smoother.start(onThreads(1));
-  std::vector<TurnHold> free(wall.points.size()), firm(wall.points.size(), {1e6, 0.0}),
+  std::vector<RotationHold> free(wall.points.size()), firm(wall.points.size(), {1e6, 0.0}),
       together(wall.points.size(), {0.0, 1e6});
   auto at = start;
   smoother.smooth(at, free, {}, onThreads(1));
-  const motion::TurnSmoothing much{60, 1e-9, 0.3};
+  const motion::RotationSmoothing much{60, 1e-9, 0.3};
   auto back = at, joined = at;
   smoother.smooth(back, firm, much, onThreads(1));
   smoother.smooth(joined, together, much, onThreads(1));
   double away = 0.0;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    away = std::max(away, std::abs(at[i].turn));
-    EXPECT_LT(std::abs(back[i].turn), 1e-3) << i;
+    away = std::max(away, std::abs(at[i].rotation));
+    EXPECT_LT(std::abs(back[i].rotation), 1e-3) << i;
     if (i > 0) {
-      EXPECT_LT(std::abs(joined[i].turn - joined[i - 1].turn), 1e-3) << i;
+      EXPECT_LT(std::abs(joined[i].rotation - joined[i - 1].rotation), 1e-3) << i;
     }
   }
   EXPECT_GT(away, 0.05);
@@ -166,13 +167,13 @@ TEST(TurnSmoother, HoldsBringTurnsBack) {
 
 // Joints of points near which the rates are taken: the tool leans and turns a little, the tip
 // stays.
-TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
+TEST(RotationSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
   const Wall wall(2);
   ASSERT_EQ(wall.points.size(), wall.plan.waypointCount());
-  const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, 0.06);
+  const motion::RotationSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, 0.06);
   const auto start = smoother.start(onThreads(1));
   auto at = start;
-  smoother.smooth(at, std::vector<TurnHold>(at.size()), {}, onThreads(1));
+  smoother.smooth(at, std::vector<RotationHold>(at.size()), {}, onThreads(1));
   constexpr double kStep = 1e-5;
   std::vector<JointVector> scratch;
   double longest = 0.0;
@@ -184,7 +185,7 @@ TEST(TurnSmoother, RatesOfLeansAreTheDerivativesOfTheInverse) {
       const auto moved = [&](double by, JointVector& q) {
         TurnedPoint p = at[i];
         if (k == 0)
-          p.turn += by;
+          p.rotation += by;
         else
           p.lean[k - 1] += by;
         return motion::solveNear(wall.cell, state.tip, p.tool(state.tool), at[i].q, 0.1, scratch,
@@ -223,7 +224,7 @@ std::vector<RunPoint> kinked(const robot::Cell& cell, std::size_t count, double 
 } // namespace
 
 // Standing still is without jerk: where the cone has room, directions with a kink come to that.
-TEST(TurnSmoother, KinkWithinTheConeIsRemoved) {
+TEST(RotationSmoother, KinkWithinTheConeIsRemoved) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
   const robot::ArmTwists twists(*cell.robot().kinematics);
@@ -231,10 +232,11 @@ TEST(TurnSmoother, KinkWithinTheConeIsRemoved) {
   constexpr double kKink = 0.02;
   const std::vector<RunPoint> points = kinked(cell, kPoints, kKink);
   ASSERT_EQ(points.size(), kPoints);
-  std::vector<TurnHold> holds(kPoints);
+  std::vector<RotationHold> holds(kPoints);
   holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
   const auto smoothed = [&](double coneRad) {
-    const motion::TurnSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05), coneRad);
+    const motion::RotationSmoother smoother(cell, twists, points, evenTimes(kPoints, 0.05),
+                                            coneRad);
     auto at = smoother.start(onThreads(1));
     smoother.smooth(at, holds, {200, 0.0, 0.3}, onThreads(1));
     return at;
@@ -253,15 +255,15 @@ TEST(TurnSmoother, KinkWithinTheConeIsRemoved) {
 }
 
 // Motion that is already as smooth as possible stays.
-TEST(TurnSmoother, OneDirectionOnTheSpotIsKept) {
+TEST(RotationSmoother, OneDirectionOnTheSpotIsKept) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
   const robot::ArmTwists twists(*cell.robot().kinematics);
   const std::vector<RunPoint> points = kinked(cell, 30, 0.0);
   ASSERT_EQ(points.size(), 30u);
-  const motion::TurnSmoother smoother(cell, twists, points, evenTimes(30, 0.05), 0.05);
+  const motion::RotationSmoother smoother(cell, twists, points, evenTimes(30, 0.05), 0.05);
   auto at = smoother.start(onThreads(1));
-  std::vector<TurnHold> holds(points.size());
+  std::vector<RotationHold> holds(points.size());
   holds.front() = holds.back() = {motion::kHeld, 0.0, motion::kHeld};
   smoother.smooth(at, holds, {}, onThreads(1));
   for (const TurnedPoint& p : at) {
@@ -270,7 +272,7 @@ TEST(TurnSmoother, OneDirectionOnTheSpotIsKept) {
   }
 }
 
-TEST(TurnSmoother, LeansStayInTheirConeAndTipsWhereTheyAre) {
+TEST(RotationSmoother, LeansStayInTheirConeAndTipsWhereTheyAre) {
   std::mt19937 random(31);
   std::uniform_real_distribution<double> chance(-0.03, 0.03);
   for (int seed = 1; seed <= 10; ++seed) {
@@ -282,9 +284,9 @@ TEST(TurnSmoother, LeansStayInTheirConeAndTipsWhereTheyAre) {
       ASSERT_TRUE(motion::solveNear(wall.cell, p.at.tip, p.at.tool, p.at.q, 0.5, scratch, p.at.q));
     }
     const double cone = seed % 2 == 0 ? 0.01 : 0.05;
-    const motion::TurnSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, cone);
-    const motion::TurnSmoother turnsOnly(wall.cell, wall.twists, wall.points, wall.times);
-    std::vector<TurnHold> holds(wall.points.size());
+    const motion::RotationSmoother smoother(wall.cell, wall.twists, wall.points, wall.times, cone);
+    const motion::RotationSmoother turnsOnly(wall.cell, wall.twists, wall.points, wall.times);
+    std::vector<RotationHold> holds(wall.points.size());
     holds[5].stay = holds[5].upright = motion::kHeld;
     holds[9].upright = motion::kHeld;
     const auto start = smoother.start(onThreads(2));
@@ -331,9 +333,9 @@ TEST(LeanCone, ItsNumbersAndDerivativesAgree) {
           ((cone.at(free + by) - cone.at(free - by)) / (2.0 * kStep) - cone.slope(free).col(k))
               .norm(),
           1e-8);
-      const Eigen::Quaterniond turn =
+      const Eigen::Quaterniond rotation =
           motion::leant(own, lean - by).conjugate() * motion::leant(own, lean + by);
-      EXPECT_LT((turn.vec() / kStep - motion::leanRates(lean).col(k)).norm(), 1e-8);
+      EXPECT_LT((rotation.vec() / kStep - motion::leanRates(lean).col(k)).norm(), 1e-8);
     }
     EXPECT_NEAR(motion::angleBetween(own, motion::leant(own, lean)), lean.norm(), 1e-12);
   }
@@ -371,20 +373,20 @@ TEST(SmoothRun, RestoresTheOriginalAtCollisions) {
     ASSERT_EQ(clear.points.size(), points.size());
     // Where joints moved furthest from the original, half of that distance is too much.
     std::size_t furthest = 0;
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (const double off = (clear.points[i].at.q - points[i].at.q).norm(); off > most) {
-        most = off;
+      if (const double off = (clear.points[i].at.q - points[i].at.q).norm(); off > maximum) {
+        maximum = off;
         furthest = i;
       }
-    ASSERT_GT(most, 1e-3) << seed;
+    ASSERT_GT(maximum, 1e-3) << seed;
     const motion::Meets meets = [&](const JointVector& q, std::size_t w) {
-      return w == furthest && (q - points[w].at.q).norm() > 0.5 * most;
+      return w == furthest && (q - points[w].at.q).norm() > 0.5 * maximum;
     };
     // Ends whose lift is not clear stay as the ladder gave them.
     const auto kept = s.smoothed(meets, false);
     const double off = (kept.points[furthest].at.q - points[furthest].at.q).norm();
-    EXPECT_LE(off, 0.5 * most);
+    EXPECT_LE(off, 0.5 * maximum);
     // And does not simply equal the original.
     double moved = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -407,9 +409,9 @@ TEST(SmoothRun, EndsTurnALittleWhereTheyCanBeLifted) {
     };
     EXPECT_LT(jerk(free), jerk(held)) << seed;
     for (const std::size_t end : {std::size_t{0}, free.size() - 1}) {
-      const double turn = motion::angleBetween(free[end].at.tool, s.wall.points[end].at.tool);
-      EXPECT_GT(turn, 1e-6) << seed;
-      EXPECT_LT(turn, kLittle) << seed;
+      const double rotation = motion::angleBetween(free[end].at.tool, s.wall.points[end].at.tool);
+      EXPECT_GT(rotation, 1e-6) << seed;
+      EXPECT_LT(rotation, kLittle) << seed;
     }
   }
 }
@@ -438,22 +440,23 @@ TEST(SmoothRun, LeansWithinTheConeAndNoFurther) {
     }
     const auto run = s.smoothed([](const JointVector&, std::size_t) { return false; });
     ASSERT_EQ(run.points.size(), run.before.size());
-    double most = 0.0, volume = 0.0, volumeBefore = 0.0;
+    double maximum = 0.0, volume = 0.0, volumeBefore = 0.0;
     std::size_t waypoints = 0;
     for (std::size_t i = 0; i < run.points.size(); ++i) {
       const RunPoint &p = run.points[i], &before = run.before[i];
       const Eigen::Isometry3d pose = s.wall.cell.work_T_tool(p.at.q);
       EXPECT_LT((pose.translation() - before.at.tip).norm(), 1e-6);
       EXPECT_LT((-pose.linear().col(2) - p.at.direction()).norm(), 1e-6);
-      most = std::max(most, motion::angleBetween(motion::carried(before.at.tool, p.at.direction()),
+      maximum =
+          std::max(maximum, motion::angleBetween(motion::carried(before.at.tool, p.at.direction()),
                                                  before.at.tool));
       volume += p.volumeMm3;
       waypoints += p.waypoint != plan::kNoWaypoint;
     }
     for (const RunPoint& p : s.wall.points)
       volumeBefore += p.volumeMm3;
-    EXPECT_LE(most, s.options.leanRad + 1e-9);
-    EXPECT_GT(most, 0.005);
+    EXPECT_LE(maximum, s.options.leanRad + 1e-9);
+    EXPECT_GT(maximum, 0.005);
     EXPECT_EQ(waypoints, s.wall.points.size());
     EXPECT_NEAR(volume, volumeBefore, 1e-9);
     const auto jerk = [&](const std::vector<RunPoint>& points) {

@@ -54,22 +54,22 @@ TEST(Timing, ALoadedArmTravelsGently) {
 // Joint moves on one line take as long as one; where they bend the arm stops, and both take as long
 // as each alone.
 TEST(Timing, JointMovesStopWhereTheyBend) {
-  TimedPoint from, middle, to, aside;
+  TimedPoint from, middle, to, offset;
   from.q = middle.q = to.q = robot::JointVector::Zero(2);
   middle.jointMove = to.jointMove = true;
   middle.q[1] = 1.0;
   to.q[1] = 2.0;
-  aside = to;
-  aside.q = Eigen::Vector2d(1.0, 1.0);
+  offset = to;
+  offset.q = Eigen::Vector2d(1.0, 1.0);
   motion::TimingLimits limits = limitsOf(2);
   limits.travelRadPerS2 = 1.4;
   middle.tip = {300, 0, 0}; // for any motion of the tip
   to.tip = {310, 0, 0};
   EXPECT_NEAR(motion::timesOf({from, middle, to}, limits).back(),
               motion::timesOf({from, to}, limits).back(), 1e-9);
-  EXPECT_NEAR(motion::timesOf({from, middle, aside}, limits).back(),
+  EXPECT_NEAR(motion::timesOf({from, middle, offset}, limits).back(),
               motion::timesOf({from, middle}, limits).back() +
-                  motion::timesOf({middle, aside}, limits).back(),
+                  motion::timesOf({middle, offset}, limits).back(),
               1e-9);
 }
 
@@ -78,19 +78,19 @@ TEST(Timing, JointMovesStopWhereTheyBend) {
 TEST(Timing, CornerSpeedFollowsTheAllowedCut) {
   const motion::TimingLimits limits = limitsOf(2);
   const double a = limits.accelerationMmPerS2, v = 40.0, leg = 15.0;
-  for (const double turn : {0.0, 0.3, 0.5 * base::kPi, 2.5, base::kPi})
+  for (const double angle : {0.0, 0.3, 0.5 * base::kPi, 2.5, base::kPi})
     for (const bool stop : {false, true}) {
-      SCOPED_TRACE(turn);
+      SCOPED_TRACE(angle);
       std::vector<TimedPoint> points(3);
       for (TimedPoint& p : points) {
         p.q = robot::JointVector::Zero(2);
         p.speedMmPerS = v;
       }
       points[1].tip = {leg, 0, 0};
-      points[2].tip = {leg + leg * std::cos(turn), leg * std::sin(turn), 0};
+      points[2].tip = {leg + leg * std::cos(angle), leg * std::sin(angle), 0};
       points[1].stop = stop;
       // The circle's distance from the corner is its radius by 1 / cos(turn / 2) less one.
-      const double c = std::cos(0.5 * turn);
+      const double c = std::cos(0.5 * angle);
       const double radius = c < 1.0 - 1e-9 ? limits.cornerMm / (1.0 / c - 1.0) : 1e9;
       const double corner = stop ? 0.0 : std::min(v, std::sqrt(a * std::max(radius, 0.0)));
       const double ramps = (v * v + v * v - corner * corner) / (2.0 * a);
@@ -118,13 +118,13 @@ TEST(Timing, JointMovesGoOnFromAnyPose) {
   };
   for (const Eigen::Vector2d& begin :
        {Eigen::Vector2d(0, 0), Eigen::Vector2d(1.5, -2.0), Eigen::Vector2d(-3.0, 0.4)}) {
-    const Eigen::Vector2d way(0.6, -0.8), across(0.8, 0.6);
-    EXPECT_FALSE(stands(begin, way, way));
-    EXPECT_FALSE(stands(begin, way, 0.25 * way));
-    EXPECT_TRUE(stands(begin, way, -0.25 * way)) << "turns back";
-    EXPECT_TRUE(stands(begin, way, across));
-    EXPECT_TRUE(stands(begin, way, way + 0.1 * across));
-    EXPECT_TRUE(stands(begin, way, -way)) << "to where it began";
+    const Eigen::Vector2d direction(0.6, -0.8), across(0.8, 0.6);
+    EXPECT_FALSE(stands(begin, direction, direction));
+    EXPECT_FALSE(stands(begin, direction, 0.25 * direction));
+    EXPECT_TRUE(stands(begin, direction, -0.25 * direction)) << "turns back";
+    EXPECT_TRUE(stands(begin, direction, across));
+    EXPECT_TRUE(stands(begin, direction, direction + 0.1 * across));
+    EXPECT_TRUE(stands(begin, direction, -direction)) << "to where it began";
   }
 }
 
@@ -138,8 +138,8 @@ TEST(Timing, MoveIsTimedByTheGreatestSpeedOfAJoint) {
   to.q[1] = 0.01;
   const motion::TimingLimits limits = limitsOf(2);
   const double even = motion::timesOf({from, to}, limits).back();
-  to.most = robot::JointVector::Zero(2);
-  to.most[1] = 2.7;
+  to.peakDisplacement = robot::JointVector::Zero(2);
+  to.peakDisplacement[1] = 2.7;
   EXPECT_GE(motion::timesOf({from, to}, limits).back(), 2.7 / (0.9 * 3.0));
   EXPECT_LT(even, 0.5);
 }

@@ -14,7 +14,7 @@
 using namespace voluta;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using motion::NozzleTurn;
+using motion::NozzleRotation;
 using robot::JointVector;
 
 namespace {
@@ -40,7 +40,7 @@ plan::ToolPlan wavy() {
   return plan;
 }
 
-std::vector<Quaterniond> frames(NozzleTurn rule, const plan::ToolPlan& plan,
+std::vector<Quaterniond> frames(NozzleRotation rule, const plan::ToolPlan& plan,
                                 const robot::Cell& cell,
                                 const std::vector<JointVector>& axes = {}) {
   return motion::toolFrames(rule, plan, cell, 0, plan.waypointCount(), axes, motion::uprightTool(),
@@ -52,10 +52,10 @@ std::vector<Quaterniond> frames(NozzleTurn rule, const plan::ToolPlan& plan,
 TEST(ToolFrames, EachRuleHasItsOwnX) {
   const plan::ToolPlan plan = wavy();
   const robot::Cell cell = cellOf("irb1200-moving");
-  const auto tangent = frames(NozzleTurn::Tangent, plan, cell),
-             axis = frames(NozzleTurn::WorkAxis, plan, cell),
-             rodrigues = frames(NozzleTurn::Rodrigues, plan, cell),
-             free = frames(NozzleTurn::Free, plan, cell);
+  const auto tangent = frames(NozzleRotation::Tangent, plan, cell),
+             axis = frames(NozzleRotation::WorkAxis, plan, cell),
+             rodrigues = frames(NozzleRotation::Rodrigues, plan, cell),
+             free = frames(NozzleRotation::Free, plan, cell);
   ASSERT_EQ(tangent.size(), plan.waypointCount());
   for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
     const Vector3d& d = plan.direction[i];
@@ -73,10 +73,10 @@ TEST(ToolFrames, EachRuleHasItsOwnX) {
     const Vector3d k = Vector3d::UnitZ().cross(d);
     Eigen::Matrix3d cross;
     cross << 0, -k.z(), k.y(), k.z(), 0, -k.x(), -k.y(), k.x(), 0;
-    const Eigen::Matrix3d turn =
+    const Eigen::Matrix3d rotation =
         Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + d.z());
     const Eigen::Matrix3d upright = Vector3d(1, -1, -1).asDiagonal();
-    EXPECT_LT((rodrigues[i].toRotationMatrix() - turn * upright).norm(), 1e-12);
+    EXPECT_LT((rodrigues[i].toRotationMatrix() - rotation * upright).norm(), 1e-12);
   }
 }
 
@@ -86,7 +86,7 @@ TEST(ToolFrames, FrameIsCarriedOverWhereTheRuleIsUndefined) {
   const Vector3d up = Vector3d::UnitZ();
   test::appendPath(plan, {{0, 0, 1}, {0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {0, 1, 3}, {0, 1, 3}},
                    std::vector<Vector3d>(6, up), 0);
-  const auto tools = frames(NozzleTurn::Tangent, plan, cellOf("irb1200-moving"));
+  const auto tools = frames(NozzleRotation::Tangent, plan, cellOf("irb1200-moving"));
   for (const Quaterniond& q : tools)
     EXPECT_LT((q * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-12);
 }
@@ -100,11 +100,11 @@ TEST(ToolFrames, ExternalAxesTurnUnderTheRule) {
     axes.emplace_back(JointVector::Zero(2));
     axes.back() << 0.01 * static_cast<double>(i), 0.05 * static_cast<double>(i);
   }
-  const auto tools = frames(NozzleTurn::WorkAxis, plan, cell, axes);
-  const Vector3d along = motion::axesTurn(cell, JointVector::Zero(2)) * Vector3d::UnitX();
+  const auto tools = frames(NozzleRotation::WorkAxis, plan, cell, axes);
+  const Vector3d along = motion::axesRotation(cell, JointVector::Zero(2)) * Vector3d::UnitX();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     EXPECT_LT((tools[i] * Vector3d::UnitZ() + plan.direction[i]).norm(), 1e-12);
-    const Quaterniond seen = motion::axesTurn(cell, axes[i]) * tools[i];
+    const Quaterniond seen = motion::axesRotation(cell, axes[i]) * tools[i];
     EXPECT_NEAR(along.dot(seen * Vector3d::UnitY()), 0.0, 1e-12);
   }
 }
@@ -115,7 +115,7 @@ TEST(ToolFrames, AMotionKeepsToItsRule) {
   const robot::Cell cell = cellOf("irb1200-moving");
   const collision::GrowingPart part(plan, 1.0, {});
   motion::MotionOptions options;
-  options.turn = NozzleTurn::WorkAxis;
+  options.rotation = NozzleRotation::WorkAxis;
   const motion::MotionResult moved =
       motion::MotionPlanner(plan, cell, process::Tooling(process), part, options).plan({});
   EXPECT_TRUE(moved.skipped.empty());

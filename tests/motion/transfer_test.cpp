@@ -45,24 +45,24 @@ protected:
   RobotState state(const Vector3d& tip, double lean, const JointVector& near,
                    std::size_t before) const {
     RobotState best;
-    double least = 1e9;
+    double minimum = 1e9;
     collision::CellCollision::Frames frames;
     std::vector<JointVector> solutions;
     const Quaterniond tool =
         motion::carried(motion::uprightTool(), {std::sin(lean), 0.0, std::cos(lean)});
     for (int k = 0; k < 24; ++k) {
-      const Quaterniond turned = motion::turned(tool, base::kTurn * k / 24);
+      const Quaterniond turned = motion::turned(tool, base::kTwoPi * k / 24);
       cell_.inverse(motion::toolPose(tip, turned), near, solutions);
       for (const JointVector& q : solutions) {
         cell_.framePoses(q, frames);
         const double away = (q - near).cwiseAbs().maxCoeff();
-        if (away < least && !collision_.any(frames, part_, before, options_.printing)) {
-          least = away;
+        if (away < minimum && !collision_.any(frames, part_, before, options_.printing)) {
+          minimum = away;
           best = {tip, turned, q};
         }
       }
     }
-    EXPECT_LT(least, 4.0);
+    EXPECT_LT(minimum, 4.0);
     return best;
   }
   static Vector3d up(const RobotState& s, double mm) { return s.tip + mm * s.direction(); }
@@ -82,15 +82,15 @@ protected:
       const JointVector step = p.at.q - last;
       if (p.move == MoveKind::Joint) {
         EXPECT_LE(step.cwiseAbs().maxCoeff(), base::degreesToRadians(20.0) + 1e-9);
-        EXPECT_EQ(p.most.size(), 0);
+        EXPECT_EQ(p.peakDisplacement.size(), 0);
       } else {
         EXPECT_LE((p.at.tip - lastTip).norm(), 25.0 + 1e-9);
-        ASSERT_EQ(p.most.size(), 6);
+        ASSERT_EQ(p.peakDisplacement.size(), 6);
         const JointVector fastest = fastestBetween(last, lastTip, lastTool, p.at);
         for (int j = 0; j < 6; ++j) {
-          EXPECT_LE(p.most[j], 1.01 * fastest[j] + 1e-6);
-          EXPECT_GE(p.most[j], 0.8 * fastest[j] - 1e-3);
-          EXPECT_GE(p.most[j], std::abs(step[j]) - 1e-9) << "no slower than its mean";
+          EXPECT_LE(p.peakDisplacement[j], 1.01 * fastest[j] + 1e-6);
+          EXPECT_GE(p.peakDisplacement[j], 0.8 * fastest[j] - 1e-3);
+          EXPECT_GE(p.peakDisplacement[j], std::abs(step[j]) - 1e-9) << "no slower than its mean";
         }
       }
       for (int k = 1; k <= 20; ++k) {
@@ -109,16 +109,16 @@ protected:
   JointVector fastestBetween(JointVector q, const Vector3d& tip, const Quaterniond& tool,
                              const RobotState& to) const {
     constexpr int kSteps = 100;
-    JointVector most = JointVector::Zero(6);
+    JointVector peakDisplacement = JointVector::Zero(6);
     std::vector<JointVector> scratch;
     for (int k = 1; k <= kSteps; ++k) {
       const double t = k / static_cast<double>(kSteps);
       const JointVector last = q;
       EXPECT_TRUE(motion::solveNear(cell_, tip + t * (to.tip - tip), tool.slerp(t, to.tool), last,
                                     0.2, scratch, q));
-      most = most.cwiseMax((q - last).cwiseAbs());
+      peakDisplacement = peakDisplacement.cwiseMax((q - last).cwiseAbs());
     }
-    return kSteps * most;
+    return kSteps * peakDisplacement;
   }
   static void expectAt(const RobotState& is, const RobotState& wanted) {
     EXPECT_LT((is.tip - wanted.tip).norm(), 1e-9);
@@ -137,26 +137,27 @@ TEST_F(Transfers, AHopLiftsLittleAndATravelMore) {
   for (const bool hop : {true, false}) {
     const RobotState to = hop ? state({10.0, 2.5, z}, 0.0, from.q, before)
                               : state({-9.0, 1.0, z}, 0.2, from.q, before);
-    const auto way =
+    const auto transfer =
         planner_.plan(from, to, hop ? Lift::Hop : Lift::Usual, before, {{0, 0, 2}, 12.0}, 1, {});
-    ASSERT_TRUE(way);
-    EXPECT_EQ(way->kind, TransferKind::Straight);
-    ASSERT_GE(way->points.size(), 3u);
+    ASSERT_TRUE(transfer);
+    EXPECT_EQ(transfer->kind, TransferKind::Straight);
+    ASSERT_GE(transfer->points.size(), 3u);
     const double lift = hop ? options_.hopLiftMm : options_.liftMm;
-    EXPECT_LT((way->points.front().at.tip - up(from, lift)).norm(), 1e-9);
-    EXPECT_LT(motion::angleBetween(way->points.front().at.tool, from.tool), 1e-9);
-    const RobotState& over = way->points[way->points.size() - 2].at;
+    EXPECT_LT((transfer->points.front().at.tip - up(from, lift)).norm(), 1e-9);
+    EXPECT_LT(motion::angleBetween(transfer->points.front().at.tool, from.tool), 1e-9);
+    const RobotState& over = transfer->points[transfer->points.size() - 2].at;
     EXPECT_LT((over.tip - up(to, lift)).norm(), 1e-9);
     EXPECT_LT(motion::angleBetween(over.tool, to.tool), 1e-9);
-    expectAt(way->points.back().at, to);
+    expectAt(transfer->points.back().at, to);
     // Between the stations on one line, turning with it.
     const Vector3d a = up(from, lift), b = up(to, lift);
-    for (std::size_t k = 1; k + 2 < way->points.size(); ++k) {
-      const double t = (way->points[k].at.tip - a).norm() / (b - a).norm();
-      EXPECT_LT((way->points[k].at.tip - a - t * (b - a)).norm(), 1e-9);
-      EXPECT_LT(motion::angleBetween(way->points[k].at.tool, from.tool.slerp(t, to.tool)), 1e-9);
+    for (std::size_t k = 1; k + 2 < transfer->points.size(); ++k) {
+      const double t = (transfer->points[k].at.tip - a).norm() / (b - a).norm();
+      EXPECT_LT((transfer->points[k].at.tip - a - t * (b - a)).norm(), 1e-9);
+      EXPECT_LT(motion::angleBetween(transfer->points[k].at.tool, from.tool.slerp(t, to.tool)),
+                1e-9);
     }
-    expectSound(from, way->points, before);
+    expectSound(from, transfer->points, before);
   }
 }
 
@@ -178,24 +179,25 @@ TEST(TransferLifts, AreNoHigherThanTheyHaveToBe) {
     const std::size_t before = plan.waypointCount();
     // The first turn about the nozzle with which both are free.
     RobotState from, to;
-    std::optional<Transfer> way;
+    std::optional<Transfer> transfer;
     std::vector<JointVector> scratch;
-    for (int k = 0; k < 24 && !way; ++k) {
+    for (int k = 0; k < 24 && !transfer; ++k) {
       from.tip = {30.0, 0.0, c.atMm};
       to.tip = {-30.0, 3.0, c.atMm};
-      from.tool = to.tool = motion::turned(motion::uprightTool(), base::kTurn * k / 24);
+      from.tool = to.tool = motion::turned(motion::uprightTool(), base::kTwoPi * k / 24);
       if (!motion::solveNear(cell, from.tip, from.tool, cell.home(), 4.0, scratch, from.q) ||
           !motion::solveNear(cell, to.tip, to.tool, from.q, 1.0, scratch, to.q))
         continue;
-      way = motion::TransferPlanner(scene).plan(from, to, Lift::Usual, before, {{0, 0, 4}, 30.0}, 1,
-                                                {});
-      if (way && way->kind != TransferKind::Straight)
-        way.reset();
+      transfer = motion::TransferPlanner(scene).plan(from, to, Lift::Usual, before,
+                                                     {{0, 0, 4}, 30.0}, 1, {});
+      if (transfer && transfer->kind != TransferKind::Straight)
+        transfer.reset();
     }
-    ASSERT_TRUE(way);
-    EXPECT_LT((way->points.front().at.tip - from.tip - Vector3d(0, 0, c.liftMm)).norm(), 1e-9);
+    ASSERT_TRUE(transfer);
+    EXPECT_LT((transfer->points.front().at.tip - from.tip - Vector3d(0, 0, c.liftMm)).norm(), 1e-9);
     EXPECT_LT(
-        (way->points[way->points.size() - 2].at.tip - to.tip - Vector3d(0, 0, c.liftMm)).norm(),
+        (transfer->points[transfer->points.size() - 2].at.tip - to.tip - Vector3d(0, 0, c.liftMm))
+            .norm(),
         1e-9);
   }
 }
@@ -207,27 +209,27 @@ TEST_F(Transfers, AroundTheBallWhereDirectionsAreFarApart) {
   const std::size_t before = plan_.paths[9].first;
   const RobotState from = state({12.0, 0.0, 40.0}, 0.85, cell_.home(), before);
   const RobotState to = state({-12.0, 0.0, 40.0}, -0.85, from.q, before);
-  const auto way = planner_.plan(from, to, Lift::Usual, before, ball, 1, {});
-  ASSERT_TRUE(way);
-  EXPECT_EQ(way->kind, TransferKind::Arc);
-  expectAt(way->points.back().at, to);
-  expectSound(from, way->points, before);
+  const auto transfer = planner_.plan(from, to, Lift::Usual, before, ball, 1, {});
+  ASSERT_TRUE(transfer);
+  EXPECT_EQ(transfer->kind, TransferKind::Arc);
+  expectAt(transfer->points.back().at, to);
+  expectSound(from, transfer->points, before);
   // Out along the nozzle, then in pieces of ten degrees at most, no nearer than that except for the
   // first and the last one.
   const double lift = 10.0 * options_.liftMm;
   const Vector3d a = up(from, lift) - middle, b = up(to, lift) - middle;
-  const double least = std::min(a.norm(), b.norm()), most = std::max(a.norm(), b.norm());
+  const double minimum = std::min(a.norm(), b.norm()), maximum = std::max(a.norm(), b.norm());
   const double half = base::degreesToRadians(5.0);
   const auto angleTo = [](const Vector3d& u, const Vector3d& v) {
     return std::acos(std::min(1.0, u.normalized().dot(v.normalized())));
   };
-  EXPECT_LT((way->points.front().at.tip - up(from, lift)).norm(), 1e-9);
-  EXPECT_LT((way->points[way->points.size() - 2].at.tip - up(to, lift)).norm(), 1e-9);
-  for (std::size_t k = 0; k + 1 < way->points.size(); ++k) {
-    const Vector3d at = way->points[k].at.tip - middle;
+  EXPECT_LT((transfer->points.front().at.tip - up(from, lift)).norm(), 1e-9);
+  EXPECT_LT((transfer->points[transfer->points.size() - 2].at.tip - up(to, lift)).norm(), 1e-9);
+  for (std::size_t k = 0; k + 1 < transfer->points.size(); ++k) {
+    const Vector3d at = transfer->points[k].at.tip - middle;
     const bool inner = std::min(angleTo(a, at), angleTo(b, at)) > 2.0 * half;
-    EXPECT_GT(at.norm(), (inner ? least : least * std::cos(half)) - 1e-6);
-    EXPECT_LT(at.norm(), most / std::cos(half) + 1e-6);
+    EXPECT_GT(at.norm(), (inner ? minimum : minimum * std::cos(half)) - 1e-6);
+    EXPECT_LT(at.norm(), maximum / std::cos(half) + 1e-6);
     EXPECT_NEAR(at.dot(a.cross(b).normalized()), 0.0, 1e-6) << "by the shortest way round";
     EXPECT_GE(at.dot(a.normalized() + b.normalized()), 0.0);
   }
@@ -248,29 +250,29 @@ TEST_F(Transfers, AnApproachComesDownFromOutsideTheBall) {
         ((up(start, h) - ball.centre).norm() < radius + 5.0 ? low : high) = h;
       }
       const double height = std::max(50.0, low);
-      const auto way = planner_.approach(home_, start, before, ball, 1, {});
-      ASSERT_TRUE(way);
-      expectAt(way->points.back().at, start);
-      expectSound(home_, way->points, before);
+      const auto transfer = planner_.approach(home_, start, before, ball, 1, {});
+      ASSERT_TRUE(transfer);
+      expectAt(transfer->points.back().at, start);
+      expectSound(home_, transfer->points, before);
       std::size_t joints = 0; // they come first
-      while (way->points[joints].move == MoveKind::Joint)
+      while (transfer->points[joints].move == MoveKind::Joint)
         ++joints;
       ASSERT_GT(joints, 0u);
-      EXPECT_LT((way->points[joints - 1].at.tip - up(start, height)).norm(), 1e-6);
-      for (std::size_t k = joints; k < way->points.size(); ++k) {
-        EXPECT_EQ(way->points[k].move, MoveKind::Linear);
-        const double above = (way->points[k].at.tip - start.tip).dot(start.direction());
-        EXPECT_LT((way->points[k].at.tip - up(start, above)).norm(), 1e-9);
-        EXPECT_LT(motion::angleBetween(way->points[k].at.tool, start.tool), 1e-9);
+      EXPECT_LT((transfer->points[joints - 1].at.tip - up(start, height)).norm(), 1e-6);
+      for (std::size_t k = joints; k < transfer->points.size(); ++k) {
+        EXPECT_EQ(transfer->points[k].move, MoveKind::Linear);
+        const double above = (transfer->points[k].at.tip - start.tip).dot(start.direction());
+        EXPECT_LT((transfer->points[k].at.tip - up(start, above)).norm(), 1e-9);
+        EXPECT_LT(motion::angleBetween(transfer->points[k].at.tool, start.tool), 1e-9);
       }
       // Away again by the same way.
       const auto back = planner_.leave(start, home_, before, ball, 1, {});
       ASSERT_TRUE(back);
-      ASSERT_EQ(back->points.size(), way->points.size());
-      const std::size_t n = way->points.size();
+      ASSERT_EQ(back->points.size(), transfer->points.size());
+      const std::size_t n = transfer->points.size();
       for (std::size_t k = 0; k < n; ++k) {
-        EXPECT_EQ(back->points[k].move, way->points[n - 1 - k].move);
-        expectAt(back->points[k].at, k + 1 == n ? home_ : way->points[n - 2 - k].at);
+        EXPECT_EQ(back->points[k].move, transfer->points[n - 1 - k].move);
+        expectAt(back->points[k].at, k + 1 == n ? home_ : transfer->points[n - 2 - k].at);
       }
     }
   }

@@ -107,7 +107,7 @@ TEST_F(UprightSchedule, FollowsThePathAround) {
     around.push_back(leaning(40, i));
   const std::vector<JointVector> axes = schedule(around);
   ASSERT_EQ(axes.size(), around.size());
-  EXPECT_NEAR(std::abs(axes.back()[1] - axes.front()[1]), 2.0 * base::kTurn, 1e-9);
+  EXPECT_NEAR(std::abs(axes.back()[1] - axes.front()[1]), 2.0 * base::kTwoPi, 1e-9);
 }
 
 TEST_F(UprightSchedule, EndsWhereTheTableCannotTilt) {

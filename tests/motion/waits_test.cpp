@@ -167,9 +167,9 @@ TEST(Waits, RandomStacksAreHeldAndNotLonger) {
         stack.add({middle - half, middle, middle + half}, uniform(2.0, 20.0), layer,
                   uniform(0.2, 3.0));
       }
-    const double least = uniform(5.0, 40.0);
+    const double minimum = uniform(5.0, 40.0);
     plan::Trajectory& t = stack.trajectory;
-    t.events = waitsToCool(stack.plan, t, ur5, least);
+    t.events = waitsToCool(stack.plan, t, ur5, minimum);
     waited += t.events.size();
     const auto shortest = [&] {
       float time = 1e9F;
@@ -177,12 +177,12 @@ TEST(Waits, RandomStacksAreHeldAndNotLonger) {
         time = s < 0.0F ? time : std::min(time, s);
       return static_cast<double>(time);
     };
-    EXPECT_GE(shortest(), least - 1e-3);
+    EXPECT_GE(shortest(), minimum - 1e-3);
     for (plan::TrajectoryEvent& wait : t.events) {
       if (wait.seconds < 0.1)
         continue;
       wait.seconds -= 0.1;
-      EXPECT_LT(shortest(), least - 0.05);
+      EXPECT_LT(shortest(), minimum - 0.05);
       wait.seconds += 0.1;
     }
   }

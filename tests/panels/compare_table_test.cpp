@@ -11,7 +11,7 @@ TEST(CompareTable, ShowsNamesOfWaysWholeBesideManyFigures) {
   CompareTable table;
   table.setFigures(std::vector<QString>(12, QStringLiteral("A figure")));
   CompareEntry entry;
-  entry.way = QStringLiteral("Flat layers, kr6-r900-moving");
+  entry.strategy = QStringLiteral("Flat layers, kr6-r900-moving");
   entry.figures.assign(12, QStringLiteral("1,234"));
   table.setEntries({entry});
   table.resize(500, 300);
@@ -20,7 +20,7 @@ TEST(CompareTable, ShowsNamesOfWaysWholeBesideManyFigures) {
   bold.setBold(true);
   constexpr int kWayColumn = 1, kPicture = 88;
   EXPECT_GT(table.columnWidth(kWayColumn),
-            kPicture + QFontMetrics(bold).horizontalAdvance(entry.way));
+            kPicture + QFontMetrics(bold).horizontalAdvance(entry.strategy));
 }
 
 } // namespace

@@ -118,17 +118,18 @@ TEST(FindingsPanel, ClickEnterAndButtonActivateTheFinding) {
   panel.setFindings(some());
   panel.show();
   (void)QTest::qWaitForWindowExposed(&panel);
-  std::vector<std::string> told;
-  QObject::connect(&panel, &panels::FindingsPanel::activated,
-                   [&](const plan::Finding& f) { told.push_back(voluta::plan::englishReason(f)); });
+  std::vector<std::string> reported;
+  QObject::connect(&panel, &panels::FindingsPanel::activated, [&](const plan::Finding& f) {
+    reported.push_back(voluta::plan::englishReason(f));
+  });
   auto* list = panel.findChild<QListView*>();
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 1));
-  EXPECT_EQ(told, (std::vector<std::string>{"hits"}));
+  EXPECT_EQ(reported, (std::vector<std::string>{"hits"}));
   QTest::keyClick(list, Qt::Key_Down);
-  EXPECT_EQ(told.size(), 1u);
+  EXPECT_EQ(reported.size(), 1u);
   QTest::keyClick(list, Qt::Key_Return);
   panel.findChild<QPushButton*>(QStringLiteral("show"))->click();
-  EXPECT_EQ(told, (std::vector<std::string>{"hits", "hole", "hole"}));
+  EXPECT_EQ(reported, (std::vector<std::string>{"hits", "hole", "hole"}));
   EXPECT_TRUE(panel.findChild<QWidget*>(QStringLiteral("details"))->isVisible());
 }
 

@@ -25,7 +25,7 @@ protected:
   PlacementPanelTest() {
     QObject::connect(&panel, &panels::PlacementPanel::placementChanged,
                      [this](const geometry::Placement& placement, const QString& name) {
-                       told.push_back(placement);
+                       reported.push_back(placement);
                        names << name;
                      });
   }
@@ -35,7 +35,7 @@ protected:
   void press(const char* name) { panel.findChild<QAbstractButton*>(QLatin1String(name))->click(); }
 
   panels::PlacementPanel panel;
-  std::vector<geometry::Placement> told;
+  std::vector<geometry::Placement> reported;
   QStringList names;
 };
 } // namespace
@@ -44,8 +44,8 @@ TEST_F(PlacementPanelTest, TypedAnglesStayAsTypedAtARightAngleToo) {
   type(box("turnX"), "20");
   type(box("turnY"), "90");
   type(box("turnZ"), "30");
-  ASSERT_EQ(told.size(), 3u);
-  panel.setPlacement(told.back());
+  ASSERT_EQ(reported.size(), 3u);
+  panel.setPlacement(reported.back());
   EXPECT_DOUBLE_EQ(box("turnX")->value(), 20.0);
   EXPECT_DOUBLE_EQ(box("turnY")->value(), 90.0);
   EXPECT_DOUBLE_EQ(box("turnZ")->value(), 30.0);
@@ -54,13 +54,13 @@ TEST_F(PlacementPanelTest, TypedAnglesStayAsTypedAtARightAngleToo) {
 TEST_F(PlacementPanelTest, QuarterTurnsAreAboutFixedAxesFromTheCurrentPose) {
   press("moreX");
   press("moreZ");
-  ASSERT_EQ(told.size(), 2u);
+  ASSERT_EQ(reported.size(), 2u);
   const Eigen::Quaterniond wanted = Eigen::AngleAxisd(kRight, Eigen::Vector3d::UnitZ()) *
                                     Eigen::AngleAxisd(kRight, Eigen::Vector3d::UnitX());
-  EXPECT_LT(told.back().rotation.angularDistance(wanted), 1e-9);
+  EXPECT_LT(reported.back().rotation.angularDistance(wanted), 1e-9);
   press("lessZ");
   press("lessX");
-  EXPECT_LT(told.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-9);
+  EXPECT_LT(reported.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-9);
   for (const char* name : {"turnX", "turnY", "turnZ"})
     EXPECT_NEAR(box(name)->value(), 0.0, 1e-9);
 }
@@ -68,16 +68,16 @@ TEST_F(PlacementPanelTest, QuarterTurnsAreAboutFixedAxesFromTheCurrentPose) {
 TEST_F(PlacementPanelTest, MoveDropCentreReset) {
   type(box("moveX"), "12.5");
   type(box("moveZ"), "3");
-  EXPECT_EQ(told.back().centreMm, Eigen::Vector2d(12.5, 0.0));
-  EXPECT_EQ(told.back().liftMm, 3.0);
+  EXPECT_EQ(reported.back().centreMm, Eigen::Vector2d(12.5, 0.0));
+  EXPECT_EQ(reported.back().liftMm, 3.0);
   press("drop");
-  EXPECT_EQ(told.back().liftMm, 0.0);
-  EXPECT_EQ(told.back().centreMm.x(), 12.5);
+  EXPECT_EQ(reported.back().liftMm, 0.0);
+  EXPECT_EQ(reported.back().centreMm.x(), 12.5);
   press("centre");
-  EXPECT_EQ(told.back().centreMm, Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(reported.back().centreMm, Eigen::Vector2d(0.0, 0.0));
   press("moreY");
   press("reset");
-  EXPECT_LT(told.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-12);
+  EXPECT_LT(reported.back().rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-12);
   EXPECT_EQ(names,
             (QStringList{"Move", "Move", "Drop to plate", "Centre", "Turn", "Reset placement"}));
 }
@@ -92,7 +92,7 @@ TEST_F(PlacementPanelTest, SettingEmitsNothing) {
   panel.setScale("fit", 0.42);
   panel.setSizeMm({1, 2, 3});
   panel.setLayOnFace(true);
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(reported.empty());
   EXPECT_EQ(scale.size() + lay.size(), 0);
   EXPECT_DOUBLE_EQ(box("percent")->value(), 42.0);
   EXPECT_TRUE(panel.findChild<QPushButton*>(QStringLiteral("fit"))->isChecked());

@@ -39,34 +39,34 @@ TEST(ObjectTree, EyesToggleByClickAndByKey) {
   tree.setText(SceneItem::Part, "kitten.stl", "70 mm");
   tree.show();
   (void)QTest::qWaitForWindowExposed(&tree);
-  std::vector<std::pair<SceneItem, bool>> told;
+  std::vector<std::pair<SceneItem, bool>> reported;
   QObject::connect(&tree, &panels::ObjectTree::visibilityChanged,
-                   [&](SceneItem item, bool shown) { told.emplace_back(item, shown); });
+                   [&](SceneItem item, bool shown) { reported.emplace_back(item, shown); });
   QTreeWidgetItem* part = tree.topLevelItem(0);
   EXPECT_EQ(part->text(0), "kitten.stl");
   const QRect row = tree.visualItemRect(part);
   QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
                     QPoint(tree.columnViewportPosition(2) + 8, row.center().y()));
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0], std::make_pair(SceneItem::Part, false));
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_EQ(reported[0], std::make_pair(SceneItem::Part, false));
   tree.select(SceneItem::Robot);
   QTest::keyClick(&tree, Qt::Key_Space);
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[1], std::make_pair(SceneItem::Robot, false));
+  ASSERT_EQ(reported.size(), 2u);
+  EXPECT_EQ(reported[1], std::make_pair(SceneItem::Robot, false));
   tree.setShown(SceneItem::Part, true);
-  EXPECT_EQ(told.size(), 2u);
+  EXPECT_EQ(reported.size(), 2u);
   EXPECT_TRUE(tree.isShown(SceneItem::Part));
 }
 
 TEST(ObjectTree, SignalsSelectionsByTheUserOnly) {
   panels::ObjectTree tree;
-  std::vector<SceneItem> told;
+  std::vector<SceneItem> reported;
   QObject::connect(&tree, &panels::ObjectTree::selected,
-                   [&](SceneItem item) { told.push_back(item); });
+                   [&](SceneItem item) { reported.push_back(item); });
   tree.select(SceneItem::Platform);
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(reported.empty());
   QTest::keyClick(&tree, Qt::Key_Down);
-  EXPECT_EQ(told, (std::vector<SceneItem>{SceneItem::Cell}));
+  EXPECT_EQ(reported, (std::vector<SceneItem>{SceneItem::Cell}));
 }
 
 TEST(LayerInfo, ShowsMeasuresAndDashesWithoutALayer) {

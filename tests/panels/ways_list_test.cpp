@@ -15,19 +15,19 @@ using namespace voluta;
 
 namespace {
 
-std::vector<panels::ShownWay> someWays(std::size_t count) {
+std::vector<panels::ShownOrientation> someWays(std::size_t count) {
   const auto pictures =
       panels::standPictures(test::box({0, 0, 0}, {30, 20, 10}), {Eigen::Quaterniond::Identity()},
                             panels::WaysList::pictureSize());
-  panels::ShownWay way;
-  way.picture = pictures[0];
-  way.contactMm2 = 12345.0;
-  way.overhangMm2 = 678.0;
-  way.heightMm = 90.0;
-  way.missed = 1234;
-  way.voxels = 8000;
-  way.time = "12 h 59 min";
-  return std::vector<panels::ShownWay>(count, way);
+  panels::ShownOrientation orientation;
+  orientation.picture = pictures[0];
+  orientation.contactMm2 = 12345.0;
+  orientation.overhangMm2 = 678.0;
+  orientation.heightMm = 90.0;
+  orientation.missed = 1234;
+  orientation.voxels = 8000;
+  orientation.time = "12 h 59 min";
+  return std::vector<panels::ShownOrientation>(count, orientation);
 }
 
 class WaysListTest : public testing::Test {

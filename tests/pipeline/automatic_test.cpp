@@ -54,12 +54,12 @@ void expectConsistent(const pipeline::PlanResult& result) {
   const auto taken = std::ranges::find(report.item().tried, true, &project::TriedReport::taken);
   ASSERT_NE(taken, report.item().tried.end());
   EXPECT_EQ(std::ranges::count(report.item().tried, true, &project::TriedReport::taken), 1);
-  EXPECT_EQ(chosen.way, taken->way);
+  EXPECT_EQ(chosen.strategy, taken->strategy);
   EXPECT_EQ(base::english(chosen.name), base::english(taken->name));
   EXPECT_EQ(chosen.mode, taken->mode);
   EXPECT_EQ(chosen.platform, taken->platform);
   EXPECT_EQ(chosen.mode, report.item().decomposition.mode);
-  EXPECT_EQ(chosen.way, result.job.choices.item().automaticWay);
+  EXPECT_EQ(chosen.strategy, result.job.choices.item().automaticStrategy);
   const project::Choices hand = resolved(result.job.choices);
   EXPECT_EQ(chosen.mode, hand.item().mode);
   EXPECT_EQ(chosen.platform, hand.item().platform.text());
@@ -75,13 +75,13 @@ void expectConsistent(const pipeline::PlanResult& result) {
 } // namespace
 
 TEST(Automatic, WaysAreOfKnownModesAndPlatformsTheyTake) {
-  ASSERT_FALSE(pipeline::automaticWays().empty());
-  for (const pipeline::AutomaticWay& way : pipeline::automaticWays()) {
-    const modes::Mode* mode = modes::modeNamed(way.mode);
-    ASSERT_NE(mode, nullptr) << way.mode;
-    EXPECT_TRUE(project::Platform(way.platform).isForAnyOf(mode->platforms)) << way.mode;
-    for (const auto& [key, text] : way.parameters)
-      EXPECT_TRUE(modes::takesParameter(*mode, key)) << way.mode << ": " << key;
+  ASSERT_FALSE(pipeline::automaticStrategies().empty());
+  for (const pipeline::AutomaticStrategy& strategy : pipeline::automaticStrategies()) {
+    const modes::Mode* mode = modes::modeNamed(strategy.mode);
+    ASSERT_NE(mode, nullptr) << strategy.mode;
+    EXPECT_TRUE(project::Platform(strategy.platform).isForAnyOf(mode->platforms)) << strategy.mode;
+    for (const auto& [key, text] : strategy.parameters)
+      EXPECT_TRUE(modes::takesParameter(*mode, key)) << strategy.mode << ": " << key;
   }
 }
 
@@ -91,25 +91,25 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   choices.cell = "t3";
   const auto ways = automaticChoices(choices);
   ASSERT_EQ(ways.size(), 2u);
-  EXPECT_EQ(ways[0].item().automaticWay, "flat");
+  EXPECT_EQ(ways[0].item().automaticStrategy, "flat");
   EXPECT_EQ(resolved(ways[0]).item().parameters.at("supports"), "auto");
-  EXPECT_EQ(ways[1].item().automaticWay, "flat-low");
+  EXPECT_EQ(ways[1].item().automaticStrategy, "flat-low");
   choices.cell = "rv2f-moving";
   EXPECT_EQ(automaticChoices(choices).front().item().mode, "curved");
 }
 
 TEST(Automatic, WaysKeepTheirIdsWhenOthersAreInserted) {
   std::set<std::string_view> ids;
-  for (const pipeline::AutomaticWay& way : pipeline::automaticWays())
-    EXPECT_TRUE(ids.insert(way.id).second) << way.id;
+  for (const pipeline::AutomaticStrategy& strategy : pipeline::automaticStrategies())
+    EXPECT_TRUE(ids.insert(strategy.id).second) << strategy.id;
   project::Choices choices = automatic();
   choices.item().mode = "flat";
   choices.item().platform = project::Platform("cell");
-  choices.item().automaticWay = "flat-low";
+  choices.item().automaticStrategy = "flat-low";
   EXPECT_TRUE(resolved(choices).item().parameters.contains("layerHeightMm"));
-  choices.item().automaticWay = "flat";
+  choices.item().automaticStrategy = "flat";
   EXPECT_FALSE(resolved(choices).item().parameters.contains("layerHeightMm"));
-  choices.item().automaticWay = "gone"; // the first that has this mode and platform
+  choices.item().automaticStrategy = "gone"; // the first that has this mode and platform
   EXPECT_FALSE(resolved(choices).item().parameters.contains("layerHeightMm"));
   EXPECT_EQ(resolved(choices).item().parameters.at("supports"), "auto");
 }
@@ -120,7 +120,7 @@ TEST(Automatic, AnOpenedJobHasTheLayerHeightOfItsWay) {
   request.item().loaded = test::loadedBox({-5, -5, 0}, {5, 5, 4});
   request.choices.item().mode = "flat";
   request.choices.item().platform = project::Platform("cell");
-  request.choices.item().automaticWay = "flat-low";
+  request.choices.item().automaticStrategy = "flat-low";
   request.until = project::Stage::Decompose; // in the way that the choices name
   const pipeline::PlanResult planned = pipeline::planPart(request, {});
   const double heightMm = planned.tooling().first().process.layerHeightMm;
@@ -139,34 +139,36 @@ TEST(Automatic, PlanByHandDiffersFromTheFirstWay) {
     pipeline::PlanRequest left = request;
     left.choices.item().automatic = true;
     const project::Choices first = automaticChoices(left.choices).front();
-    EXPECT_EQ(pipeline::wayOrFirst(left.choices).item().automaticWay, first.item().automaticWay);
+    EXPECT_EQ(pipeline::strategyOrFirst(left.choices).item().automaticStrategy,
+              first.item().automaticStrategy);
     EXPECT_NE(pipeline::stageKeys(left), hand) << platform;
     const project::StageKeys begun = pipeline::stageKeys(left);
     left.choices = first;
     EXPECT_EQ(pipeline::stageKeys(left), begun);
   }
   // The way that was taken keeps its name.
-  for (const project::Choices& way : automaticChoices(automaticRequest().choices))
-    EXPECT_EQ(pipeline::wayOrFirst(way).item().automaticWay, way.item().automaticWay);
-  EXPECT_FALSE(pipeline::wayOrFirst(request.choices).item().automatic);
+  for (const project::Choices& strategy : automaticChoices(automaticRequest().choices))
+    EXPECT_EQ(pipeline::strategyOrFirst(strategy).item().automaticStrategy,
+              strategy.item().automaticStrategy);
+  EXPECT_FALSE(pipeline::strategyOrFirst(request.choices).item().automatic);
 }
 
 TEST(Automatic, WaysSuitTheCell) {
-  for (const project::Choices& way : automaticChoices(automatic()))
-    EXPECT_FALSE(modes::findMode(way.item().mode).aroundRod) << way.item().mode;
+  for (const project::Choices& strategy : automaticChoices(automatic()))
+    EXPECT_FALSE(modes::findMode(strategy.item().mode).aroundRod) << strategy.item().mode;
   project::Choices lathe = automatic();
   lathe.cell = "lathe";
   lathe.tool().process = "fdm-0.35";
-  for (const project::Choices& way : automaticChoices(lathe))
-    EXPECT_TRUE(modes::findMode(way.item().mode).aroundRod) << way.item().mode;
+  for (const project::Choices& strategy : automaticChoices(lathe))
+    EXPECT_TRUE(modes::findMode(strategy.item().mode).aroundRod) << strategy.item().mode;
 }
 
 TEST(Automatic, APlatformOfTheUsersStays) {
   project::Choices choices = automatic();
   choices.item().platform = project::Platform("disc:150");
   choices.item().platformStays = true;
-  for (const project::Choices& way : automaticChoices(choices))
-    EXPECT_EQ(way.item().platform.text(), "disc:150");
+  for (const project::Choices& strategy : automaticChoices(choices))
+    EXPECT_EQ(strategy.item().platform.text(), "disc:150");
   choices.item().platform = project::Platform("rod:5x200");
   try {
     automaticChoices(choices);
@@ -179,9 +181,9 @@ TEST(Automatic, APlatformOfTheUsersStays) {
 TEST(Automatic, WaysKeepParametersChangedByTheUser) {
   project::Choices choices = automatic();
   choices.item().parameters["supports"] = "none";
-  for (project::Choices way : automaticChoices(choices)) {
-    EXPECT_EQ(way.item().parameters, choices.item().parameters);
-    const project::Choices hand = pipeline::resolved(way);
+  for (project::Choices strategy : automaticChoices(choices)) {
+    EXPECT_EQ(strategy.item().parameters, choices.item().parameters);
+    const project::Choices hand = pipeline::resolved(strategy);
     EXPECT_FALSE(hand.item().automatic);
     EXPECT_EQ(hand.item().parameters.at("supports"), "none");
   }
@@ -189,9 +191,9 @@ TEST(Automatic, WaysKeepParametersChangedByTheUser) {
 
 TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   std::vector<std::string> heights;
-  for (const project::Choices& way : automaticChoices(automatic()))
-    if (way.item().mode == "flat") {
-      const project::Choices hand = pipeline::resolved(way);
+  for (const project::Choices& strategy : automaticChoices(automatic()))
+    if (strategy.item().mode == "flat") {
+      const project::Choices hand = pipeline::resolved(strategy);
       EXPECT_EQ(hand.item().parameters.at("supports"), "auto");
       heights.push_back(hand.item().parameters.contains("layerHeightMm")
                             ? hand.item().parameters.at("layerHeightMm")
@@ -201,8 +203,8 @@ TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   project::Choices given = automatic();
   given.item().parameters["layerHeightMm"] = "0.6";
   int flat = 0;
-  for (const project::Choices& way : automaticChoices(given))
-    flat += way.item().mode == "flat";
+  for (const project::Choices& strategy : automaticChoices(given))
+    flat += strategy.item().mode == "flat";
   EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
 }
 
@@ -218,7 +220,7 @@ TEST(Automatic, AllWaysDiffer) {
     return true;
   };
   const std::vector<project::Choices> all = automaticChoices(automatic());
-  EXPECT_EQ(all.size(), pipeline::automaticWays().size());
+  EXPECT_EQ(all.size(), pipeline::automaticStrategies().size());
   EXPECT_TRUE(differ(all));
   for (const char* supports : {"none", "auto"}) {
     project::Choices choices = automatic();
@@ -237,7 +239,7 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   EXPECT_TRUE(job.report.item().tried.front().passed && job.report.item().tried.front().taken);
   EXPECT_TRUE(job.report.item().tried.front().reason.empty());
   EXPECT_TRUE(job.choices.item().automatic);
-  EXPECT_EQ(job.choices.item().mode, pipeline::automaticWays().front().mode);
+  EXPECT_EQ(job.choices.item().mode, pipeline::automaticStrategies().front().mode);
   EXPECT_TRUE(job.choices.item().parameters.empty()); // a way's own are not the user's
   // A plan is up to date for the choices that it resulted in.
   pipeline::PlanRequest again = automaticRequest();
@@ -255,15 +257,17 @@ TEST(Automatic, TheWayStaysWhenFormatsChange) {
   request.choices = first.job.choices;
   request.choices.formats.emplace_back("gcode-extended");
   int ways = 0;
-  const auto onWay = [&](const pipeline::WayInTurn&) { ++ways; };
-  const pipeline::PlanResult second = pipeline::planPart(request, {}, &cache, {.onWay = onWay});
+  const auto onStrategy = [&](const pipeline::StrategyProgress&) { ++ways; };
+  const pipeline::PlanResult second =
+      pipeline::planPart(request, {}, &cache, {.onStrategy = onStrategy});
   EXPECT_EQ(ways, 0);
   EXPECT_EQ(second.checked.size(), 2u);
   EXPECT_EQ(second.job.trajectory, first.job.trajectory) << "not planned again";
-  EXPECT_EQ(second.job.choices.item().automaticWay, first.job.choices.item().automaticWay);
+  EXPECT_EQ(second.job.choices.item().automaticStrategy,
+            first.job.choices.item().automaticStrategy);
   expectConsistent(second);
   request.choices.item().parameters["walls"] = "3"; // concerns the tool-paths
-  pipeline::planPart(request, {}, &cache, {.onWay = onWay});
+  pipeline::planPart(request, {}, &cache, {.onStrategy = onStrategy});
   EXPECT_GT(ways, 0);
 }
 
@@ -271,7 +275,7 @@ TEST(Automatic, FindingThatBlocksAWayIsGiven) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   ASSERT_FALSE(result.job.report.item().tried.empty());
   const project::TriedReport& first = result.job.report.item().tried.front();
-  EXPECT_EQ(first.mode, pipeline::automaticWays().front().mode);
+  EXPECT_EQ(first.mode, pipeline::automaticStrategies().front().mode);
   EXPECT_FALSE(first.stage.empty());
   EXPECT_FALSE(first.reason.empty());
   int taken = 0;
@@ -288,28 +292,29 @@ TEST(Automatic, FindingThatBlocksAWayIsGiven) {
 
 TEST(Automatic, WaysAreNamedByTheirMethod) {
   std::vector<std::string> names;
-  for (const project::Choices& way : automaticChoices(automatic()))
-    names.push_back(base::english(pipeline::nameOfWay(way)));
+  for (const project::Choices& strategy : automaticChoices(automatic()))
+    names.push_back(base::english(pipeline::nameOfStrategy(strategy)));
   EXPECT_EQ(names, (std::vector<std::string>{
                        "curved layers", "pieces", "curved layers with supports",
                        "flat layers with supports", "flat layers with supports, 0.5 mm each",
                        "curved layers on a pedestal"}));
   project::Choices none = automatic();
   none.item().parameters["supports"] = "none";
-  for (const project::Choices& way : automaticChoices(none))
-    EXPECT_EQ(base::english(pipeline::nameOfWay(way)).find("supports"), std::string::npos);
-  EXPECT_EQ(base::english(pipeline::nameOfWay(resolved(none))), "Curved layers");
+  for (const project::Choices& strategy : automaticChoices(none))
+    EXPECT_EQ(base::english(pipeline::nameOfStrategy(strategy)).find("supports"),
+              std::string::npos);
+  EXPECT_EQ(base::english(pipeline::nameOfStrategy(resolved(none))), "Curved layers");
   EXPECT_EQ(base::english(pipeline::tryingText({"pieces"_text, 2, 4})), "Trying pieces (2 of 4)");
 }
 
 TEST(Automatic, TextsForABoxAreConsistent) {
   std::vector<std::string> tried;
-  const auto note = [&](const pipeline::WayInTurn& way) {
-    tried.push_back(base::english(way.name));
-    EXPECT_EQ(way.count, pipeline::automaticWays().size());
+  const auto note = [&](const pipeline::StrategyProgress& strategy) {
+    tried.push_back(base::english(strategy.name));
+    EXPECT_EQ(strategy.count, pipeline::automaticStrategies().size());
   };
   const pipeline::PlanResult result =
-      pipeline::planPart(automaticRequest(), {}, nullptr, {.onWay = note});
+      pipeline::planPart(automaticRequest(), {}, nullptr, {.onStrategy = note});
   expectConsistent(result);
   EXPECT_EQ(tried, (std::vector<std::string>{"curved layers"}));
   EXPECT_EQ(base::english(pipeline::chosenText(result.job.report.item())),
@@ -334,7 +339,7 @@ TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
     shown.push_back(stage);
   };
   const pipeline::PlanResult tried =
-      pipeline::planChosenWay(request, {}, &cache, {.onStage = note}, &trial);
+      pipeline::planChosenStrategy(request, {}, &cache, {.onStage = note}, &trial);
   ASSERT_TRUE(trial.rejection);
   EXPECT_EQ(trial.rejection->stage, project::Stage::Decompose);
   EXPECT_TRUE(trial.rejection->finding.blocking);
@@ -344,7 +349,7 @@ TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
   EXPECT_EQ(shown, (std::vector<project::Stage>{project::Stage::Load}));
   // Planned for itself it is whole, with the same first reason.
   request.until = project::Stage::Layers;
-  const pipeline::PlanResult whole = pipeline::planChosenWay(request, {}, &cache, {});
+  const pipeline::PlanResult whole = pipeline::planChosenStrategy(request, {}, &cache, {});
   EXPECT_FALSE(whole.job.item().decomposition()->field.empty());
   EXPECT_EQ(whole.job.reached, project::Stage::Layers);
   const auto blocking = std::ranges::find_if(whole.job.report.findings, &plan::Finding::blocking);
@@ -372,7 +377,7 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   EXPECT_TRUE(said.starts_with("No way of building passes; the best one is shown: ")) << said;
   EXPECT_EQ(result.job.reached, project::Stage::Replay);
   EXPECT_FALSE(result.checked.empty());
-  EXPECT_EQ(result.job.report.item().tried.size(), pipeline::automaticWays().size() - 1);
+  EXPECT_EQ(result.job.report.item().tried.size(), pipeline::automaticStrategies().size() - 1);
   int curved = 0;
   for (const project::TriedReport& tried : result.job.report.item().tried)
     curved += tried.mode == "curved" && tried.platform == "cell";
@@ -394,14 +399,14 @@ TEST(Automatic, LeastUnsupportedWayIsTakenIfAllAreUnsupported) {
   request.choices.formats = {"spel"};
   std::string lastShown;
   const auto noteShown = [&](project::Stage, const pipeline::PlanResult& soFar) {
-    lastShown = soFar.job.choices.item().automaticWay;
+    lastShown = soFar.job.choices.item().automaticStrategy;
   };
   const pipeline::PlanResult result =
       pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
   EXPECT_GT(report.replay.longestUnsupportedMm, result.tooling().first().process.bridgeMm);
-  EXPECT_EQ(lastShown, result.job.choices.item().automaticWay);
+  EXPECT_EQ(lastShown, result.job.choices.item().automaticStrategy);
   ASSERT_EQ(report.item().tried.size(), 2U);
   int taken = 0;
   for (const project::TriedReport& tried : report.item().tried) {
@@ -411,9 +416,9 @@ TEST(Automatic, LeastUnsupportedWayIsTakenIfAllAreUnsupported) {
   }
   EXPECT_EQ(taken, 1);
   // By hand both: neither has less unsupported length.
-  for (const project::Choices& way : automaticChoices(request.choices)) {
+  for (const project::Choices& strategy : automaticChoices(request.choices)) {
     pipeline::PlanRequest one = request;
-    one.choices = resolved(way);
+    one.choices = resolved(strategy);
     EXPECT_GE(pipeline::planPart(one, {}).job.report.replay.longestUnsupportedMm,
               report.replay.longestUnsupportedMm);
   }

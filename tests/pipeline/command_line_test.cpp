@@ -236,15 +236,17 @@ TEST_F(CommandLine, OrientListsTheOrientationsAndPlanTakesOne) {
   EXPECT_EQ(best["missedVoxels"], 0);
   EXPECT_GT(best["estimatedS"], 10.0);
   EXPECT_EQ(best["now"], false);
-  EXPECT_EQ(std::ranges::count_if(found["ways"], [](const auto& way) { return way["now"]; }), 1);
+  EXPECT_EQ(std::ranges::count_if(found["ways"],
+                                  [](const auto& orientation) { return orientation["now"]; }),
+            1);
 
-  const std::string turn = best["turn"], out = (folder_ / "out").string();
+  const std::string rotation = best["turn"], out = (folder_ / "out").string();
   const Ended text = run({"orient", part});
   EXPECT_NE(text.out.find("as it lies"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("--turn=" + turn), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("--turn=" + rotation), std::string::npos) << text.out;
   // Both ways to write an option whose value may begin with a dash.
-  for (const std::vector<std::string>& option :
-       {std::vector<std::string>{"--turn=" + turn}, std::vector<std::string>{"--turn", turn}}) {
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--turn=" + rotation},
+                                                 std::vector<std::string>{"--turn", rotation}}) {
     std::vector<std::string> words{"plan", part, "-o", out, "--mode", "flat", "--until", "load"};
     words.insert(words.end(), option.begin(), option.end());
     ASSERT_EQ(run(words).code, 0);

@@ -21,8 +21,8 @@ using record::ErrorKind;
 // Differences from the plan, by the plan's time.
 struct Differences {
   double slowFromS = 0.0, slowToS = 0.0, speed = 1.0;
-  double asideFromS = 0.0, asideToS = 0.0;
-  Vector3d aside{0, 0, 0};
+  double offsetFromS = 0.0, offsetToS = 0.0;
+  Vector3d offset{0, 0, 0};
 };
 
 // Returns an RTDE record of the box's motion at 125 Hz: poses of the TCP in the robot's base.
@@ -47,13 +47,13 @@ std::string rtdeRecord(const Differences& d) {
     if (t.move[i] != plan::MoveKind::Joint) // Straight in the work frame, as programs move
       work_T_tool.translation() = (1.0 - share) * cell.work_T_tool(from).translation() +
                                   share * cell.work_T_tool(to).translation();
-    if (planS > d.asideFromS && planS < d.asideToS)
-      work_T_tool.translation() += d.aside;
+    if (planS > d.offsetFromS && planS < d.offsetToS)
+      work_T_tool.translation() += d.offset;
     const Isometry3d tcp = cell.base_T_flange(work_T_tool, q) * cell.flange_T_moved();
-    const Vector3d turn = program::rotationVector(Eigen::Quaterniond(tcp.linear()));
+    const Vector3d rotation = program::rotationVector(Eigen::Quaterniond(tcp.linear()));
     text += fmt::format("{:.3f} {:.7f} {:.7f} {:.7f} {:.7f} {:.7f} {:.7f}\n", recordS,
                         1e-3 * tcp.translation().x(), 1e-3 * tcp.translation().y(),
-                        1e-3 * tcp.translation().z(), turn.x(), turn.y(), turn.z());
+                        1e-3 * tcp.translation().z(), rotation.x(), rotation.y(), rotation.z());
     planS += kCycleS * (planS > d.slowFromS && planS < d.slowToS ? d.speed : 1.0);
   }
   return text;
@@ -99,15 +99,15 @@ TEST(ComparedRun, OfThePlanItselfHasNoError) {
 }
 
 TEST(ComparedRun, SlowSpeedAndWrongPathAreFoundAtTheirPlaces) {
-  const double slowS = longMotionAt(0.3), asideS = longMotionAt(0.7);
+  const double slowS = longMotionAt(0.3), offsetS = longMotionAt(0.7);
   ASSERT_GT(slowS, 0.0);
-  ASSERT_GT(asideS, slowS + 3.0);
+  ASSERT_GT(offsetS, slowS + 3.0);
   const record::RunComparison c =
-      compared({slowS, slowS + 3.0, 0.98, asideS + 1.0, asideS + 2.0, {0, 0, 0.3}});
+      compared({slowS, slowS + 3.0, 0.98, offsetS + 1.0, offsetS + 2.0, {0, 0, 0.3}});
   const auto path = placesOf(c, ErrorKind::Path), speed = placesOf(c, ErrorKind::Speed);
   ASSERT_EQ(path.size(), 1u);
   EXPECT_NEAR(path[0].worst, 0.3, 0.02);
-  EXPECT_NEAR(path[0].planS, asideS + 1.5, 0.6);
+  EXPECT_NEAR(path[0].planS, offsetS + 1.5, 0.6);
   ASSERT_FALSE(speed.empty());
   EXPECT_NEAR(speed[0].worst, -0.02, 0.004);
   for (const record::ErrorPlace& place : speed)

@@ -43,9 +43,9 @@ TEST(Facets, DoNotDecideWhetherABarIsCovered) {
   std::vector<double> covered;
   for (const double facetDeg : {1.3, 1.0, 0.5, 0.25})
     covered.push_back(coveredBar(facetDeg, folder.path()));
-  const auto [least, most] = std::ranges::minmax(covered);
-  EXPECT_GT(least, 0.985);
-  EXPECT_LT(most - least, 0.003);
+  const auto [minimum, maximum] = std::ranges::minmax(covered);
+  EXPECT_GT(minimum, 0.985);
+  EXPECT_LT(maximum - minimum, 0.003);
 }
 
 } // namespace

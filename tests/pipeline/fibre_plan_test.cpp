@@ -108,12 +108,12 @@ TEST(FibrePlans, ACurvedBarOnItsMould) {
   for (const plan::ToolPath& path : toolPlan.paths)
     if (path.kind == plan::PathKind::Tape) {
       const std::size_t last = path.first + path.count - 1;
-      const double turn = std::acos(toolPlan.direction[path.first].dot(toolPlan.direction[last]));
+      const double angle = std::acos(toolPlan.direction[path.first].dot(toolPlan.direction[last]));
       double length = 0.0;
       for (std::size_t w = path.first + 1; w <= last; ++w)
         length += (toolPlan.position[w] - toolPlan.position[w - 1]).norm();
       const double radius = 60.0 + 0.6 * (path.layer + 1) + 0.08;
-      EXPECT_NEAR(length / turn, radius, 0.02 * radius);
+      EXPECT_NEAR(length / angle, radius, 0.02 * radius);
     }
 }
 

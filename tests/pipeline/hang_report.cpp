@@ -49,10 +49,10 @@ Found found(const replay::Beneath& beneath) {
   if (out.carried >= 0.5)
     return out;
   const auto reach = [&](double sign) {
-    double aside = 0.0;
-    while (aside < 6.0 && !beneath.carriedAt(sign * aside))
-      aside += 0.05;
-    return aside;
+    double lateral = 0.0;
+    while (lateral < 6.0 && !beneath.carriedAt(sign * lateral))
+      lateral += 0.05;
+    return lateral;
   };
   out.leftMm = reach(1.0);
   out.rightMm = reach(-1.0);
@@ -68,7 +68,7 @@ struct Run {
 };
 
 // The waypoints of a plan that a motion lays.
-plan::ToolPlan laidOf(const plan::ToolPlan& plan, const plan::Trajectory& trajectory) {
+plan::ToolPlan depositedOf(const plan::ToolPlan& plan, const plan::Trajectory& trajectory) {
   std::vector<char> leftOut(plan.waypointCount(), 1);
   for (const std::size_t i : trajectory.waypoint)
     if (i != plan::kNoWaypoint)
@@ -79,7 +79,7 @@ plan::ToolPlan laidOf(const plan::ToolPlan& plan, const plan::Trajectory& trajec
 void report(const project::Job& job, const plan::ToolPlan& plan, const process::Process& process,
             std::optional<double> over, int listed, const base::RunContext& ctx) {
   const double overMm = over.value_or(process.bridgeMm);
-  const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
+  const std::vector<replay::BeadPiece> pieces = test::depositedBeads(plan);
   const geometry::TriangleMesh& part = job.item().printed();
   Vector3d low = part.vertices.front(), high = low;
   for (const auto* points : {&part.vertices, &plan.position})
@@ -140,10 +140,10 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
                     0.4 * std::floor(near / 0.4));
       share[key][under[p].carried > 0.0 ? 0 : 1] += length;
     }
-    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
+    const bool continues = p > 0 && pieces[p].run == pieces[p - 1].run;
     if (under[p].carried > 0.0)
       continue;
-    if (!goesOn || runs.empty() || runs.back().end != p)
+    if (!continues || runs.empty() || runs.back().end != p)
       runs.push_back({p, p, 0.0});
     runs.back().end = p + 1;
     runs.back().lengthMm += length;
@@ -159,7 +159,7 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
   std::printf("  %zu runs over %.1f mm\n", runs.size(), overMm);
   for (std::size_t r = 0; r < std::min(runs.size(), static_cast<std::size_t>(listed)); ++r) {
     const Run& run = runs[r];
-    double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0, told = 0;
+    double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0, reported = 0;
     const double n = static_cast<double>(run.end - run.first);
     for (std::size_t p = run.first; p < run.end; ++p) {
       h += static_cast<double>(pieces[p].toHeightMm) / n;
@@ -171,7 +171,7 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
           pieces[p].to - (static_cast<double>(pieces[p].toHeightMm) + 0.5 * under[p].downMm) *
                              pieces[p].toDirection;
       within += query.inside(gap) ? 1 / n : 0;
-      told += hanging[pieces[p].motion] ? 1 / n : 0;
+      reported += hanging[pieces[p].motion] ? 1 / n : 0;
       later += printed.printedAt(gap, {static_cast<std::uint32_t>(pieces.size())}) ? 1 / n : 0;
       const auto hit = query.closest(pieces[p].to - 0.5 * h * pieces[p].toDirection);
       const auto& t = part.triangles[static_cast<std::size_t>(hit.triangle)];
@@ -192,14 +192,14 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
         static_cast<double>(std::ranges::max(std::vector<float>(
             1,
             [&] {
-              float most = 0;
+              float maximum = 0;
               for (std::size_t p = run.first;
                    p < pieces.size() && pieces[p].run == pieces[run.first].run; ++p)
-                most = pieces[p].runMm;
-              return most;
+                maximum = pieces[p].runMm;
+              return maximum;
             }()))),
         path.layer, path.patch, of, kKinds[static_cast<std::size_t>(path.kind)],
-        path.closed ? "ring" : "open", h, w, near, far, down, within, later, told, lean, at.x(),
+        path.closed ? "ring" : "open", h, w, near, far, down, within, later, reported, lean, at.x(),
         at.y(), at.z());
   }
 }
@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
   for (const std::string& file : parts) {
     if (file.ends_with(".voluta")) {
       const project::Job job = project::readJob(file, pipeline::allParameters());
-      report(job, laidOf(*job.toolPlan, *job.trajectory),
+      report(job, depositedOf(*job.toolPlan, *job.trajectory),
              pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices)), overMm,
              listed, ctx);
       continue;

@@ -154,7 +154,7 @@ TEST(Items, SearchTheirWaysEachByItself) {
   request.choices.item(0).automatic = true;
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(result.job.report.item(0).tried.empty());
-  EXPECT_FALSE(result.job.choices.item(0).automaticWay.empty());
+  EXPECT_FALSE(result.job.choices.item(0).automaticStrategy.empty());
   EXPECT_TRUE(result.job.report.item(1).tried.empty());
   EXPECT_TRUE(result.job.toolPlan);
 }

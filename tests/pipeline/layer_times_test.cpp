@@ -49,14 +49,14 @@ std::string errorOf(const project::Choices& choices) {
 }
 
 TEST(MaterialLayerTimes, AreThoseOfAJobWithoutItsOwn) {
-  EXPECT_EQ(timesOf(choicesWith("")).leastS, 0.0);
-  EXPECT_EQ(timesOf(choicesWith("")).greatestS, 0.0);
+  EXPECT_EQ(timesOf(choicesWith("")).minS, 0.0);
+  EXPECT_EQ(timesOf(choicesWith("")).maxS, 0.0);
   const std::string both = R"(, "minLayerTimeS": 20, "maxLayerTimeS": 90)";
   const plan::LayerTimes times = timesOf(choicesWith(both));
-  EXPECT_EQ(times.leastS, 20.0);
-  EXPECT_EQ(times.greatestS, 90.0);
-  EXPECT_EQ(timesOf(choicesWith(both, {"minLayerTimeS=45"})).leastS, 45.0);
-  EXPECT_EQ(timesOf(choicesWith(both, {"minLayerTimeS=45"})).greatestS, 90.0);
+  EXPECT_EQ(times.minS, 20.0);
+  EXPECT_EQ(times.maxS, 90.0);
+  EXPECT_EQ(timesOf(choicesWith(both, {"minLayerTimeS=45"})).minS, 45.0);
+  EXPECT_EQ(timesOf(choicesWith(both, {"minLayerTimeS=45"})).maxS, 90.0);
 }
 
 TEST(MaterialLayerTimes, ChangeTheKeysOfTheStagesThatUseThem) {
@@ -66,11 +66,11 @@ TEST(MaterialLayerTimes, ChangeTheKeysOfTheStagesThatUseThem) {
     return pipeline::stageKeys(request);
   };
   constexpr std::size_t kMotion = project::indexOf(project::Stage::Motion);
-  const project::StageKeys none = keysWith(""), least = keysWith(R"(, "minLayerTimeS": 20)"),
-                           most = keysWith(R"(, "maxLayerTimeS": 20)");
-  EXPECT_NE(none[kMotion], least[kMotion]);
-  EXPECT_EQ(none[kMotion], most[kMotion]) << "only the replay judges the longest time";
-  EXPECT_NE(none.back(), most.back());
+  const project::StageKeys none = keysWith(""), minimum = keysWith(R"(, "minLayerTimeS": 20)"),
+                           maximum = keysWith(R"(, "maxLayerTimeS": 20)");
+  EXPECT_NE(none[kMotion], minimum[kMotion]);
+  EXPECT_EQ(none[kMotion], maximum[kMotion]) << "only the replay judges the longest time";
+  EXPECT_NE(none.back(), maximum.back());
 }
 
 TEST(MaterialLayerTimes, ThatContradictTheJobsAreOneLine) {

@@ -150,18 +150,18 @@ TEST(Lossless, VolumeThatAPedestalWouldSaveIsNamed) {
   const PlanResult wide = planPart(request, {});
   ASSERT_GT(wide.job.report.item().decomposition.missedVoxels, 0u);
   ASSERT_EQ(countOf(wide.job.report, "pedestal"), 1u);
-  const auto told = std::ranges::find(wide.job.report.findings, plan::FindingKind::PedestalGains,
-                                      &plan::Finding::kind);
-  EXPECT_EQ(told->count, wide.job.report.item().decomposition.missedVoxels);
+  const auto reported = std::ranges::find(wide.job.report.findings,
+                                          plan::FindingKind::PedestalGains, &plan::Finding::kind);
+  EXPECT_EQ(reported->count, wide.job.report.item().decomposition.missedVoxels);
 
   // As in the finding: without columns, on a pedestal.
   request.choices.item().platform = Platform("fit:0");
   request.choices.item().parameters["supports"] = "none";
   const PlanResult fit = planPart(request, {});
   const std::size_t missed = fit.job.report.item().decomposition.missedVoxels;
-  EXPECT_NE(plan::englishReason(*told).find(" on this plate, " + std::to_string(missed)),
+  EXPECT_NE(plan::englishReason(*reported).find(" on this plate, " + std::to_string(missed)),
             std::string::npos)
-      << plan::englishReason(*told);
+      << plan::englishReason(*reported);
   EXPECT_EQ(countOf(fit.job.report, "pedestal"), 0u);
 }
 
@@ -186,7 +186,7 @@ TEST(Lossless, LeastRiskyNamesTheAreaBeforeAndAfter) {
       << voluta::plan::englishReason(f);
 }
 
-TEST(Lossless, LeastResidualStatesBothAreas) {
+TEST(Lossless, MinResidualAreaStatesBothAreas) {
   PlanRequest request = test::boxRequest({{"orient", "leastResidual"}});
   request.choices.item().placement.rotation =
       Eigen::AngleAxisd(base::degreesToRadians(30.0), Eigen::Vector3d::UnitZ());

@@ -52,7 +52,7 @@ protected:
   static double nearest(const robot::Cell& cell, const plan::Trajectory& t) {
     const auto obstacle = std::ranges::find(cell.bodies(), "obstacle", &robot::Body::name);
     base::require(obstacle != cell.bodies().end(), "a cell with the obstacle");
-    double least = 1e9;
+    double minimum = 1e9;
     std::vector<Isometry3d> frames;
     for (std::size_t i = 0; i < t.pointCount(); ++i) {
       cell.framePoses(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof), frames);
@@ -61,11 +61,11 @@ protected:
             body.role == robot::BodyRole::Head)
           for (const robot::Shape& a : body.shapes)
             for (const robot::Shape& b : obstacle->shapes)
-              least = std::min(least, replay::distanceBetween(
-                                          a, frames[static_cast<std::size_t>(body.frame)], b,
-                                          frames[static_cast<std::size_t>(obstacle->frame)]));
+              minimum = std::min(minimum, replay::distanceBetween(
+                                              a, frames[static_cast<std::size_t>(body.frame)], b,
+                                              frames[static_cast<std::size_t>(obstacle->frame)]));
     }
-    return least;
+    return minimum;
   }
 
   test::TemporaryFolder folder_;

@@ -39,8 +39,8 @@ TEST_F(Rings, AreReplannedWithoutTheAvoidedWaypoints) {
   EXPECT_EQ(less->report.waypoints, plan_.waypointCount() - 1);
   EXPECT_TRUE(prints(*all, 40));
   EXPECT_FALSE(prints(*less, 40));
-  const auto least = moving.planWithout({41}, {});
-  EXPECT_EQ(least->report.waypoints, plan_.waypointCount() - 2);
+  const auto reduced = moving.planWithout({41}, {});
+  EXPECT_EQ(reduced->report.waypoints, plan_.waypointCount() - 2);
 
   // As the planner has it with one growing part for all rounds.
   const collision::GrowingPart growing(
@@ -48,7 +48,7 @@ TEST_F(Rings, AreReplannedWithoutTheAvoidedWaypoints) {
   motion::MotionPlanner planner(plan_, cell_, process::Tooling(process_), growing, {});
   EXPECT_EQ(planner.plan({}).trajectory.joints, all->trajectory->joints);
   EXPECT_EQ(planner.planWithout({40}, {}).trajectory.joints, less->trajectory->joints);
-  EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, least->trajectory->joints);
+  EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, reduced->trajectory->joints);
 }
 
 TEST_F(Rings, TakeAPartThatIsGrownAlready) {

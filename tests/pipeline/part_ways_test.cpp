@@ -32,30 +32,30 @@ PlanRequest requestOf(const geometry::TriangleMesh& mesh) {
 
 const geometry::TriangleMesh kOnEdge = test::box({0, 0, 0}, {50, 6, 40});
 
-const plan::Finding* toldIn(const PlanResult& result) {
+const plan::Finding* reportedIn(const PlanResult& result) {
   const plan::Findings& all = result.job.report.findings;
-  const auto told = std::ranges::find(all, plan::FindingKind::LiesBadly, &plan::Finding::kind);
-  return told == all.end() ? nullptr : &*told;
+  const auto reported = std::ranges::find(all, plan::FindingKind::LiesBadly, &plan::Finding::kind);
+  return reported == all.end() ? nullptr : &*reported;
 }
 
 TEST(PartWays, PlateOnItsEdgeGivesAFindingAndItsRemedyTurnsIt) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().placement.liftMm = 2.0;
   const PlanResult result = pipeline::planPart(request, {});
-  const plan::Finding* told = toldIn(result);
-  ASSERT_NE(told, nullptr);
-  EXPECT_FALSE(told->blocking);
-  EXPECT_NE(plan::englishReason(*told).find("300 mm2"), std::string::npos)
-      << plan::englishReason(*told);
-  EXPECT_NE(plan::englishReason(*told).find("2000 mm2"), std::string::npos);
-  const auto offers = pipeline::remediesFor(*told, request.choices);
+  const plan::Finding* reported = reportedIn(result);
+  ASSERT_NE(reported, nullptr);
+  EXPECT_FALSE(reported->blocking);
+  EXPECT_NE(plan::englishReason(*reported).find("300 mm2"), std::string::npos)
+      << plan::englishReason(*reported);
+  EXPECT_NE(plan::englishReason(*reported).find("2000 mm2"), std::string::npos);
+  const auto offers = pipeline::remediesFor(*reported, request.choices);
   ASSERT_EQ(offers.size(), 1u);
   EXPECT_EQ(offers[0].remedy->id, plan::RemedyId::StandBest);
   request.choices = offers[0].choices;
-  const PlanResult laid = pipeline::planPart(request, {});
-  EXPECT_EQ(toldIn(laid), nullptr);
-  EXPECT_NEAR(geometry::bounds(*laid.job.item().part).sizes().z(), 6.0, 1e-3);
-  EXPECT_NEAR(geometry::bounds(*laid.job.item().part).min().z(), 0.0, 1e-9) << "on the plate";
+  const PlanResult planResult = pipeline::planPart(request, {});
+  EXPECT_EQ(reportedIn(planResult), nullptr);
+  EXPECT_NEAR(geometry::bounds(*planResult.job.item().part).sizes().z(), 6.0, 1e-3);
+  EXPECT_NEAR(geometry::bounds(*planResult.job.item().part).min().z(), 0.0, 1e-9) << "on the plate";
 }
 
 TEST(PartWays, RemedyDoesNotDependOnTheFormerOrientation) {
@@ -63,10 +63,10 @@ TEST(PartWays, RemedyDoesNotDependOnTheFormerOrientation) {
   request.choices.item().placement.rotation =
       Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitY());
   const PlanResult result = pipeline::planPart(request, {});
-  ASSERT_NE(toldIn(result), nullptr);
+  ASSERT_NE(reportedIn(result), nullptr);
   // Turned on by hand before the button is pressed.
   request.choices.item().placement.rotation = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
-  request.choices = pipeline::remediesFor(*toldIn(result), request.choices).at(0).choices;
+  request.choices = pipeline::remediesFor(*reportedIn(result), request.choices).at(0).choices;
   EXPECT_NEAR(geometry::bounds(*pipeline::planPart(request, {}).job.item().part).sizes().z(), 6.0,
               1e-3);
 }
@@ -74,14 +74,14 @@ TEST(PartWays, RemedyDoesNotDependOnTheFormerOrientation) {
 TEST(PartWays, NoFindingIfASearchOrTheModeOrientsThePart) {
   PlanRequest request = requestOf(kOnEdge);
   request.choices.item().parameters["orient"] = "leastRisky";
-  EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
+  EXPECT_EQ(reportedIn(pipeline::planPart(request, {})), nullptr);
   request = requestOf(kOnEdge);
   request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
   request.choices.tool().process = "fdm-0.35";
   request.choices.item().platform = project::Platform("rod:5x200");
   EXPECT_FALSE(pipeline::standsFreely(request.choices));
-  EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
+  EXPECT_EQ(reportedIn(pipeline::planPart(request, {})), nullptr);
 }
 
 TEST(PartWays, AreOfThePlacedPartAndKeepItsCentre) {
@@ -149,7 +149,7 @@ TEST(PartWays, TheirTimesAreThoseOfThePlans) {
     pipeline::setParameters(request.choices, parameters);
     const PlanResult result = pipeline::planPart(request, {});
     const auto ways = pipeline::partWays(*result.item().placed, result.resolved(), {});
-    const auto now = std::ranges::find_if(ways, &placement::Way::now);
+    const auto now = std::ranges::find_if(ways, &placement::StandingOrientation::now);
     ASSERT_NE(now, ways.end());
     const double estimate = pipeline::estimatedSeconds(*now, result.resolved());
     const double planned = result.job.report.motion.durationS;
@@ -162,18 +162,20 @@ TEST(TurnText, IsReadAsItIsWritten) {
   std::mt19937 random(5);
   std::normal_distribution<double> any;
   for (int n = 0; n < 500; ++n) {
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
-    EXPECT_LT(project::parsedTurn(project::turnText(turn)).angularDistance(turn), 5e-5);
+    EXPECT_LT(project::parsedRotation(project::rotationText(rotation)).angularDistance(rotation),
+              5e-5);
   }
-  EXPECT_EQ(project::turnText(Eigen::Quaterniond::Identity()), "0,0,0");
-  EXPECT_EQ(project::turnText(project::parsedTurn("-90,0,0")), "-90,0,0");
+  EXPECT_EQ(project::rotationText(Eigen::Quaterniond::Identity()), "0,0,0");
+  EXPECT_EQ(project::rotationText(project::parsedRotation("-90,0,0")), "-90,0,0");
   // X first, then Z, about axes that stay.
   EXPECT_LT(
-      (project::parsedTurn("90,0,90") * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(),
+      (project::parsedRotation("90,0,90") * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ())
+          .norm(),
       1e-12);
   for (const char* wrong : {"", "90", "90,0", "90,0,0,0", "a,b,c", "nan,0,0"})
-    EXPECT_THROW(project::parsedTurn(wrong), base::Error) << wrong;
+    EXPECT_THROW(project::parsedRotation(wrong), base::Error) << wrong;
 }
 
 } // namespace

@@ -38,7 +38,7 @@ PlanRequest tubeOnRod() {
 }
 
 // The part is at its placement.
-void expectLaid(const PlanResult& result) {
+void expectFlat(const PlanResult& result) {
   ASSERT_TRUE(result.job.item().placement);
   const double scale =
       result.job.item().scale * pipeline::unitMm(*result.job.item().loaded, result.job.choices);
@@ -78,7 +78,7 @@ TEST(PlacePart, ThePlateHasRoomForThePrimeAndTheBrim) {
 
 TEST(PlacePart, PlacementByTheModeIsKept) {
   const PlanResult result = placed(tubeOnRod());
-  expectLaid(result);
+  expectFlat(result);
   EXPECT_LT(result.job.item().placement->liftMm, -1.0) << "around the rod, below z = 0";
   const test::TemporaryFolder folder;
   project::writeJob(folder / "tube.voluta", result.job);
@@ -89,11 +89,11 @@ TEST(PlacePart, PlacementByTheModeIsKept) {
   EXPECT_EQ(back.item().placement->liftMm, result.job.item().placement->liftMm);
   // Projects of before it was kept.
   back.item().placement.reset();
-  expectLaid(pipeline::resultOf(back));
+  expectFlat(pipeline::resultOf(back));
 }
 
 TEST(PlacePart, PlacementByASearchIsReturned) {
-  expectLaid(placed(test::boxRequest({{"orient", "leastRisky"}})));
+  expectFlat(placed(test::boxRequest({{"orient", "leastRisky"}})));
 }
 
 TEST(PlacePart, PlannedPlatformIsThatOfTheDecomposition) {

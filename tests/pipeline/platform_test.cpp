@@ -52,8 +52,8 @@ TEST(Platform, IsReadBackFromItsText) {
   for (const Platform& platform : oneOfEach()) {
     EXPECT_EQ(Platform(platform.text()), platform) << platform.text();
     for (std::size_t f = 0; f < platform.sizesMm().size(); ++f)
-      for (const double mm :
-           {platform.kind().fields[f].least, platform.kind().fields[f].most, 12.345, 1.0 / 3.0}) {
+      for (const double mm : {platform.kind().fields[f].minimum, platform.kind().fields[f].maximum,
+                              12.345, 1.0 / 3.0}) {
         std::vector<double> sizes = platform.sizesMm();
         sizes[f] = mm;
         const Platform other(platform.kind(), sizes);
@@ -79,10 +79,10 @@ TEST(Platform, FieldsBeyondTheirRangeAreNamed) {
   for (const PlatformKind& kind : platformKinds())
     for (std::size_t f = 0; f < kind.fields.size(); ++f) {
       const PlatformField& field = kind.fields[f];
-      EXPECT_LT(field.least, field.most);
-      EXPECT_GE(field.usual, field.least);
-      EXPECT_LE(field.usual, field.most);
-      for (const double mm : {field.least - 0.5, 2.0 * field.most}) {
+      EXPECT_LT(field.minimum, field.maximum);
+      EXPECT_GE(field.usual, field.minimum);
+      EXPECT_LE(field.usual, field.maximum);
+      for (const double mm : {field.minimum - 0.5, 2.0 * field.maximum}) {
         std::string text = std::string(kind.word) + ":";
         for (std::size_t i = 0; i < kind.fields.size(); ++i)
           text += (i ? "x" : "") + std::to_string(i == f ? mm : kind.fields[i].usual);

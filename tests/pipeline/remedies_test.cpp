@@ -146,8 +146,8 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   choices.item().mode = "planar";
   EXPECT_EQ(idsFor(FindingKind::Uncovered),
             (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::LowerLayers,
-                                RemedyId::FinerProcess, RemedyId::ChooseWay}));
-  EXPECT_EQ(idsFor(FindingKind::LongBridge), (std::set<RemedyId>{RemedyId::ChooseWay}));
+                                RemedyId::FinerProcess, RemedyId::ChooseStrategy}));
+  EXPECT_EQ(idsFor(FindingKind::LongBridge), (std::set<RemedyId>{RemedyId::ChooseStrategy}));
   choices.item().automatic = true;
   EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";
   EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
@@ -183,8 +183,8 @@ std::vector<Choices> everyMode() {
   Choices automatic;
   automatic.item().automatic = true;
   automatic.item().platform = project::Platform("cell");
-  for (const Choices& way : automaticChoices(automatic))
-    all.push_back(way);
+  for (const Choices& strategy : automaticChoices(automatic))
+    all.push_back(strategy);
   for (Choices& choices : all) {
     choices.item().placement.centreMm = {30.0, 10.0};
     choices.item().placement.liftMm = 2.0;
@@ -197,7 +197,7 @@ bool arises(const plan::FindingRow& row, const Choices& choices) {
   using enum FindingKind;
   const Mode& mode = findMode(choices.item().mode);
   const std::set<FindingKind> rod{BeyondCell, BeyondRod, BeginsInAirOverRod};
-  const std::set<FindingKind> surface{BeginsInAirOverSurface, NotLaid};
+  const std::set<FindingKind> surface{BeginsInAirOverSurface, NotPrinted};
   const std::set<FindingKind> plate{PlatformAdrift,  NoSupport,        BelowPlate,  BeginsInAir,
                                     CellCannotPrint, LargerThanPlates, StaysUpright};
   if (rod.contains(row.kind))
@@ -250,8 +250,8 @@ TEST(Remedies, APlatformThatAButtonChoseStaysInModeAuto) {
   choices.item().platform = project::Platform("cell");
   for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
     if (offer.remedy->id == RemedyId::ShrinkPlatform) {
-      for (const Choices& way : automaticChoices(offer.choices))
-        EXPECT_EQ(way.item().platform.text(), "fit:0");
+      for (const Choices& strategy : automaticChoices(offer.choices))
+        EXPECT_EQ(strategy.item().platform.text(), "fit:0");
       return;
     }
   FAIL() << "no smaller platform is offered";
@@ -264,7 +264,7 @@ TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
   for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::Uncovered), choices))
     ids.insert(offer.remedy->id);
   EXPECT_FALSE(ids.contains(RemedyId::LowerLayers));
-  EXPECT_TRUE(ids.contains(RemedyId::ChooseWay));
+  EXPECT_TRUE(ids.contains(RemedyId::ChooseStrategy));
 }
 
 TEST(Remedies, ALargerCellHasALargerPlate) {

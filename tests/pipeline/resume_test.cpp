@@ -51,12 +51,12 @@ TEST(Resume, AtRandomBeadsTheRestIsTheRest) {
     ASSERT_EQ(rest.plan.checked.size(), 1u) << bead;
     EXPECT_TRUE(rest.plan.checked[0]->passed) << bead;
     EXPECT_TRUE(nothingBlocks(rest.plan.job.report)) << bead;
-    EXPECT_NEAR(rest.laidMm3 + rest.leftMm3, material, 1e-6 * material);
+    EXPECT_NEAR(rest.depositedMm3 + rest.leftMm3, material, 1e-6 * material);
     EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling().first().process),
                 rest.leftMm3, 2e-3 * material)
         << bead;
     // The deposited volume is the volume of the beads before it.
-    EXPECT_NEAR(rest.laidMm3, whole.job.trajectory->extrudedMm3[*point], 1e-9);
+    EXPECT_NEAR(rest.depositedMm3, whole.job.trajectory->extrudedMm3[*point], 1e-9);
     EXPECT_NEAR(rest.plan.job.report.replay.massRatio, whole.job.report.replay.massRatio, 1e-3);
   }
 }
@@ -329,7 +329,7 @@ TEST(Resume, MissingWayBackGivesAFinding) {
   const ResumeResult rest = resumeJob(std::move(job), *point, {}, kCtx);
   EXPECT_TRUE(rest.plan.checked.empty());
   ASSERT_FALSE(nothingBlocks(rest.plan.job.report));
-  EXPECT_EQ(rest.plan.job.report.findings.back().kind, plan::FindingKind::NoWayBack);
+  EXPECT_EQ(rest.plan.job.report.findings.back().kind, plan::FindingKind::NoPathBack);
 }
 
 TEST(Resume, BeadsAndLinesWithoutAResumePointAreRefused) {

@@ -82,10 +82,10 @@ PlanResult* PlannedBox::first_ = nullptr;
 
 TEST_F(PlannedBox, StagesAreSignalledInOrderWithTheirResults) {
   const PlanResult first = planPart(boxRequest(), context(), cache_); // other tests fill the cache
-  std::vector<Stage> told;
+  std::vector<Stage> reported;
   const PlanResult again =
       planPart(boxRequest(), context(), cache_, {.onStage = [&](Stage stage, const PlanResult& r) {
-                 told.push_back(stage);
+                 reported.push_back(stage);
                  EXPECT_EQ(r.job.reached, stage);
                  EXPECT_NE(r.job.item().part, nullptr);
                  EXPECT_EQ(r.job.item().decomposition() != nullptr, stage >= Stage::Decompose);
@@ -95,8 +95,8 @@ TEST_F(PlannedBox, StagesAreSignalledInOrderWithTheirResults) {
                  EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
                  EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
                }});
-  EXPECT_EQ(told, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers, Stage::Toolpath,
-                                      Stage::Motion, Stage::Replay}));
+  EXPECT_EQ(reported, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers,
+                                          Stage::Toolpath, Stage::Motion, Stage::Replay}));
   // All of it was kept.
   EXPECT_EQ(again.job.item().part, first.job.item().part);
   EXPECT_EQ(again.job.trajectory, first.job.trajectory);
@@ -212,15 +212,15 @@ TEST_F(PlannedBox, ProgramOfAnotherJobNamesTheDifference) {
       const VerifyResult result = verified(program, first_->job);
       EXPECT_FALSE(result.replay.passed) << checked->program.format;
       ASSERT_FALSE(result.findings.empty());
-      const plan::Finding& told = result.findings.front();
-      EXPECT_EQ(told.kind, cell ? plan::FindingKind::OtherCell : plan::FindingKind::OtherJob);
-      EXPECT_TRUE(told.blocking);
-      const std::string line = plan::englishReason(told);
+      const plan::Finding& reported = result.findings.front();
+      EXPECT_EQ(reported.kind, cell ? plan::FindingKind::OtherCell : plan::FindingKind::OtherJob);
+      EXPECT_TRUE(reported.blocking);
+      const std::string line = plan::englishReason(reported);
       for (const char* word : {"part box", cell ? "cell elsewhere" : "cell ur5-fixed", "ur5"})
         EXPECT_NE(line.find(word), std::string::npos) << line;
       // A program of its own job gives no such finding.
       for (const plan::Finding& own : verified(program, planned.job).findings)
-        EXPECT_NE(own.kind, told.kind) << checked->program.format;
+        EXPECT_NE(own.kind, reported.kind) << checked->program.format;
     }
 }
 
@@ -245,7 +245,7 @@ TEST_F(PlannedBox, FileWithoutAProgramGivesAnErrorOfOneLine) {
   const std::string text = first_->checked.at(0)->program.files.front().text;
   const struct {
     std::string text;
-    const char* told;
+    const char* reported;
   } cases[] = {{"\xef\xbb\xbf" + text, "byte-order mark"},
                {std::string("\x7f\x45LF\0\0\1", 7), "binary"},
                {"/PROG X\n/MN\n1:J P[1] 100% FINE ;\n/END\n", "no urscript motion found"}};
@@ -253,10 +253,10 @@ TEST_F(PlannedBox, FileWithoutAProgramGivesAnErrorOfOneLine) {
     base::writeFile(folder / "box.script", c.text);
     try {
       verified(folder / "box.script", first_->job);
-      ADD_FAILURE() << c.told;
+      ADD_FAILURE() << c.reported;
     } catch (const base::Error& error) {
       EXPECT_EQ(error.code(), base::ErrorCode::UnusableInput);
-      EXPECT_NE(base::english(error.whole()).find(c.told), std::string::npos)
+      EXPECT_NE(base::english(error.whole()).find(c.reported), std::string::npos)
           << base::english(error.whole());
     }
   }

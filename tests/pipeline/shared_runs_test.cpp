@@ -26,7 +26,7 @@
 namespace voluta::pipeline {
 namespace {
 
-using replay::told;
+using replay::findingsText;
 using replay::Verification;
 
 const test::Scene& scene() {
@@ -77,7 +77,7 @@ bool shares(const std::function<void(plan::ReadProgram&)>& change) {
   plan::ReadProgram program = boxProgram();
   change(program);
   replayShared(inputOf(std::move(program), scene().trajectory), shared, {});
-  return shared.runs().size() == 2 && shared.runs()[0].laid == shared.runs()[1].laid;
+  return shared.runs().size() == 2 && shared.runs()[0].deposited == shared.runs()[1].deposited;
 }
 
 // The motion in the middle of those that do, or do not, deposit material.
@@ -165,10 +165,10 @@ plan::Trajectory withDetour() {
   const auto insert = [j](auto& values, auto value) {
     values.insert(values.begin() + static_cast<std::ptrdiff_t>(j) + 1, value);
   };
-  std::vector<double> aside(t.at(j), t.at(j) + dof);
-  aside[0] += 0.4;
+  std::vector<double> offset(t.at(j), t.at(j) + dof);
+  offset[0] += 0.4;
   for (std::size_t k = dof; k-- > 0;)
-    t.joints.insert(t.joints.begin() + static_cast<std::ptrdiff_t>((j + 1) * dof), aside[k]);
+    t.joints.insert(t.joints.begin() + static_cast<std::ptrdiff_t>((j + 1) * dof), offset[k]);
   for (std::size_t i = j + 1; i < t.timeS.size(); ++i)
     t.timeS[i] += 4.0;
   insert(t.timeS, t.timeS[j] + 2.0);
@@ -237,7 +237,7 @@ TEST_P(SharedDialects, ResultsOfOtherProgramsChangeNoVerdict) {
   const Verification own = replay::replayProgram(
                          inputOf(test::read(text, scene().process), trajectory), {}, {}),
                      borrowed = sharing(text);
-  EXPECT_EQ(borrowed.passed, own.passed) << told(borrowed);
+  EXPECT_EQ(borrowed.passed, own.passed) << findingsText(borrowed);
   EXPECT_NEAR(borrowed.coveredFraction, own.coveredFraction, 2e-3);
   EXPECT_NEAR(borrowed.overfillFraction, own.overfillFraction, 2e-3);
   EXPECT_EQ(borrowed.collisions, own.collisions);
@@ -253,12 +253,12 @@ TEST_P(SharedDialects, ADetourByJointsPassesAloneAndWithResultsOfOthers) {
   EXPECT_EQ(program.motions.size() > detour().pointCount(),
             !program::findDialect(GetParam()).saysJointMotions || program.beadsByJoints);
   const Verification own = replay::replayProgram(inputOf(program, detour()), {}, {});
-  EXPECT_TRUE(own.passed) << told(own);
+  EXPECT_TRUE(own.passed) << findingsText(own);
   EXPECT_GE(detours().size(), 2u);
   for (const auto& [other, runs] : detours()) {
     SharedRuns shared = runs;
     const Verification borrowed = replayShared(inputOf(program, detour()), shared, {});
-    EXPECT_TRUE(borrowed.passed) << other << told(borrowed);
+    EXPECT_TRUE(borrowed.passed) << other << findingsText(borrowed);
     EXPECT_NEAR(borrowed.coveredFraction, own.coveredFraction, 2e-3);
   }
 }
@@ -305,7 +305,7 @@ TEST(SharedRuns, BeadsAreDepositedOnceForDifferentTransfers) {
   ASSERT_EQ(shared.runs().size(), 2u);
   EXPECT_NE(shared.runs()[0].run.path.motionCount(), shared.runs()[1].run.path.motionCount())
       << "urscript says a transfer's pieces as one";
-  EXPECT_EQ(shared.runs()[0].laid, shared.runs()[1].laid);
+  EXPECT_EQ(shared.runs()[0].deposited, shared.runs()[1].deposited);
   EXPECT_EQ(native->verdict.collisions, foreign->verdict.collisions);
   EXPECT_DOUBLE_EQ(native->verdict.coveredFraction, foreign->verdict.coveredFraction);
 }
@@ -320,7 +320,7 @@ TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   EXPECT_EQ(linesOfPoints(*checked, released).size(), released.pointCount());
   project::Report report;
   plan::Findings findings;
-  tellProgram(*checked, true, true, report, findings);
+  reportProgram(*checked, true, true, report, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings.front().kind, plan::FindingKind::FormatRefused);
   EXPECT_TRUE(findings.front().blocking);
@@ -343,7 +343,7 @@ TEST(ProgramStage, ARemedyRefersOnlyToFindingsThatExist) {
   const auto remedy = [&] {
     project::Report report;
     plan::Findings findings;
-    tellProgram(checked, true, true, report, findings);
+    reportProgram(checked, true, true, report, findings);
     EXPECT_EQ(findings.size(), checked.findings.size() + 1);
     EXPECT_TRUE(findings.back().blocking);
     return plan::englishRemedy(findings.back());

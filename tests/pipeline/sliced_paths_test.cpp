@@ -37,7 +37,7 @@ using Parameters = std::map<std::string, std::string>;
 struct Ground {
   const char* name;
   Parameters parameters;
-  double turnDeg = 0.0; // About x
+  double rotationDeg = 0.0; // About x
 };
 const Ground kGrounds[] = {{"plate", {}},
                            {"30 degrees", {{"pathsOn", "plane"}}, 30.0},
@@ -48,9 +48,9 @@ PlanRequest requestFor(const std::filesystem::path& file, const Ground& ground =
   request.item().part = file.string();
   request.choices.item().automatic = true;
   test::giveParameters(request.choices, ground.parameters);
-  if (ground.turnDeg != 0.0)
+  if (ground.rotationDeg != 0.0)
     request.choices.item().placement.rotation =
-        Eigen::AngleAxisd(base::degreesToRadians(ground.turnDeg), Eigen::Vector3d::UnitX());
+        Eigen::AngleAxisd(base::degreesToRadians(ground.rotationDeg), Eigen::Vector3d::UnitX());
   request.choices.formats = {"urscript"};
   return request;
 }
@@ -85,12 +85,12 @@ plan::ToolPlan blockPaths(const Parameters& parameters = {}) {
 // As far as the tool-paths on every ground, in every manner; then one program of each manner, each
 // on another ground.
 void expectAllManners(const plan::ToolPlan& paths) {
-  std::size_t turn = 0;
+  std::size_t round = 0;
   for (const Manner manner : test::kManners) {
     const test::Written written = test::writtenBy(manner, paths);
     for (const Ground& ground : kGrounds) {
       const std::string name = std::string(test::nameOf(manner)) + ", " + ground.name + ": ";
-      const bool replayed = &ground == &kGrounds[turn % std::size(kGrounds)];
+      const bool replayed = &ground == &kGrounds[round % std::size(kGrounds)];
       const PlanResult planned = plannedFrom(
           written.text, ground, replayed ? project::Stage::Replay : project::Stage::Toolpath);
       EXPECT_TRUE(nothingBlocks(planned.job.report)) << name << test::reasons(planned);
@@ -101,7 +101,7 @@ void expectAllManners(const plan::ToolPlan& paths) {
                   1e-3 * written.volumeMm3)
           << name;
     }
-    ++turn;
+    ++round;
   }
 }
 
@@ -161,14 +161,14 @@ TEST(SlicedPaths, AVaseInEveryManner) {
 TEST(SlicedPaths, SpiralVases) {
   const test::Spiral kSpirals[] = {test::cylinderSpiral(), test::squareSpiral(),
                                    test::twistedSpiral()};
-  std::size_t turn = 0;
+  std::size_t round = 0;
   for (const test::Spiral& spiral : kSpirals)
     for (const Manner manner : test::kManners) {
       const test::Written written = test::spiralBy(manner, spiral);
-      const bool replayed = turn % 4 == 0 || test::allSeeds();
-      const Ground& ground = kGrounds[turn++ % 2];
+      const bool replayed = round % 4 == 0 || test::allSeeds();
+      const Ground& ground = kGrounds[round++ % 2];
       const std::string name = std::string(test::nameOf(manner)) + ", " + ground.name +
-                               ", spiral " + std::to_string((turn - 1) / 3) + ": ";
+                               ", spiral " + std::to_string((round - 1) / 3) + ": ";
       const PlanResult planned = plannedFrom(
           written.text, ground, replayed ? project::Stage::Replay : project::Stage::Toolpath);
       EXPECT_TRUE(nothingBlocks(planned.job.report)) << name << test::reasons(planned);

@@ -34,7 +34,7 @@ const plan::Finding* findingOf(const pipeline::PlanResult& result, FindingKind k
 }
 
 // The plan ends with its first stage, and every button gets on with it.
-void expectTold(const pipeline::PlanRequest& request, FindingKind kind) {
+void expectReported(const pipeline::PlanRequest& request, FindingKind kind) {
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   ASSERT_TRUE(result.job.reached);
   EXPECT_EQ(*result.job.reached, project::Stage::Load);
@@ -82,15 +82,15 @@ TEST_F(StartCheck, AnArmThatCannotMoveWithItsHead) {
       pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {20, 20, 5}), automatic);
       request.choices.tool().process = "barrel";
       request.choices.item().platform = project::Platform(platform);
-      expectTold(request, FindingKind::CellCannotPrint);
+      expectReported(request, FindingKind::CellCannotPrint);
     }
 }
 
 TEST_F(StartCheck, APartLargerThanEveryPlate) {
   for (const bool automatic : {false, true}) {
     SCOPED_TRACE(automatic ? "auto" : "by hand");
-    expectTold(requestOf(test::box({0, 0, 0}, {300, 300, 20}), automatic),
-               FindingKind::LargerThanPlates);
+    expectReported(requestOf(test::box({0, 0, 0}, {300, 300, 20}), automatic),
+                   FindingKind::LargerThanPlates);
   }
 }
 
@@ -98,11 +98,11 @@ TEST_F(StartCheck, APartLargerThanEveryPlate) {
 TEST_F(StartCheck, OffersASmallerScaleForAnySize) {
   pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {60000, 60000, 4000}), false);
   request.choices.item().scale = "0.005";
-  expectTold(request, FindingKind::LargerThanPlates);
+  expectReported(request, FindingKind::LargerThanPlates);
   const pipeline::PlanResult result = pipeline::planPart(request, {});
-  const plan::Finding* told = findingOf(result, FindingKind::LargerThanPlates);
-  ASSERT_NE(told, nullptr);
-  const auto offers = pipeline::remediesFor(*told, request.choices);
+  const plan::Finding* reported = findingOf(result, FindingKind::LargerThanPlates);
+  ASSERT_NE(reported, nullptr);
+  const auto offers = pipeline::remediesFor(*reported, request.choices);
   const auto smaller =
       std::ranges::find(offers, plan::RemedyId::ScaleToPlate,
                         [](const pipeline::RemedyAction& o) { return o.remedy->id; });
@@ -118,19 +118,19 @@ TEST_F(StartCheck, OffersASmallerScaleForAnySize) {
 }
 
 TEST_F(StartCheck, PassesPartsThatFitInAnyWay) {
-  const auto told = [](const pipeline::PlanRequest& given) {
+  const auto reported = [](const pipeline::PlanRequest& given) {
     pipeline::PlanRequest request = given;
     request.until = project::Stage::Load;
     return findingOf(pipeline::planPart(request, {}), FindingKind::LargerThanPlates) != nullptr;
   };
-  EXPECT_FALSE(told(requestOf(test::box({0, 0, 0}, {150, 150, 5}), false))) << "a small one";
+  EXPECT_FALSE(reported(requestOf(test::box({0, 0, 0}, {150, 150, 5}), false))) << "a small one";
   pipeline::PlanRequest insists = requestOf(test::box({0, 0, 0}, {300, 300, 20}), true);
   insists.choices.item().platform = project::Platform("fit:5");
   insists.choices.item().platformStays = true;
-  EXPECT_FALSE(told(insists)) << "the user wants a platform made for it";
+  EXPECT_FALSE(reported(insists)) << "the user wants a platform made for it";
   pipeline::PlanRequest turned = requestOf(test::box({0, 0, 0}, {500, 100, 5}), false);
   turned.choices.cell = "kr10-r1100-slide"; // 300 by 1200
-  EXPECT_FALSE(told(turned)) << "turned by a right angle it is carried";
+  EXPECT_FALSE(reported(turned)) << "turned by a right angle it is carried";
 }
 
 TEST_F(StartCheck, CountsInComparisonsToo) {

@@ -108,7 +108,7 @@ TEST(Together, MarksKeepTwoArmsApart) {
   ASSERT_TRUE(result.replay);
   EXPECT_TRUE(passed(result));
   EXPECT_EQ(result.replay->collisions, 0u);
-  EXPECT_GE(result.replay->leastDistanceMm, 10.0);
+  EXPECT_GE(result.replay->minDistanceMm, 10.0);
   for (const replay::MachineClock& clock : result.replay->clock.machines)
     EXPECT_EQ(clock.meetings().size(), result.work.order->meetings.size());
   EXPECT_GT(unmarked(result).collisions, 0u);
@@ -334,7 +334,7 @@ TEST_F(ResumedPair, BothGoOnTogether) {
   ASSERT_TRUE(passed(result)) << why(result);
   ASSERT_TRUE(result.replay);
   EXPECT_EQ(result.replay->collisions, 0u);
-  EXPECT_GE(result.replay->leastDistanceMm, 10.0);
+  EXPECT_GE(result.replay->minDistanceMm, 10.0);
   EXPECT_LT(result.replay->makespanS, pair().replay->makespanS);
   EXPECT_GT(unmarked(result).collisions, 0u) << "the rests hinder each other";
   for (std::size_t k = 0; k < 2; ++k) {
@@ -451,7 +451,7 @@ TEST(Together, FourScarasPrintFourQuartersOfOnePlate) {
   EXPECT_TRUE(notesOf(result).empty()) << "each quarter has a plate of its own";
   EXPECT_EQ(result.replay->collisions, 0u);
   EXPECT_GT(unmarked(result).collisions, 0u);
-  EXPECT_GE(result.replay->leastDistanceMm, 10.0);
+  EXPECT_GE(result.replay->minDistanceMm, 10.0);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_GT(marksOf(result.plans[k]), 0u);
     EXPECT_EQ(result.replay->clock.machines[k].marks.size(), marksOf(result.plans[k]));

@@ -33,7 +33,7 @@ geometry::TriangleMesh bodyOver(const Vector2d& halves, int rings, int sides,
   mesh.vertices.emplace_back(0, 0, height(0.0));
   for (int r = 1; r <= rings; ++r)
     for (int k = 0; k < sides; ++k) {
-      const double angle = base::kTurn * k / sides, share = static_cast<double>(r) / rings;
+      const double angle = base::kTwoPi * k / sides, share = static_cast<double>(r) / rings;
       mesh.vertices.emplace_back(halves.x() * share * std::cos(angle),
                                  halves.y() * share * std::sin(angle), height(share));
     }
@@ -92,7 +92,7 @@ TEST(TracedPlans, TheSeamOfACapIsACircle) {
       {});
   ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
   EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
-  const double length = base::kTurn * (radius + 0.8) * std::sin(base::degreesToRadians(35.0));
+  const double length = base::kTwoPi * (radius + 0.8) * std::sin(base::degreesToRadians(35.0));
   EXPECT_NEAR(tracedMm(*plan.job.toolPlan), length, 0.01 * length);
   // Hot glue does not drop on the body, above which the nozzle is at home.
   EXPECT_TRUE(plan::purgesFirst(*plan.job.trajectory));

@@ -25,10 +25,10 @@ geometry::TriangleMesh treeY(double armMm, double widthMm, double heightMm) {
   std::vector<Vector2d> outline;
   const double inner = widthMm / std::sqrt(3.0);
   for (int k = 0; k < 3; ++k) {
-    const double a = base::kTurn * k / 3.0 - 0.5 * base::kPi, notch = a + base::kPi / 3.0;
-    const Vector2d along(std::cos(a), std::sin(a)), aside(-along.y(), along.x());
-    outline.push_back(armMm * along - 0.5 * widthMm * aside);
-    outline.push_back(armMm * along + 0.5 * widthMm * aside);
+    const double a = base::kTwoPi * k / 3.0 - 0.5 * base::kPi, notch = a + base::kPi / 3.0;
+    const Vector2d along(std::cos(a), std::sin(a)), lateral(-along.y(), along.x());
+    outline.push_back(armMm * along - 0.5 * widthMm * lateral);
+    outline.push_back(armMm * along + 0.5 * widthMm * lateral);
     outline.emplace_back(inner * std::cos(notch), inner * std::sin(notch));
   }
   geometry::TriangleMesh mesh;

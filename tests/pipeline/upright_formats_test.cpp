@@ -30,17 +30,17 @@ plan::ToolPlan ballIn(const std::string& mode, const std::string& format) {
   return *pipeline::planPart(request, base::RunContext()).job.toolPlan;
 }
 
-double mostTiltDeg(const plan::ToolPlan& plan) {
-  double least = 1.0;
+double maxTiltDeg(const plan::ToolPlan& plan) {
+  double minimum = 1.0;
   for (const Eigen::Vector3d& direction : plan.direction)
-    least = std::min(least, direction.z());
-  return std::acos(least) * 180.0 / 3.14159265358979;
+    minimum = std::min(minimum, direction.z());
+  return std::acos(minimum) * 180.0 / 3.14159265358979;
 }
 
 TEST(UprightFormats, FlatLayersStayUprightForThem) {
-  EXPECT_GT(mostTiltDeg(ballIn("flat", "urscript")), 5.0) << "supports under rims lean";
+  EXPECT_GT(maxTiltDeg(ballIn("flat", "urscript")), 5.0) << "supports under rims lean";
   const plan::ToolPlan upright = ballIn("flat", "gcode");
-  EXPECT_LT(mostTiltDeg(upright), 0.01);
+  EXPECT_LT(maxTiltDeg(upright), 0.01);
   EXPECT_TRUE(std::ranges::any_of(upright.paths, [](const plan::ToolPath& path) {
     return path.kind == plan::PathKind::Support;
   })) << "rims that an upright nozzle reaches are supported";
@@ -61,8 +61,8 @@ TEST(UprightFormats, ModeAutoTriesUprightWaysOnly) {
   choices.formats = {"gcode"};
   const auto ways = pipeline::automaticChoices(choices);
   ASSERT_FALSE(ways.empty());
-  for (const project::Choices& way : ways)
-    EXPECT_TRUE(modes::findMode(way.item().mode).upright) << way.item().mode;
+  for (const project::Choices& strategy : ways)
+    EXPECT_TRUE(modes::findMode(strategy.item().mode).upright) << strategy.item().mode;
 }
 
 } // namespace

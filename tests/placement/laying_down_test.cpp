@@ -52,30 +52,30 @@ geometry::TriangleMesh shell(double radius, double thickness, double alongX, dou
   return m;
 }
 
-Vector3d sizesOf(const geometry::TriangleMesh& mesh, const LaidDown& laid) {
-  return geometry::bounds(rotated(mesh, laid.turn)).sizes();
+Vector3d sizesOf(const geometry::TriangleMesh& mesh, const MillingOrientation& orientation) {
+  return geometry::bounds(rotated(mesh, orientation.rotation)).sizes();
 }
 
 // The search may end in another orientation in which all rectangles are parallel to the axes.
 TEST(LayingDown, ABoxIsParallelToItsBlock) {
-  constexpr int kBoxes = 60, kLeast = 58;
+  constexpr int kBoxes = 60, kMinParallel = 58;
   std::mt19937 random(4);
   std::normal_distribution<double> part;
   const Vector3d wanted(40.0, 22.0, 9.0);
   const geometry::TriangleMesh box = test::box({0, 0, 0}, wanted);
   int parallel = 0;
   for (int k = 0; k < kBoxes; ++k) {
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(part(random), part(random), part(random), part(random)).normalized();
-    const geometry::TriangleMesh mesh = rotated(box, turn);
-    const LaidDown laid = laidDown(mesh);
-    const Vector3d sizes = sizesOf(mesh, laid);
+    const geometry::TriangleMesh mesh = rotated(box, rotation);
+    const MillingOrientation orientation = millingOrientation(mesh);
+    const Vector3d sizes = sizesOf(mesh, orientation);
     parallel += (sizes - wanted).cwiseAbs().maxCoeff() < 0.1 ? 1 : 0;
-    EXPECT_LE(laid.rounds, 10);
-    EXPECT_NEAR(laid.scrapMm3, sizes.prod() - wanted.prod(), 1e-3);
-    EXPECT_LE(laid.scrapMm3, laid.scrapBeforeMm3 + 1e-9);
+    EXPECT_LE(orientation.rounds, 10);
+    EXPECT_NEAR(orientation.scrapMm3, sizes.prod() - wanted.prod(), 1e-3);
+    EXPECT_LE(orientation.scrapMm3, orientation.scrapBeforeMm3 + 1e-9);
   }
-  EXPECT_GE(parallel, kLeast);
+  EXPECT_GE(parallel, kMinParallel);
 }
 
 TEST(LayingDown, ShellIsTurnedOnItsSide) {
@@ -85,10 +85,10 @@ TEST(LayingDown, ShellIsTurnedOnItsSide) {
   ASSERT_GT(geometry::volume(upright), 0.0);
   const Vector3d best = geometry::bounds(upright).sizes();
   for (int k = 0; k < 40; ++k) {
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(part(random), part(random), part(random), part(random)).normalized();
-    const geometry::TriangleMesh mesh = rotated(upright, turn);
-    const Vector3d sizes = sizesOf(mesh, laidDown(mesh));
+    const geometry::TriangleMesh mesh = rotated(upright, rotation);
+    const Vector3d sizes = sizesOf(mesh, millingOrientation(mesh));
     EXPECT_LT(sizes.prod(), 1.02 * best.prod()) << k;
     EXPECT_GE(sizes.x(), sizes.y());
     EXPECT_GE(sizes.y(), sizes.z());
@@ -96,11 +96,11 @@ TEST(LayingDown, ShellIsTurnedOnItsSide) {
 }
 
 TEST(LayingDown, WellOrientedPartIsKept) {
-  const LaidDown laid = laidDown(test::box({0, 0, 0}, {30, 20, 10}));
-  EXPECT_NEAR(laid.turn.angularDistance(Eigen::Quaterniond::Identity()), 0.0, 1e-12);
-  EXPECT_NEAR(laid.scrapMm3, 0.0, 1e-6);
+  const MillingOrientation orientation = millingOrientation(test::box({0, 0, 0}, {30, 20, 10}));
+  EXPECT_NEAR(orientation.rotation.angularDistance(Eigen::Quaterniond::Identity()), 0.0, 1e-12);
+  EXPECT_NEAR(orientation.scrapMm3, 0.0, 1e-6);
   const geometry::TriangleMesh upright = test::box({0, 0, 0}, {10, 20, 30});
-  EXPECT_NEAR(sizesOf(upright, laidDown(upright)).z(), 10.0, 1e-6);
+  EXPECT_NEAR(sizesOf(upright, millingOrientation(upright)).z(), 10.0, 1e-6);
 }
 
 } // namespace

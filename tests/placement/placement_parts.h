@@ -40,9 +40,9 @@ inline geometry::TriangleMesh coneOnTip(double radiusMm, double heightMm, int ar
 
 // On the plate.
 inline geometry::TriangleMesh turned(const geometry::TriangleMesh& mesh,
-                                     const Eigen::Quaterniond& turn) {
+                                     const Eigen::Quaterniond& rotation) {
   geometry::Placement placement;
-  placement.rotation = turn;
+  placement.rotation = rotation;
   return geometry::place(mesh, 1.0, placement);
 }
 

@@ -61,7 +61,7 @@ TEST(PrintingTime, OfASolidPartIsVolumeByFlowAndItsStarts) {
   part.acrossMm = 50.0;
   EXPECT_NEAR(estimatedSeconds(part, {}, p), 100.0 + 10 * (3 * (0.2 + 0.2) + 0.5), 1e-9);
   Filling slow;
-  slow.leastLayerS = 60.0;
+  slow.minLayerS = 60.0;
   EXPECT_NEAR(estimatedSeconds(part, slow, p), 600.0, 1e-9) << "layers wait";
   part.heightMm = 0.0;
   EXPECT_NEAR(estimatedSeconds(part, {}, p), 100.0, 1e-9);

@@ -63,7 +63,7 @@ TEST(ResidualArea, OfAnLIsItsNotch) {
   const ResidualAreas areas = residualAreas(mesh, Matrix3d::Identity());
   EXPECT_NEAR(areas.xyMm2, 225.0, 1e-6);
   EXPECT_NEAR(areas.xzMm2, 0.0, 1e-6);
-  const ResidualTurn found = leastResidualTurn(rotated(mesh, about(2, 20.0)), false, anyway);
+  const ResidualRotation found = minResidualRotation(rotated(mesh, about(2, 20.0)), false, anyway);
   EXPECT_NEAR(found.after.xyMm2, 225.0, 1e-3);
   EXPECT_GT(found.before.xyMm2, 300.0);
 }
@@ -86,7 +86,7 @@ TEST(ResidualArea, OfAnEllipseIsLeastAlongItsAxes) {
     const double rectangle = 4.0 * std::hypot(a * c, b * s) * std::hypot(a * s, b * c);
     EXPECT_NEAR(residualAreas(mesh, about(2, degrees)).xyMm2, rectangle - area, 0.1) << degrees;
   }
-  const ResidualTurn found = leastResidualTurn(rotated(mesh, about(2, 33.0)), false, anyway);
+  const ResidualRotation found = minResidualRotation(rotated(mesh, about(2, 33.0)), false, anyway);
   EXPECT_NEAR(found.after.xyMm2, 4.0 * a * b - area, 0.1);
   EXPECT_GE(found.tried, 360U);
 }
@@ -106,8 +106,8 @@ TEST(ResidualArea, ATurnedBoxReturnsToItsAxes) {
     const Vector3d half(size(random), size(random), size(random));
     const Matrix3d by = about(2, angle(random));
     const auto mesh = rotated(test::box(-half, half), by);
-    const ResidualTurn found = leastResidualTurn(mesh, false, anyway);
-    const Matrix3d back = found.turn.toRotationMatrix() * by;
+    const ResidualRotation found = minResidualRotation(mesh, false, anyway);
+    const Matrix3d back = found.rotation.toRotationMatrix() * by;
     // Each of the box's axes is along an axis again, to half of the finest step or the angle that
     // 0.2 % of the rectangle allow.
     EXPECT_LT((back - Matrix3d(back.array().round())).cwiseAbs().maxCoeff(), 2e-3) << i;
@@ -120,7 +120,7 @@ TEST(ResidualArea, ABoxLeaningAboutYIsSetUpright) {
   const auto mesh = rotated(test::box({-30, -10, -5}, {30, 10, 5}), about(1, 25.0));
   OrientOptions options;
   options.voxelMm = 1.0;
-  const Orientation found = bestOrientation(mesh, Objective::LeastResidual, options, kQuiet);
+  const Orientation found = bestOrientation(mesh, Objective::MinResidualArea, options, kQuiet);
   EXPECT_FALSE(found.before.stands);
   EXPECT_TRUE(found.score.stands);
   EXPECT_NEAR(found.score.heightMm, 10.0, 0.02);
@@ -132,7 +132,8 @@ TEST(ResidualArea, UnstableRotationIsNotTaken) {
   // Along its axis on XZ, but with its tip on the plate.
   const auto cone = test::coneOnTip(10.0, 40.0, 32);
   const auto lying = rotated(cone, about(1, 90.0));
-  const ResidualTurn found = leastResidualTurn(lying, false, [](const Matrix3d&) { return false; });
+  const ResidualRotation found =
+      minResidualRotation(lying, false, [](const Matrix3d&) { return false; });
   EXPECT_NEAR(found.after.xzMm2, found.before.xzMm2, 1e-9);
 }
 
@@ -142,8 +143,8 @@ TEST(ResidualArea, APartAlongTheAxesStays) {
   options.voxelMm = 1.0;
   for (const bool quarters : {false, true}) {
     options.quarterTurns = quarters;
-    const Orientation found = bestOrientation(mesh, Objective::LeastResidual, options, kQuiet);
-    EXPECT_TRUE(found.turn.isApprox(Eigen::Quaterniond::Identity()));
+    const Orientation found = bestOrientation(mesh, Objective::MinResidualArea, options, kQuiet);
+    EXPECT_TRUE(found.rotation.isApprox(Eigen::Quaterniond::Identity()));
     EXPECT_NEAR(found.residual.xyMm2 + found.residual.xzMm2, 0.0, 1e-6);
   }
 }

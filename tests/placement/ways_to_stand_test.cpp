@@ -37,34 +37,34 @@ geometry::TriangleMesh crane() {
   return mesh;
 }
 
-std::vector<Way> waysOf(const geometry::TriangleMesh& mesh) {
+std::vector<StandingOrientation> waysOf(const geometry::TriangleMesh& mesh) {
   return waysToStand(mesh, {}, kQuiet);
 }
 
-double secondsOf(const Way& way) {
-  return estimatedSeconds(way.part, {}, {});
+double secondsOf(const StandingOrientation& orientation) {
+  return estimatedSeconds(orientation.part, {}, {});
 }
 
-std::vector<double> contactsOf(const std::vector<Way>& ways) {
+std::vector<double> contactsOf(const std::vector<StandingOrientation>& ways) {
   std::vector<double> contacts;
-  for (const Way& way : ways)
-    contacts.push_back(way.score.contactMm2);
+  for (const StandingOrientation& orientation : ways)
+    contacts.push_back(orientation.score.contactMm2);
   return contacts;
 }
 
 // The figures of a way equal those of the mesh turned so.
-void expectStands(const geometry::TriangleMesh& mesh, const Way& way) {
-  const geometry::TriangleMesh standing = turned(mesh, way.turn);
+void expectStands(const geometry::TriangleMesh& mesh, const StandingOrientation& orientation) {
+  const geometry::TriangleMesh standing = turned(mesh, orientation.rotation);
   const OrientationScore is =
       OrientationMeasure(standing, 0.8, 0.786).of(Eigen::Matrix3d::Identity());
-  EXPECT_NEAR(is.contactMm2, way.score.contactMm2, 1e-3 * is.contactMm2);
-  EXPECT_NEAR(is.heightMm, way.score.heightMm, 1e-3 * is.heightMm);
-  EXPECT_TRUE(way.score.stands);
+  EXPECT_NEAR(is.contactMm2, orientation.score.contactMm2, 1e-3 * is.contactMm2);
+  EXPECT_NEAR(is.heightMm, orientation.score.heightMm, 1e-3 * is.heightMm);
+  EXPECT_TRUE(orientation.score.stands);
 }
 
 TEST(WaysToStand, ABoxHasThree) {
   const geometry::TriangleMesh box = test::box({0, 0, 0}, {60, 40, 20});
-  const std::vector<Way> ways = waysOf(box);
+  const std::vector<StandingOrientation> ways = waysOf(box);
   ASSERT_EQ(ways.size(), 3u);
   const double areas[] = {2400, 1200, 800}, heights[] = {20, 40, 60};
   for (std::size_t n = 0; n < 3; ++n) {
@@ -75,39 +75,40 @@ TEST(WaysToStand, ABoxHasThree) {
     EXPECT_EQ(ways[n].now, n == 0);
     expectStands(box, ways[n]);
   }
-  EXPECT_TRUE(ways[0].turn.isApprox(Eigen::Quaterniond::Identity()));
+  EXPECT_TRUE(ways[0].rotation.isApprox(Eigen::Quaterniond::Identity()));
   EXPECT_LT(secondsOf(ways[0]), secondsOf(ways[2])) << "fewer layers";
-  EXPECT_FALSE(betterWay(box, {}, kQuiet));
+  EXPECT_FALSE(betterOrientation(box, {}, kQuiet));
   EXPECT_EQ(waysOf(test::box({0, 0, 0}, {30, 30, 30})).size(), 1u) << "a cube has one";
 }
 
 TEST(WaysToStand, PlateOnItsEdgeIsBadlyOriented) {
   const geometry::TriangleMesh plate = test::box({0, 0, 0}, {60, 5, 40});
-  const auto better = betterWay(plate, {}, kQuiet);
+  const auto better = betterOrientation(plate, {}, kQuiet);
   ASSERT_TRUE(better);
   EXPECT_NEAR(better->now.score.contactMm2, 300.0, 1e-6);
   EXPECT_NEAR(better->best.score.contactMm2, 2400.0, 1e-6);
-  EXPECT_FALSE(betterWay(turned(plate, better->best.turn), {}, kQuiet)) << "it lies well then";
+  EXPECT_FALSE(betterOrientation(turned(plate, better->best.rotation), {}, kQuiet))
+      << "it lies well then";
 }
 
 TEST(WaysToStand, ConeIsBadlyOrientedOnItsTipAndWellOnItsBase) {
   const geometry::TriangleMesh cone = test::coneOnTip(15.0, 30.0, 64);
-  const std::vector<Way> ways = waysOf(cone);
+  const std::vector<StandingOrientation> ways = waysOf(cone);
   ASSERT_GE(ways.size(), 2u) << "its base, its side";
-  for (const Way& way : ways)
-    EXPECT_FALSE(way.now) << "on its tip it does not stand";
+  for (const StandingOrientation& orientation : ways)
+    EXPECT_FALSE(orientation.now) << "on its tip it does not stand";
   EXPECT_NEAR(ways[0].score.contactMm2, base::kPi * 225.0, 4.0);
   EXPECT_NEAR(ways[0].score.heightMm, 30.0, 1e-6);
-  const auto better = betterWay(cone, {}, kQuiet);
+  const auto better = betterOrientation(cone, {}, kQuiet);
   ASSERT_TRUE(better);
   EXPECT_FALSE(better->now.score.stands);
-  const geometry::TriangleMesh upright = turned(cone, better->best.turn);
-  EXPECT_FALSE(betterWay(upright, {}, kQuiet));
+  const geometry::TriangleMesh upright = turned(cone, better->best.rotation);
+  EXPECT_FALSE(betterOrientation(upright, {}, kQuiet));
   EXPECT_TRUE(waysOf(upright)[0].now);
 }
 
 TEST(WaysToStand, BracketRestsOnASideOrALeg) {
-  const std::vector<Way> ways = waysOf(bracket());
+  const std::vector<StandingOrientation> ways = waysOf(bracket());
   const double side = 40 * 6 + 18 * 6;
   std::vector<double> contacts = contactsOf(ways);
   std::ranges::sort(contacts);
@@ -116,35 +117,35 @@ TEST(WaysToStand, BracketRestsOnASideOrALeg) {
   EXPECT_NEAR(contacts[0], side, 1e-6);
   EXPECT_NEAR(contacts[1], 24 * 20, 1e-6);
   EXPECT_NEAR(contacts[2], 40 * 20, 1e-6);
-  EXPECT_EQ(std::ranges::count_if(ways, &Way::now), 1);
+  EXPECT_EQ(std::ranges::count_if(ways, &StandingOrientation::now), 1);
 }
 
 TEST(WaysToStand, PartDrawnWithYUpIsTurnedUpright) {
   const geometry::TriangleMesh upright = crane();
-  ASSERT_FALSE(betterWay(upright, {}, kQuiet));
-  const std::vector<Way> well = waysOf(upright);
-  const std::vector<Way> ways = waysOf(turned(upright, kOverX.conjugate()));
-  const auto asDrawn = std::ranges::find_if(well, &Way::now);
+  ASSERT_FALSE(betterOrientation(upright, {}, kQuiet));
+  const std::vector<StandingOrientation> well = waysOf(upright);
+  const std::vector<StandingOrientation> ways = waysOf(turned(upright, kOverX.conjugate()));
+  const auto asDrawn = std::ranges::find_if(well, &StandingOrientation::now);
   ASSERT_NE(asDrawn, well.end());
-  const auto stood = std::ranges::find_if(ways, [&](const Way& way) {
-    return std::abs(way.score.contactMm2 - asDrawn->score.contactMm2) < 1e-6 &&
-           std::abs(way.score.heightMm - asDrawn->score.heightMm) < 1e-6;
+  const auto stood = std::ranges::find_if(ways, [&](const StandingOrientation& orientation) {
+    return std::abs(orientation.score.contactMm2 - asDrawn->score.contactMm2) < 1e-6 &&
+           std::abs(orientation.score.heightMm - asDrawn->score.heightMm) < 1e-6;
   });
   ASSERT_NE(stood, ways.end());
-  EXPECT_LT(stood->turn.angularDistance(kOverX), 1e-6) << "about x, and nothing else";
+  EXPECT_LT(stood->rotation.angularDistance(kOverX), 1e-6) << "about x, and nothing else";
 }
 
 TEST(WaysToStand, DoNotDependOnHowThePartCame) {
   const geometry::TriangleMesh mesh = crane();
-  std::vector<Way> wanted = waysOf(mesh);
+  std::vector<StandingOrientation> wanted = waysOf(mesh);
   ASSERT_GE(wanted.size(), 3u);
   std::mt19937 random(11);
   std::normal_distribution<double> any;
   for (int n = 0; n < test::ofSeeds(20, 100); ++n) {
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
-    const geometry::TriangleMesh came = turned(mesh, turn);
-    const std::vector<Way> ways = waysOf(came);
+    const geometry::TriangleMesh came = turned(mesh, rotation);
+    const std::vector<StandingOrientation> ways = waysOf(came);
     ASSERT_EQ(ways.size(), wanted.size()) << n;
     for (std::size_t w = 0; w < ways.size(); ++w) {
       if (ways[w].now && w + 1 == ways.size())
@@ -168,20 +169,20 @@ TEST(WaysToStand, SheetsAndPartsInOtherUnitsAreNoTrouble) {
     EXPECT_NO_THROW(waysOf(open));
     open.triangles.resize(2); // in one plane
     EXPECT_NO_THROW(waysOf(open));
-    EXPECT_NO_THROW(betterWay(open, {}, kQuiet));
+    EXPECT_NO_THROW(betterOrientation(open, {}, kQuiet));
   }
 }
 
 TEST(WaysToStand, AreDistinctAndFew) {
   WaysOptions options;
-  options.most = 2;
+  options.maxCount = 2;
   EXPECT_EQ(waysToStand(crane(), options, kQuiet).size(), 2u);
-  const std::vector<Way> ball = waysOf(test::sphere({0, 0, 0}, 20.0));
+  const std::vector<StandingOrientation> ball = waysOf(test::sphere({0, 0, 0}, 20.0));
   EXPECT_GE(ball.size(), 1u);
   EXPECT_LE(ball.size(), 4u);
   for (std::size_t a = 0; a < ball.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      EXPECT_GT(ball[a].turn.angularDistance(ball[b].turn), 0.1);
+      EXPECT_GT(ball[a].rotation.angularDistance(ball[b].rotation), 0.1);
 }
 
 // The current orientation is among the ways even a poor one, as long as it is stable.
@@ -190,10 +191,10 @@ TEST(WaysToStand, CurrentOrientationIsAmongThem) {
     const geometry::TriangleMesh came =
         turned(crane(),
                Eigen::Quaterniond(Eigen::AngleAxisd(angle * base::kPi, Eigen::Vector3d::UnitY())));
-    const std::vector<Way> ways = waysOf(came);
-    ASSERT_EQ(std::ranges::count_if(ways, &Way::now), 1) << angle;
-    EXPECT_TRUE(
-        std::ranges::find_if(ways, &Way::now)->turn.isApprox(Eigen::Quaterniond::Identity(), 1e-9));
+    const std::vector<StandingOrientation> ways = waysOf(came);
+    ASSERT_EQ(std::ranges::count_if(ways, &StandingOrientation::now), 1) << angle;
+    EXPECT_TRUE(std::ranges::find_if(ways, &StandingOrientation::now)
+                    ->rotation.isApprox(Eigen::Quaterniond::Identity(), 1e-9));
   }
 }
 
@@ -203,8 +204,8 @@ TEST(WaysToStand, CellsAreTurnedByQuartersOnly) {
   });
   WaysOptions options;
   options.quarterTurns = true;
-  for (const Way& way : waysToStand(mesh, options, kQuiet)) {
-    const Eigen::Matrix3d m = way.turn.toRotationMatrix();
+  for (const StandingOrientation& orientation : waysToStand(mesh, options, kQuiet)) {
+    const Eigen::Matrix3d m = orientation.rotation.toRotationMatrix();
     EXPECT_LT((m - Eigen::Matrix3d(m.array().round())).norm(), 1e-6);
   }
 }
@@ -212,11 +213,12 @@ TEST(WaysToStand, CellsAreTurnedByQuartersOnly) {
 TEST(WaysToStand, AreTheSameForAnyNumberOfThreads) {
   const geometry::TriangleMesh mesh = turned(
       crane(), Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())));
-  const std::vector<Way> one = waysOf(mesh),
-                         two = waysToStand(mesh, {}, base::RunContext(base::CancelToken{}, 2));
+  const std::vector<StandingOrientation> one = waysOf(mesh),
+                                         two = waysToStand(
+                                             mesh, {}, base::RunContext(base::CancelToken{}, 2));
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t n = 0; n < one.size(); ++n) {
-    EXPECT_EQ(one[n].turn.coeffs(), two[n].turn.coeffs());
+    EXPECT_EQ(one[n].rotation.coeffs(), two[n].rotation.coeffs());
     EXPECT_EQ(one[n].score.contactMm2, two[n].score.contactMm2);
     EXPECT_EQ(one[n].missed, two[n].missed);
     EXPECT_EQ(secondsOf(one[n]), secondsOf(two[n]));
@@ -227,7 +229,7 @@ TEST(WaysToStand, CanBeCancelledAndReportTheirProgress) {
   const base::CancelToken token;
   token.cancel();
   EXPECT_THROW(waysToStand(crane(), {}, base::RunContext(token, 2)), base::Cancelled);
-  EXPECT_THROW(betterWay(crane(), {}, base::RunContext(token, 2)), base::Cancelled);
+  EXPECT_THROW(betterOrientation(crane(), {}, base::RunContext(token, 2)), base::Cancelled);
   // Half way through, too.
   const base::CancelToken later;
   EXPECT_THROW(waysToStand(crane(), {},
@@ -247,7 +249,7 @@ TEST(WaysToStand, CanBeCancelledAndReportTheirProgress) {
 }
 
 TEST(WaysToStand, BadOrientationIsARuleOfTheFigures) {
-  Way now, better;
+  StandingOrientation now, better;
   now.score.stands = better.score.stands = true;
   now.voxels = better.voxels = 1000;
   now.score.contactMm2 = better.score.contactMm2 = 100.0;
@@ -293,10 +295,10 @@ TEST(RestingPlaces, AreTheHullsFacesLargestFirst) {
 
 TEST(WaysToStand, SpotRestsOnItsFeet) {
   VOLUTA_MODEL_OR_SKIP(file, "spot.stl");
-  const std::vector<Way> ways = waysOf(geometry::readMesh(file).mesh);
+  const std::vector<StandingOrientation> ways = waysOf(geometry::readMesh(file).mesh);
   EXPECT_GE(ways.size(), 3u);
-  for (const Way& way : ways)
-    expectStands(geometry::readMesh(file).mesh, way);
+  for (const StandingOrientation& orientation : ways)
+    expectStands(geometry::readMesh(file).mesh, orientation);
 }
 
 } // namespace

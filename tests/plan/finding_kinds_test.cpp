@@ -161,8 +161,8 @@ TEST(FindingKinds, IdsOfOlderVersionsLeadToTheirKinds) {
 TEST(FindingKinds, PluralFormsHaveANumberToGoBy) {
   for (const FindingRow& row : findingRows())
     for (const base::Text text : {row.reason, row.remedy, row.more}) {
-      const std::size_t least = text.plural() ? 1 : 0;
-      EXPECT_GE(base::countPlaces(text.english()), least) << row.id;
+      const std::size_t minimum = text.plural() ? 1 : 0;
+      EXPECT_GE(base::countPlaces(text.english()), minimum) << row.id;
     }
 }
 

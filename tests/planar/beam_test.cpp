@@ -166,7 +166,8 @@ struct Shape {
   int alphaDeg;
   // Worked out by hand, with all supports on the plate left as they are.
   std::size_t pieces; // a cut outwards at each side of the stem
-  std::size_t least;  // no direction is within 90 degrees + alpha of all faces if it were one piece
+  std::size_t
+      minimum; // no direction is within 90 degrees + alpha of all faces if it were one piece
 };
 std::ostream& operator<<(std::ostream& out, const Shape& s) {
   return out << s.name;
@@ -193,7 +194,7 @@ TEST_P(BeamShapes, TheBestNumberOfPiecesAndNothingRisky) {
   EXPECT_GT(d.riskyBeforeMm2, 50.0);
   EXPECT_NEAR(d.riskyMm2, 0.0, 1e-6);
   EXPECT_LE(d.pieces.size(), GetParam().pieces);
-  EXPECT_GE(d.pieces.size(), GetParam().least);
+  EXPECT_GE(d.pieces.size(), GetParam().minimum);
   EXPECT_EQ(d.blockedPieces, 0u);
   check(part, d, options, 1.5);
   const PlanarDecomposition again = beamDecompose(part, options, base::RunContext({}, 1));
@@ -245,11 +246,11 @@ TEST(Platform, StemOfThePlateBlocksTheHead) {
 TEST(Platform, ThePlateIsTheGivenOneOrMadeForThePiece) {
   PlanarOptions options = withHead();
   const Piece piece = wholePart(test::box({-5, -4, 0}, {5, 4, 20}), options.rule);
-  const auto reach = [&](const Vector2d& way) {
-    double most = -1e300;
+  const auto reach = [&](const Vector2d& heading) {
+    double maximum = -1e300;
     for (const Vector2d& p : plateOf({piece}, options))
-      most = std::max(most, way.dot(p));
-    return most;
+      maximum = std::max(maximum, heading.dot(p));
+    return maximum;
   };
   EXPECT_NEAR(reach({1, 0}), 5.0, 1e-9);
   EXPECT_NEAR(reach({0, -1}), 4.0, 1e-9);

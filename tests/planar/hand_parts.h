@@ -29,7 +29,7 @@ inline geometry::TriangleMesh extruded(const std::vector<Eigen::Vector2d>& outli
   const auto at = [&](int i) -> const Eigen::Vector2d& {
     return outline[static_cast<std::size_t>(i)];
   };
-  const auto turn = [&](int a, int b, int c) {
+  const auto orientation = [&](int a, int b, int c) {
     const Eigen::Vector2d u = at(b) - at(a), v = at(c) - at(a);
     return u.x() * v.y() - u.y() * v.x();
   };
@@ -40,10 +40,10 @@ inline geometry::TriangleMesh extruded(const std::vector<Eigen::Vector2d>& outli
     for (std::size_t i = 0; i < left.size() && ear == left.size(); ++i) {
       const int a = left[(i + left.size() - 1) % left.size()], b = left[i],
                 c = left[(i + 1) % left.size()];
-      bool clear = turn(a, b, c) > 1e-12;
+      bool clear = orientation(a, b, c) > 1e-12;
       for (const int o : left)
-        clear = clear && (o == a || o == b || o == c || turn(a, b, o) < -1e-12 ||
-                          turn(b, c, o) < -1e-12 || turn(c, a, o) < -1e-12);
+        clear = clear && (o == a || o == b || o == c || orientation(a, b, o) < -1e-12 ||
+                          orientation(b, c, o) < -1e-12 || orientation(c, a, o) < -1e-12);
       if (clear)
         ear = i;
     }

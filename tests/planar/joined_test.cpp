@@ -26,12 +26,12 @@ TriangleMesh clevis() {
   return lugs - test::cylinder({-11, 0, 24}, {11, 0, 24}, 6.0);
 }
 
-std::size_t mostSolids(const PlanarDecomposition& d) {
-  std::size_t most = 0;
+std::size_t maxSolids(const PlanarDecomposition& d) {
+  std::size_t maximum = 0;
   for (const Piece& piece : d.pieces)
     if (piece.baseTag != kPlate)
-      most = std::max(most, solids(piece.solid).size());
-  return most;
+      maximum = std::max(maximum, solids(piece.solid).size());
+  return maximum;
 }
 
 TEST(Joined, LugsThatHideEachOtherFromTheHeadArePrintedTogether) {
@@ -41,7 +41,7 @@ TEST(Joined, LugsThatHideEachOtherFromTheHeadArePrintedTogether) {
   const PlanarDecomposition d = greedyDecompose(part, options, {}, base::RunContext({}, 2));
   EXPECT_LT(d.riskyMm2, d.riskyBeforeMm2);
   EXPECT_EQ(d.blockedPieces, 0U);
-  EXPECT_EQ(mostSolids(d), 2U);
+  EXPECT_EQ(maxSolids(d), 2U);
   const test::PlanCheck check = test::checkOf(d.pieces, options);
   const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
   EXPECT_TRUE(verdict.faults.empty());

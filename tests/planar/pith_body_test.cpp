@@ -25,7 +25,7 @@ geometry::TriangleMesh rod(const Vector3d& from, const Vector3d& to, double radi
   geometry::TriangleMesh mesh;
   for (int ring = 0; ring <= kRings; ++ring)
     for (int k = 0; k < kSides; ++k) {
-      const double a = base::kTurn * k / kSides;
+      const double a = base::kTwoPi * k / kSides;
       mesh.vertices.push_back(from + (to - from) * ring / kRings +
                               radius * (std::cos(a) * u + std::sin(a) * v));
     }
@@ -68,8 +68,8 @@ TEST(PithBody, OfARodIsAThinnerRod) {
   const PithBody body = pithBody(rod({0, 0, 0}, {0, 0, 60}, 8.0), rule, {});
   EXPECT_EQ(body.limbs, 1);
   EXPECT_NEAR(body.lengthMm, 60.0, 0.5);
-  EXPECT_NEAR(body.leastRadiusMm, 3.2, 0.1);
-  EXPECT_NEAR(body.greatestRadiusMm, 3.2, 0.1);
+  EXPECT_NEAR(body.minRadiusMm, 3.2, 0.1);
+  EXPECT_NEAR(body.maxRadiusMm, 3.2, 0.1);
   const double volume = base::kPi * 3.2 * 3.2 * 60.0;
   EXPECT_NEAR(geometry::volume(body.mesh), volume, 0.05 * volume);
   // It reaches both ends and is cut there.
@@ -82,12 +82,12 @@ TEST(PithBody, OfATreeBranchesAndIsThickerThere) {
   const geometry::TriangleMesh part = tree(6.0);
   PithRule rule;
   rule.share = 0.4;
-  rule.leastRadiusMm = 1.0;
+  rule.minRadiusMm = 1.0;
   const PithBody body = pithBody(part, rule, {});
   EXPECT_EQ(body.limbs, 3);
   EXPECT_EQ(geometry::components(body.mesh).count, 1);
   EXPECT_NEAR(body.lengthMm, 120.0, 8.0);
-  EXPECT_GT(body.greatestRadiusMm, 1.25 * body.leastRadiusMm);
+  EXPECT_GT(body.maxRadiusMm, 1.25 * body.minRadiusMm);
   // It is within the part.
   const geometry::MeshQuery whole(part);
   for (const Vector3d& vertex : body.mesh.vertices)
@@ -121,7 +121,7 @@ TEST(PithBody, OfAShaftWithAGearIsARod) {
   geometry::TriangleMesh gear;
   for (const double z : {20.0, 30.0})
     for (int k = 0; k < 2 * kTeeth; ++k) {
-      const double angle = 0.5 * base::kTurn * k / kTeeth, radius = k % 2 == 0 ? 14.0 : 11.0;
+      const double angle = 0.5 * base::kTwoPi * k / kTeeth, radius = k % 2 == 0 ? 14.0 : 11.0;
       gear.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     }
   const int low = 4 * kTeeth, high = low + 1;

@@ -26,7 +26,7 @@ Vector3d middleOf(const TriangleMesh& m, std::size_t t) {
 Vector3d crossOf(const TriangleMesh& m, std::size_t t) {
   return (m.corner(t, 1) - m.corner(t, 0)).cross(m.corner(t, 2) - m.corner(t, 0));
 }
-double leastHeight(const TriangleMesh& m, std::size_t t) {
+double minHeight(const TriangleMesh& m, std::size_t t) {
   double longest = 0.0;
   for (int k = 0; k < 3; ++k)
     longest = std::max(longest, (m.corner(t, (k + 1) % 3) - m.corner(t, k)).norm());
@@ -89,10 +89,10 @@ public:
     const int i = column(p.x(), low_.x()), j = column(p.y(), low_.y());
     for (const std::size_t t : cells_[static_cast<std::size_t>(j * nx_ + i)]) {
       const Vector3d &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
-      const auto turn = [&](const Vector3d& u, const Vector3d& v) {
+      const auto doubleArea = [&](const Vector3d& u, const Vector3d& v) {
         return (u.x() - p.x()) * (v.y() - p.y()) - (u.y() - p.y()) * (v.x() - p.x());
       };
-      const double wc = turn(a, b), wa = turn(b, c), wb = turn(c, a);
+      const double wc = doubleArea(a, b), wa = doubleArea(b, c), wb = doubleArea(c, a);
       const bool up = wa > 0.0 && wb > 0.0 && wc > 0.0, down = wa < 0.0 && wb < 0.0 && wc < 0.0;
       if (!up && !down)
         continue;
@@ -258,9 +258,9 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
       for (int k = 0; k < 3; ++k)
         highest = std::max(highest, up.dot(mesh.corner(t, k)) - pieces[i].base.offsetMm);
       all += area;
-      const bool sliver = leastHeight(mesh, t) < kSliverMm;
-      bool laid = onPlate && n.dot(up) < 0.0 && highest <= check.contactMm + 1e-6;
-      if (laid)
+      const bool sliver = minHeight(mesh, t) < kSliverMm;
+      bool supported = onPlate && n.dot(up) < 0.0 && highest <= check.contactMm + 1e-6;
+      if (supported)
         stands += area;
       const bool base = !onPlate && highest < 1e-3 && n.dot(up) < -0.999;
       if (inPart(outside)) {
@@ -270,13 +270,13 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
             behind = std::min(behind, j);
         if (behind == pieces.size() && !sliver)
           gap += area;
-        laid = laid || behind < i;
+        supported = supported || behind < i;
         if (base) {
           sections[i].push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
           (behind < i || sliver ? stands : unheld) += area;
         }
       }
-      if (!laid && !(base && sliver) && n.dot(up) + std::sin(check.overhangRad) < 0.0)
+      if (!supported && !(base && sliver) && n.dot(up) + std::sin(check.overhangRad) < 0.0)
         out.riskyMm2 += area;
       if (const Vector3d inside = middle - kBesideMm * n; !sliver && inPiece[i](inside))
         for (std::size_t j = 0; j < pieces.size(); ++j)
@@ -308,8 +308,8 @@ PlanVerdict checkPlan(const TriangleMesh& part, const std::vector<planar::Piece>
       tip += std::max(0.0, pieces[i].base.offsetMm + 2.0 * check.contactMm - up.dot(tip)) * up;
     const auto hit = static_cast<double>(hits(tips, printed, up, check.head));
     out.blockedPieces += hit > check.mayHitShare * static_cast<double>(tips.size());
-    const std::vector<Vector3d> laid = strewn(mesh, check.spacingMm);
-    printed.insert(printed.end(), laid.begin(), laid.end());
+    const std::vector<Vector3d> samples = strewn(mesh, check.spacingMm);
+    printed.insert(printed.end(), samples.begin(), samples.end());
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t j = 0; j < pieces.size(); ++j)

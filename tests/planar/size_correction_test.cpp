@@ -70,10 +70,10 @@ struct Span {
   double length() const { return high - low; }
 };
 // Returns the extent along x of points whose |y| is below a limit.
-Span alongX(const Section& section, double withinY, double leastX = -1e9, double mostX = 1e9) {
+Span alongX(const Section& section, double withinY, double minX = -1e9, double maxX = 1e9) {
   Span span;
   for (const Vector3d& p : section.points)
-    if (std::abs(p.y()) <= withinY && p.x() > leastX && p.x() < mostX) {
+    if (std::abs(p.y()) <= withinY && p.x() > minX && p.x() < maxX) {
       span.low = std::min(span.low, p.x());
       span.high = std::max(span.high, p.x());
     }

@@ -131,7 +131,7 @@ TEST(RegionMesh, TrianglesAreOfOneSizeAndWellShaped) {
   const std::vector<Eigen::Vector2d> square{{0, 0}, {20, 0}, {20, 15}, {0, 15}};
   const auto mesh = meshRegion(square, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 1.0);
   ASSERT_TRUE(mesh);
-  double area = 0.0, longest = 0.0, least = 1.0;
+  double area = 0.0, longest = 0.0, minimum = 1.0;
   for (const auto& t : mesh->triangles) {
     const auto corner = [&](std::size_t k) {
       return mesh->points[static_cast<std::size_t>(t[k % 3])];
@@ -145,11 +145,11 @@ TEST(RegionMesh, TrianglesAreOfOneSizeAndWellShaped) {
     const double twice = a.x() * b.y() - a.y() * b.x();
     EXPECT_GT(twice, 0.0);
     area += 0.5 * twice;
-    least = std::min(least, 2.0 * std::sqrt(3.0) * twice / sides);
+    minimum = std::min(minimum, 2.0 * std::sqrt(3.0) * twice / sides);
   }
   EXPECT_NEAR(area, 300.0, 1e-9);
   EXPECT_LT(longest, 1.8);
-  EXPECT_GT(least, 0.4);
+  EXPECT_GT(minimum, 0.4);
 }
 
 TEST(RegionMesh, CrossingEdgesGiveNothing) {
@@ -195,10 +195,10 @@ TEST(LayerBounds, OfShelvesCloserThanALayerTheLargerCounts) {
       {{0, 0}, {30, 0}, {30, 5.2}, {24, 5.2}, {24, 5.45}, {10, 5.45}, {10, 9.1}, {0, 9.1}}, 20.0);
   const std::vector<double> bounds = layerBounds(pieceOf(steps), {});
   const auto nearest = [&](double level) {
-    double least = 1e9;
+    double minimum = 1e9;
     for (const double z : bounds)
-      least = std::min(least, std::abs(z - level));
-    return least;
+      minimum = std::min(minimum, std::abs(z - level));
+    return minimum;
   };
   EXPECT_LT(nearest(5.45), 1e-9);
   EXPECT_GT(nearest(5.2), 0.2);
@@ -302,10 +302,10 @@ TEST(Slicing, AWedgeOnItsSide) {
 TEST(Slicing, APieceAlongItsOwnBase) {
   // An inclined bar on a plane of its own.
   Piece bar = pieceOf(test::box({0, 0, 0}, {6, 6, 20}));
-  const Eigen::AngleAxisd turn(0.7, Vector3d(1, 2, 0).normalized());
+  const Eigen::AngleAxisd rotation(0.7, Vector3d(1, 2, 0).normalized());
   for (Vector3d& v : bar.solid.mesh.vertices)
-    v = turn * v + Vector3d(3, 4, 30);
-  bar.base.normal = turn * Vector3d::UnitZ();
+    v = rotation * v + Vector3d(3, 4, 30);
+  bar.base.normal = rotation * Vector3d::UnitZ();
   bar.base.offsetMm = bar.base.normal.dot(Vector3d(3, 4, 30));
   const std::vector<Piece> pieces{pieceOf(test::box({-20, -20, 0}, {20, 20, 4})), bar};
   const SliceResult sliced = slicePieces(pieces, {}, {});
@@ -382,7 +382,7 @@ TEST(Flat, FacesOnPrintedMaterialAreNoOverhangs) {
   for (std::size_t t = 0; t < piece.solid.tag.size(); ++t)
     if (geometry::triangleNormal(piece.solid.mesh, t).z() < -0.9 &&
         piece.solid.mesh.corner(t, 0).z() > 1.0)
-      piece.solid.tag[t] = kLaid;
+      piece.solid.tag[t] = kOnPrinted;
   EXPECT_EQ(riskyArea(piece, {}), 0.0);
   EXPECT_TRUE(overhangFindings({piece}, {}, Overhangs::Pieces).empty());
 }

@@ -95,9 +95,9 @@ TEST(Stitches, RandomRulesKeepTheirMargins) {
       EXPECT_GT(p.top.z() - p.depthMm, 0.0);
       EXPECT_LT(p.top.z(), height);
       for (std::size_t j = 0; j < i; ++j) {
-        const Vector3d way = p.top - pockets[j].top;
-        EXPECT_TRUE(way.z() >= p.depthMm + rule.marginMm ||
-                    way.head<2>().norm() >= rule.diameterMm + rule.marginMm);
+        const Vector3d step = p.top - pockets[j].top;
+        EXPECT_TRUE(step.z() >= p.depthMm + rule.marginMm ||
+                    step.head<2>().norm() >= rule.diameterMm + rule.marginMm);
       }
     }
   }

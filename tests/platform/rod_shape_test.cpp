@@ -29,9 +29,9 @@ TEST(RodShape, RadiusOfRoundPrismAndStep) {
   EXPECT_DOUBLE_EQ(platform::radiusAt(stepped, 0, 0), 4.0);
   EXPECT_DOUBLE_EQ(platform::radiusAt(stepped, 25, 0), 4.5);
   const auto range = platform::radiiBetween(stepped, -10, 25);
-  EXPECT_DOUBLE_EQ(range.leastMm, 2.0);
-  EXPECT_DOUBLE_EQ(range.mostMm, 4.5);
-  EXPECT_NEAR(platform::radiiBetween(hex, -1, 1).leastMm, 3.0 * std::sqrt(0.75), 1e-12);
+  EXPECT_DOUBLE_EQ(range.minMm, 2.0);
+  EXPECT_DOUBLE_EQ(range.maxMm, 4.5);
+  EXPECT_NEAR(platform::radiiBetween(hex, -1, 1).minMm, 3.0 * std::sqrt(0.75), 1e-12);
 }
 
 TEST(RodShape, MeshIsClosedAndAsLargeAsTheRod) {

@@ -22,9 +22,9 @@ geometry::TriangleMesh revolved(const std::vector<HeadSection>& profile, int sid
   geometry::TriangleMesh mesh;
   for (const HeadSection& section : profile)
     for (int k = 0; k < sides; ++k) {
-      const double turn = 2.0 * base::kPi * k / sides;
-      mesh.vertices.push_back(at + Vector3d(section.radiusMm * std::cos(turn),
-                                            section.radiusMm * std::sin(turn), section.zMm));
+      const double angle = 2.0 * base::kPi * k / sides;
+      mesh.vertices.push_back(at + Vector3d(section.radiusMm * std::cos(angle),
+                                            section.radiusMm * std::sin(angle), section.zMm));
     }
   for (int i = 0; i + 1 < static_cast<int>(profile.size()); ++i)
     for (int k = 0; k < sides; ++k) {
@@ -90,8 +90,8 @@ TEST(HeadShapes, fromMeshContainsABall) {
   constexpr double kRadiusMm = 15.0, kToleranceMm = 0.1;
   std::vector<HeadSection> profile;
   for (int i = 0; i <= 400; ++i) {
-    const double turn = base::kPi * i / 400.0;
-    profile.push_back({kRadiusMm * (1.0 - std::cos(turn)), kRadiusMm * std::sin(turn)});
+    const double angle = base::kPi * i / 400.0;
+    profile.push_back({kRadiusMm * (1.0 - std::cos(angle)), kRadiusMm * std::sin(angle)});
   }
   const HeadShape head = headFromMesh(revolved(profile, 64), kToleranceMm);
   EXPECT_LE(head.sections.size(), 48u);

@@ -52,10 +52,10 @@ Process randomProcess(std::mt19937_64& random) {
                        ? 0.0
                        : std::clamp(1e-3 + row.maximum * std::pow(share(random), 5.0), row.minimum,
                                     row.maximum);
-  const auto order = [](double& least, double& usual, double& most) {
-    std::array<double, 3> sorted{least, usual, most};
+  const auto order = [](double& minimum, double& usual, double& maximum) {
+    std::array<double, 3> sorted{minimum, usual, maximum};
     std::ranges::sort(sorted);
-    least = sorted[0], usual = sorted[1], most = sorted[2];
+    minimum = sorted[0], usual = sorted[1], maximum = sorted[2];
   };
   order(p.layerHeightMinMm, p.layerHeightMm, p.layerHeightMaxMm);
   order(p.beadWidthMinMm, p.beadWidthMm, p.beadWidthMaxMm);
@@ -78,7 +78,7 @@ Process randomProcess(std::mt19937_64& random) {
   for (const FeatureNumber& row : featureNumbers())
     if (random() % 2 == 0)
       p.features.of(row.feature).*row.value =
-          row.key == "flow" ? kLeastFlow + (kMostFlow - kLeastFlow) * share(random)
+          row.key == "flow" ? kMinFlow + (kMaxFlow - kMinFlow) * share(random)
           : row.key == "widthMm"
               ? p.beadWidthMm + (p.beadWidthMaxMm - p.beadWidthMm) * share(random)
               : 0.001 + 100.0 * share(random);
@@ -231,8 +231,8 @@ TEST_F(Library, everyNumberOfAProcessIsChecked) {
                   : row.mayBeZero    ? "negative"
                                      : "greater than 0");
     EXPECT_EQ(problemOf(withValue(item, key, 0.0)).has_value(), !row.mayBeZero) << key;
-    const bool isLeastOrUsual = key.ends_with(".min") || key.ends_with(".default");
-    if (!isLeastOrUsual)
+    const bool isMinOrUsual = key.ends_with(".min") || key.ends_with(".default");
+    if (!isMinOrUsual)
       expectProblem(withValue(item, key, 2.0 * row.maximum), key, "check the unit");
     ++rows;
   }

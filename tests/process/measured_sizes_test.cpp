@@ -46,8 +46,8 @@ std::vector<MeasuredSize> plates(const Machine& machine, const Process& p) {
 }
 
 Machine randomMachine(std::mt19937& random) {
-  const auto pick = [&](double most) {
-    return std::uniform_real_distribution<double>(-most, most)(random);
+  const auto pick = [&](double maximum) {
+    return std::uniform_real_distribution<double>(-maximum, maximum)(random);
   };
   return {1.0 + pick(0.004), 1.0 + pick(0.004), pick(0.2), pick(0.3)};
 }

@@ -35,13 +35,13 @@ TEST(ArcOf, aThousandArcsComeBackFromThreeOfTheirPoints) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int k = 0; k < 1000; ++k) {
-    const Eigen::Quaterniond turn =
+    const Eigen::Quaterniond rotation =
         Eigen::Quaterniond(unit(random), unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5)
             .normalized();
     Arc arc;
     arc.centre = 100.0 * Vector3d(unit(random), unit(random), unit(random));
-    arc.u = turn * Vector3d::UnitX();
-    arc.v = turn * Vector3d::UnitY();
+    arc.u = rotation * Vector3d::UnitX();
+    arc.v = rotation * Vector3d::UnitY();
     arc.radiusMm = 0.5 + 80.0 * unit(random);
     arc.sweepRad = 0.1 + 5.0 * unit(random);
     const auto found = arcThrough(arc.at(0), arc.at((0.3 + 0.4 * unit(random)) * arc.sweepRad),

@@ -273,13 +273,14 @@ TEST_F(Datalink, TakingProgramMovesAsTheReaderReads) {
         continue;
       }
       // R = Rz(C) Ry(B) Rx(A), by elementary turns.
-      const auto turn = [&](std::size_t k, const Eigen::Vector3d& axis) {
+      const auto rotation = [&](std::size_t k, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(a.target[k] * base::kPi / 180.0, axis);
       };
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = (turn(5, Eigen::Vector3d::UnitZ()) * turn(4, Eigen::Vector3d::UnitY()) *
-                       turn(3, Eigen::Vector3d::UnitX()))
-                          .toRotationMatrix();
+      pose.linear() =
+          (rotation(5, Eigen::Vector3d::UnitZ()) * rotation(4, Eigen::Vector3d::UnitY()) *
+           rotation(3, Eigen::Vector3d::UnitX()))
+              .toRotationMatrix();
       pose.translation() = Eigen::Vector3d(a.target.data());
       ASSERT_EQ(m.target, plan::TargetKind::WorkPose);
       ASSERT_TRUE(back.base_T_nozzle.has_value());

@@ -46,7 +46,7 @@ TEST_F(Dialects, writeJointMotionsInPiecesWithoutWordsForThem) {
     }
     ASSERT_GT(back.motions.size(), 12u);
     EXPECT_LT(back.motions.size(), 200u);
-    if (!back.motions[1].way.empty())
+    if (!back.motions[1].viaPoints.empty())
       continue; // pieces of pieces: table_test.cpp
     const std::size_t pieces = back.motions.size() - 3;
     double seconds = 0.0;
@@ -60,9 +60,9 @@ TEST_F(Dialects, writeJointMotionsInPiecesWithoutWordsForThem) {
       const Eigen::Isometry3d half =
           poseAt((static_cast<double>(i) - 0.5) / static_cast<double>(pieces));
       const Eigen::Vector3d middle = 0.5 * (m.position + back.motions[i - 1].position);
-      const Eigen::Vector3d way = (m.position - back.motions[i - 1].position).normalized();
+      const Eigen::Vector3d path = (m.position - back.motions[i - 1].position).normalized();
       const Eigen::Vector3d off = half.translation() - middle;
-      EXPECT_LT((off - off.dot(way) * way).norm(), 0.21);
+      EXPECT_LT((off - off.dot(path) * path).norm(), 0.21);
       seconds += (m.position - back.motions[i - 1].position).norm() / m.speedMmPerS;
     }
     EXPECT_NEAR(seconds, 2.0, 1e-2);
@@ -164,9 +164,11 @@ TEST_F(Dialects, readBackTimeAndMaterial) {
       const double s = seconds(back, i), wanted = trajectory_.timeS[i] - trajectory_.timeS[i - 1];
       EXPECT_NEAR(s, wanted, (kFlowBand + 1e-3) * wanted) << "point " << i;
       const double volume = trajectory_.extrudedMm3[i] - trajectory_.extrudedMm3[i - 1];
-      const double laid = !m.extruding ? 0.0 : m.volumeMm3 >= 0.0 ? m.volumeMm3 : m.flowMm3PerS * s;
-      EXPECT_NEAR(laid, volume, 1e-3 * volume) << "point " << i;
-      total += laid;
+      const double deposited = !m.extruding         ? 0.0
+                               : m.volumeMm3 >= 0.0 ? m.volumeMm3
+                                                    : m.flowMm3PerS * s;
+      EXPECT_NEAR(deposited, volume, 1e-3 * volume) << "point " << i;
+      total += deposited;
     }
     EXPECT_NEAR(total, trajectory_.extrudedMm3.back(), 1e-4 * total);
   }
@@ -334,15 +336,15 @@ TEST(LongLines, giveOneDefectAFileAtTheFirst) {
       {"b", "! \"01234567\"\nT \"01234\", \"0123456\"\nT \"012345678"},
       {"c", "0123456789\r\n\"01234\"\n"}};
   std::vector<plan::ProgramDefect> defects;
-  tellLongLines(files, {0, 0, "!"}, defects);
+  reportLongLines(files, {0, 0, "!"}, defects);
   EXPECT_TRUE(defects.empty());
-  tellLongLines(files, {10, 0, "!"}, defects);
+  reportLongLines(files, {10, 0, "!"}, defects);
   ASSERT_EQ(defects.size(), 2u);
   EXPECT_EQ(defects[0].file * 100 + defects[0].line, 2u);
   EXPECT_NE(english(defects[0].reason).find("11 characters"), std::string::npos);
   EXPECT_EQ(defects[1].file * 100 + defects[1].line, 101u);
   defects.clear();
-  tellLongLines(files, {0, 5, "!"}, defects);
+  reportLongLines(files, {0, 5, "!"}, defects);
   ASSERT_EQ(defects.size(), 1u);
   EXPECT_EQ(defects[0].file * 100 + defects[0].line, 102u);
   EXPECT_NE(english(defects[0].reason).find("7 characters"), std::string::npos);

@@ -47,7 +47,7 @@ protected:
 struct Asked {
   bool joints = false, byJoints = false; // target; PTP
   std::array<double, 6> target = {};     // mm, degrees
-  double speed = 0.0, turn = 0.0, blend = 0.0;
+  double speed = 0.0, rotation = 0.0, blend = 0.0;
   bool on = false;
   double flow = 0.0;
 };
@@ -117,7 +117,7 @@ public:
   std::vector<Asked> motions;
   std::vector<std::pair<double, double>> waits; // seconds, flow
   std::size_t records = 0;
-  double told = 0.0; // the number of lines it acknowledged
+  double reported = 0.0; // the number of lines it acknowledged
   bool ended = false, on = false, asksOperator = false, confused = false, held = false;
   std::map<std::string, std::string> frames;
 
@@ -233,7 +233,7 @@ private:
     } else if (line.find("EKI_SetInt") != std::string::npos) {
       answer_ = number(parts.at(2));
     } else if (line.find("EKI_Send") != std::string::npos) {
-      told = answer_;
+      reported = answer_;
     }
   }
   // An assignment stops the advance run: in a corner that is to be rounded the arm halts.
@@ -258,7 +258,7 @@ private:
     m.speed = m.byJoints ? percent_ : values_.at("$VEL.CP") * 1000.0;
     if (!m.byJoints) {
       confused = confused || values_.at("$VEL.ORI1") != values_.at("$VEL.ORI2");
-      m.turn = values_.at("$VEL.ORI1");
+      m.rotation = values_.at("$VEL.ORI1");
     }
     m.blend = line.ends_with(" C_DIS") ? values_.at("$APO.CDIS") : 0.0;
     m.on = on;
@@ -299,7 +299,7 @@ TEST_F(Eki, TakingProgramMovesAsTheReaderReads) {
     controller.run();
     EXPECT_TRUE(controller.ended && controller.asksOperator);
     EXPECT_FALSE(controller.confused || controller.on);
-    EXPECT_EQ(controller.told, static_cast<double>(controller.records));
+    EXPECT_EQ(controller.reported, static_cast<double>(controller.records));
     EXPECT_EQ(controller.held, back.base_T_nozzle.has_value());
     EXPECT_EQ(controller.held, !own);
     // The start is a target once more than there are lines.
@@ -330,13 +330,14 @@ TEST_F(Eki, TakingProgramMovesAsTheReaderReads) {
         continue;
       }
       // R = Rz(A) Ry(B) Rx(C), by elementary turns.
-      const auto turn = [&](std::size_t k, const Eigen::Vector3d& axis) {
+      const auto rotation = [&](std::size_t k, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(a.target[k] * base::kPi / 180.0, axis);
       };
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = (turn(3, Eigen::Vector3d::UnitZ()) * turn(4, Eigen::Vector3d::UnitY()) *
-                       turn(5, Eigen::Vector3d::UnitX()))
-                          .toRotationMatrix();
+      pose.linear() =
+          (rotation(3, Eigen::Vector3d::UnitZ()) * rotation(4, Eigen::Vector3d::UnitY()) *
+           rotation(5, Eigen::Vector3d::UnitX()))
+              .toRotationMatrix();
       pose.translation() = Eigen::Vector3d(a.target.data());
       ASSERT_EQ(m.target, own ? plan::TargetKind::FlangePose : plan::TargetKind::WorkPose);
       const Eigen::Isometry3d frame =
@@ -499,7 +500,7 @@ TEST(EkiRows, AreTenNumbers) {
   LinkRow row;
   ASSERT_TRUE(parseLinkRow("-10.5, 20,300,12,-3,90, 20 ,200,0.4113,0.05", form, row));
   EXPECT_EQ(row.speed, 20.0);
-  EXPECT_EQ(row.turn, 200.0);
+  EXPECT_EQ(row.rotation, 200.0);
   EXPECT_EQ(row.flow, 0.4113);
   std::string text;
   appendLinkRow(text, row, form);

@@ -145,8 +145,8 @@ TEST_F(Events, aJoinedTrajectoryKeepsThem) {
                         {.point = 20, .kind = plan::EventKind::Cut},
                         {.point = travel(), .kind = plan::EventKind::Pause}};
   const MergedPoints merged = mergedPoints(input(),
-                                           {.leastS = 10.0,
-                                            .leastMm = 50.0,
+                                           {.minS = 10.0,
+                                            .minMm = 50.0,
                                             .toleranceMm = 100.0,
                                             .toleranceRad = 10.0,
                                             .sectionShare = 100.0},

@@ -318,19 +318,19 @@ TEST_F(AxisExtruder, isSetToNothingAnewWhereItsRangeEnds) {
     process_.retractMm = 1.0;
     const AxisCount count = axisCount(in);
     EXPECT_GT(count.zeros.size(), 3u);
-    EXPECT_LE(count.mostMm, 40.0);
-    EXPECT_GT(count.mostMm, 30.0);
+    EXPECT_LE(count.maxMm, 40.0);
+    EXPECT_GT(count.maxMm, 30.0);
     for (const std::size_t i : count.zeros)
       EXPECT_TRUE(i == 0 || standsClear(trajectory_, i));
     const plan::Program program = writeProgram(dialect, in);
-    double most = 0.0;
+    double maximum = 0.0;
     for (const plan::ProgramFile& file : program.files)
       for (const std::string& mm :
            all(file.text, dialect == std::string_view("krl") ? "[{,]E1 ([-0-9.]+)"
                                                              : ",.([-0-9.]+),9E9,9E9,9E9,9E9,9E9."))
-        most = std::max(most, std::stod(mm));
-    EXPECT_LE(most, 40.0);
-    EXPECT_GT(most, 25.0);
+        maximum = std::max(maximum, std::stod(mm));
+    EXPECT_LE(maximum, 40.0);
+    EXPECT_GT(maximum, 25.0);
     const plan::ReadProgram back = readProgram(dialect, program.files, process::Tooling(process_));
     for (const plan::ProgramDefect& defect : back.defects)
       ADD_FAILURE() << defect.file << ":" << defect.line << ": " << base::english(defect.reason);
@@ -383,10 +383,10 @@ TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
     ASSERT_NE(text, whole);
     const plan::ReadProgram back =
         readProgram(c.dialect, program.files, process::Tooling(process_));
-    std::string told;
+    std::string reported;
     for (const plan::ProgramDefect& defect : back.defects)
-      told += base::english(defect.reason) + "\n";
-    EXPECT_NE(told.find(c.reason), std::string::npos) << told;
+      reported += base::english(defect.reason) + "\n";
+    EXPECT_NE(reported.find(c.reason), std::string::npos) << reported;
   }
 }
 

@@ -90,13 +90,13 @@ TEST_F(GcodeRapid, MovesLikeTheGcode) {
     EXPECT_TRUE(controller.closed && !controller.on && controller.flow == 0.0);
     ASSERT_EQ(controller.motions.size(), back.motions.size() + 1);
     EXPECT_EQ(controller.motions.front().word, abb ? "MoveAbsJ" : "MoveJ");
-    double laid = 0.0, wanted = 0.0;
+    double deposited = 0.0, wanted = 0.0;
     for (std::size_t i = 0; i < back.motions.size(); ++i) {
       SCOPED_TRACE(i);
       const plan::ProgramMotion& m = back.motions[i];
       const test::RapidMotion& a = controller.motions[i + 1];
       EXPECT_LT((a.position - m.position).norm(), 1e-9);
-      EXPECT_LT((a.turn * Eigen::Vector3d::UnitZ() + m.direction).norm(), 2e-6);
+      EXPECT_LT((a.rotation * Eigen::Vector3d::UnitZ() + m.direction).norm(), 2e-6);
       EXPECT_EQ(a.on, m.extruding);
       if (i > 0) {
         // More than the full flow slows the motion.
@@ -107,16 +107,16 @@ TEST_F(GcodeRapid, MovesLikeTheGcode) {
         const double seconds = (m.position - back.motions[i - 1].position).norm() / a.speed;
         if (m.extruding) {
           EXPECT_NEAR(a.flow * process_.maxFlowMm3PerS * seconds, m.volumeMm3, 0.021 * m.volumeMm3);
-          laid += a.flow * process_.maxFlowMm3PerS * seconds;
+          deposited += a.flow * process_.maxFlowMm3PerS * seconds;
           wanted += m.volumeMm3;
         }
       }
       // Beads go on; they begin and end with a stop.
-      const bool goesOn =
+      const bool continues =
           i + 1 < back.motions.size() && m.extruding == back.motions[i + 1].extruding;
-      EXPECT_EQ(a.zoneMm > 0.0, goesOn);
+      EXPECT_EQ(a.zoneMm > 0.0, continues);
     }
-    EXPECT_NEAR(laid, wanted, 0.01 * wanted);
+    EXPECT_NEAR(deposited, wanted, 0.01 * wanted);
     double pushed = 0.0, primed = 0.0;
     for (const auto& [seconds, flow] : controller.waits)
       pushed += seconds * flow * process_.maxFlowMm3PerS;
@@ -132,13 +132,13 @@ TEST_F(GcodeRapid, TurnsFromTheToolsStartOrientation) {
   const plan::Program p = program();
   test::RapidInterpreter controller(p.files[1].text, p.files[0].text);
   controller.run();
-  const Eigen::Quaterniond start = controller.motions.front().turn;
+  const Eigen::Quaterniond start = controller.motions.front().rotation;
   for (const test::RapidMotion& m : controller.motions) {
     const Eigen::Quaterniond shortest =
         Eigen::Quaterniond::FromTwoVectors(start * Eigen::Vector3d::UnitZ(),
-                                           m.turn * Eigen::Vector3d::UnitZ()) *
+                                           m.rotation * Eigen::Vector3d::UnitZ()) *
         start;
-    EXPECT_LT(shortest.angularDistance(m.turn), 1e-6);
+    EXPECT_LT(shortest.angularDistance(m.rotation), 1e-6);
   }
 }
 
@@ -170,13 +170,13 @@ TEST_F(GcodeRapid, AnotherModuleIsRefusedAtItsLine) {
       if (k != l)
         other.files[1].text += lines[k] + "\n";
     const plan::ReadProgram back = read(other);
-    const bool told = !back.defects.empty();
+    const bool reported = !back.defects.empty();
     const bool own = lines[l].find("CONST string") != std::string::npos ||
                      lines[l].find("CONST num nFull") != std::string::npos ||
                      lines[l].find("CONST bool") != std::string::npos ||
                      lines[l].find("CONST jointtarget") != std::string::npos;
-    EXPECT_TRUE(told) << lines[l];
-    if (told && !own) {
+    EXPECT_TRUE(reported) << lines[l];
+    if (reported && !own) {
       EXPECT_EQ(back.defects[0].file, 1u);
     }
   }

@@ -58,10 +58,10 @@ TEST(KrlReader, takesTheConventions) {
   const Eigen::Isometry3d& pose = program.motions[1].frame_T_tcp;
   // In a base that is rotated by 90 degrees at x 100.
   EXPECT_TRUE(pose.translation().isApprox(Eigen::Vector3d(100, 10, 5), 1e-9));
-  const Eigen::Quaterniond turn(.9515485, .0381346, .1893079, .2392983);
+  const Eigen::Quaterniond rotation(.9515485, .0381346, .1893079, .2392983);
   EXPECT_LT(
       Eigen::Quaterniond(pose.linear())
-          .angularDistance(Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * turn),
+          .angularDistance(Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * rotation),
       1e-6);
   EXPECT_DOUBLE_EQ(program.motions[1].speedMmPerS, 20.0);
   EXPECT_NEAR(program.flange_T_tcp.translation().z(), 120.0, 1e-12);

@@ -184,13 +184,13 @@ TEST_F(LoadedFiles, CKeepsWithinItsRangeByDefault) {
     if (*unwind)
       in.options.own["tableUnwind"] = std::string(unwind);
     const std::string text = writeProgram("gcode-bc", in).files[0].text;
-    double most = 0.0;
+    double maximum = 0.0;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
       if (const std::size_t at = line.find(" C"); line.starts_with("G") && at != std::string::npos)
-        most = std::max(most, std::abs(std::stod(line.substr(at + 2))));
+        maximum = std::max(maximum, std::abs(std::stod(line.substr(at + 2))));
     // A bead of this plan turns by up to a turn and a half, and no travel is within it.
-    EXPECT_LE(most, 360.0 * 3.0) << unwind;
+    EXPECT_LE(maximum, 360.0 * 3.0) << unwind;
     EXPECT_EQ(text.find("G92 C") != std::string::npos, *unwind == 'c') << unwind;
   }
 }

@@ -153,8 +153,8 @@ TEST_F(Melfa, stepsAreFewAndShortEnough) {
     std::istringstream in(file.text);
     std::size_t steps = 0;
     for (std::string line; std::getline(in, line); ++steps)
-      ASSERT_LE(line.size(), kMelfaMostCharacters + 1) << line;
-    EXPECT_LE(steps, kMelfaMostSteps);
+      ASSERT_LE(line.size(), kMelfaMaxCharacters + 1) << line;
+    EXPECT_LE(steps, kMelfaMaxSteps);
   }
 }
 

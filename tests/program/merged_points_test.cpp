@@ -40,9 +40,9 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
   for (std::size_t i = 1; i < trajectory_.pointCount(); ++i) {
     const std::size_t to = merged.pointOf[i];
     ASSERT_TRUE(to > 0 && t.timeS[to] >= trajectory_.timeS[i] - 1e-12);
-    const Eigen::Vector3d a = tip(t, to - 1), way = tip(t, to) - a, p = tip(trajectory_, i);
-    ASSERT_LE((p - a - way * (p - a).dot(way) / way.squaredNorm()).norm(), 0.004);
-    const double section = (t.extrudedMm3[to] - t.extrudedMm3[to - 1]) / way.norm();
+    const Eigen::Vector3d a = tip(t, to - 1), step = tip(t, to) - a, p = tip(trajectory_, i);
+    ASSERT_LE((p - a - step * (p - a).dot(step) / step.squaredNorm()).norm(), 0.004);
+    const double section = (t.extrudedMm3[to] - t.extrudedMm3[to - 1]) / step.norm();
     const double own = (trajectory_.extrudedMm3[i] - trajectory_.extrudedMm3[i - 1]) /
                        (p - tip(trajectory_, i - 1)).norm();
     if (trajectory_.move[i] == plan::MoveKind::Print) {

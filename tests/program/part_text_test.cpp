@@ -49,7 +49,7 @@ protected:
       files[file].text += line;
     return files;
   }
-  static bool isTold(const plan::ReadProgram& program, std::size_t file, std::size_t line) {
+  static bool isReported(const plan::ReadProgram& program, std::size_t file, std::size_t line) {
     return std::ranges::any_of(program.defects, [&](const plan::ProgramDefect& d) {
       return d.file == file && d.line == line;
     });
@@ -76,7 +76,7 @@ TEST_F(PartText, MotionsAndOtherWordsBesideItAreRefused) {
           continue;
         const plan::ReadProgram read = this->read(format, with(program.files, file, at, added));
         // A file of MELFA-BASIC has no frame, so that a motion before its steps is one of them.
-        EXPECT_TRUE(isTold(read, file, at) || read.motions.size() != whole.motions.size());
+        EXPECT_TRUE(isReported(read, file, at) || read.motions.size() != whole.motions.size());
       }
   }
 }
@@ -95,7 +95,7 @@ TEST_F(PartText, OfUrscriptIsRefusedAtItsLine) {
     for (const std::size_t at : {std::size_t{1}, part.size() + 1}) {
       SCOPED_TRACE("line " + std::to_string(at) + ": " + added);
       const plan::ReadProgram read = this->read("urscript", with(program.files, 1, at, added));
-      EXPECT_TRUE(isTold(read, 1, at));
+      EXPECT_TRUE(isReported(read, 1, at));
     }
   // Remarks and blank lines do nothing.
   for (const std::string added : {"# mine\n", "\n", "   \n"})
@@ -111,7 +111,7 @@ TEST_F(PartText, OfUrscriptForAPortIsRefusedAtItsLine) {
   const plan::Program program = writeProgram("urscript", in);
   const std::size_t end = linesOf(program.files[1].text).size() + 1;
   for (const std::string added : {"movej([0,0,0,0,0,0])\n", "junk junk\n"})
-    EXPECT_TRUE(isTold(read("urscript", with(program.files, 1, end, added)), 1, end)) << added;
+    EXPECT_TRUE(isReported(read("urscript", with(program.files, 1, end, added)), 1, end)) << added;
 }
 
 // Each of them opens its own connection to the extruder, also in a file node: each part closes it.
@@ -144,12 +144,12 @@ TEST_F(PartText, OfUrscriptSendsOnlyByAnOpenConnection) {
     address.replace(address.find(",5000,"), 6, ",5001,");
     for (const std::string& by : {std::string("  sync()\n"), name}) {
       const plan::ReadProgram read = changed(by);
-      EXPECT_TRUE(isTold(read, last, at + 1)) << by;
+      EXPECT_TRUE(isReported(read, last, at + 1)) << by;
       // Nothing is deposited by it.
       for (const plan::ProgramMotion& motion : read.motions)
         EXPECT_FALSE(motion.file == last && motion.extruding) << by << motion.line;
     }
-    EXPECT_TRUE(isTold(changed(address), last, at + 1));
+    EXPECT_TRUE(isReported(changed(address), last, at + 1));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_F(PartText, ASecondMainOfRapidIsRefusedAtItsLine) {
   ASSERT_NE(last, part.end());
   const auto at = static_cast<std::size_t>(last - part.begin()) + 1;
   const auto files = with(program.files, 1, at, "  PROC main()\r\n    Stop;\r\n  ENDPROC\r\n");
-  EXPECT_TRUE(isTold(read("rapid", files), 1, at));
+  EXPECT_TRUE(isReported(read("rapid", files), 1, at));
   const auto local = with(program.files, 1, at, "  LOCAL PROC main()\r\n  ENDPROC\r\n");
   EXPECT_TRUE(read("rapid", local).defects.empty());
 }

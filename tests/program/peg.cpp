@@ -88,11 +88,11 @@ struct Peg::Source {
       }
     return suffixed();
   }
-  Node repeat(Node part, std::size_t least, std::size_t most) {
+  Node repeat(Node part, std::size_t minimum, std::size_t maximum) {
     Node node;
     node.kind = Kind::Repeat;
-    node.least = least;
-    node.most = most;
+    node.minimum = minimum;
+    node.maximum = maximum;
     node.parts.push_back(std::move(part));
     return node;
   }
@@ -105,12 +105,12 @@ struct Peg::Source {
     if (!rest.starts_with("{"))
       return node;
     take("{");
-    const std::size_t least = std::stoul(name());
+    const std::size_t minimum = std::stoul(name());
     take(",");
-    const std::size_t most = std::stoul(name());
+    const std::size_t maximum = std::stoul(name());
     if (!take("}"))
       fail();
-    return repeat(std::move(node), least, most);
+    return repeat(std::move(node), minimum, maximum);
   }
   Node primary() {
     Node node;
@@ -196,12 +196,12 @@ struct Peg::Walk {
                          [&](const Node& part) { return one(part); });
     case Kind::Repeat: {
       std::size_t count = 0;
-      for (std::size_t before = at; count < node.most && one(node.parts[0]); before = at) {
+      for (std::size_t before = at; count < node.maximum && one(node.parts[0]); before = at) {
         ++count;
         if (at == before)
           return true; // nothing, for ever
       }
-      return count >= node.least;
+      return count >= node.minimum;
     }
     case Kind::Not: {
       // A failed negative look-ahead does not count as a place reached.

@@ -29,7 +29,7 @@ private:
     std::string literal;
     std::bitset<256> set;
     std::vector<Node> parts;
-    std::size_t rule = 0, least = 0, most = 0;
+    std::size_t rule = 0, minimum = 0, maximum = 0;
   };
   struct Source; // the grammar's text as it is read
   struct Walk;   // over a text

@@ -126,9 +126,9 @@ protected:
     std::size_t waypoint = plan_.waypointCount();
     for (std::size_t i = 0; i < points; ++i) {
       const std::size_t phase = i % 40;
-      const auto any = [&](double most) {
-        return Eigen::Vector3d(most * (unit(random) - 0.5), most * (unit(random) - 0.5),
-                               most * (unit(random) - 0.5));
+      const auto any = [&](double maximum) {
+        return Eigen::Vector3d(maximum * (unit(random) - 0.5), maximum * (unit(random) - 0.5),
+                               maximum * (unit(random) - 0.5));
       };
       if (phase == 1)
         drift = any(1.0);
@@ -254,9 +254,9 @@ protected:
         append(plan::MoveKind::Linear, q, 0.1, 0.0);
       }
       noteWaypoint(waypoint++, true, b);
-      const double turn = 0.2 * (unit(random) + 0.5);
+      const double angle = 0.2 * (unit(random) + 0.5);
       for (int i = 0; i < 40; ++i) {
-        q[5] += turn;
+        q[5] += angle;
         append(plan::MoveKind::Print, q, 0.1, 0.3);
         noteWaypoint(waypoint++, false, b);
       }

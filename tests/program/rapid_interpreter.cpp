@@ -286,10 +286,10 @@ RapidInterpreter::Value RapidInterpreter::number(double value) {
 Eigen::Vector3d RapidInterpreter::position(const Value& v) {
   return {v.list.at(0).number, v.list.at(1).number, v.list.at(2).number};
 }
-Eigen::Quaterniond RapidInterpreter::turn(const Value& v) {
+Eigen::Quaterniond RapidInterpreter::rotation(const Value& v) {
   return {v.list.at(0).number, v.list.at(1).number, v.list.at(2).number, v.list.at(3).number};
 }
-RapidInterpreter::Value RapidInterpreter::ofTurn(const Eigen::Quaterniond& q) {
+RapidInterpreter::Value RapidInterpreter::ofRotation(const Eigen::Quaterniond& q) {
   Value v;
   v.kind = Value::List;
   v.list = {number(q.w()), number(q.x()), number(q.y()), number(q.z())};
@@ -391,14 +391,15 @@ RapidInterpreter::Value RapidInterpreter::call(const std::string& name,
   } else if (name == "DotProd") {
     v.number = position(a.at(0)).dot(position(a.at(1)));
   } else if (name == "NOrient") {
-    v = ofTurn(turn(a.at(0)).normalized());
+    v = ofRotation(rotation(a.at(0)).normalized());
   } else if (name == "PoseVect") {
-    const Eigen::Vector3d p = turn(a.at(0).list.at(1)) * position(a.at(1)) + position(a[0].list[0]);
+    const Eigen::Vector3d p =
+        rotation(a.at(0).list.at(1)) * position(a.at(1)) + position(a[0].list[0]);
     v.kind = Value::List;
     v.list = {number(p.x()), number(p.y()), number(p.z())};
   } else if (name == "PoseMult") {
     v = a.at(0);
-    v.list[1] = ofTurn(turn(a[0].list.at(1)) * turn(a.at(1).list.at(1)));
+    v.list[1] = ofRotation(rotation(a[0].list.at(1)) * rotation(a.at(1).list.at(1)));
   } else {
     throw std::runtime_error("unknown function " + name);
   }
@@ -489,7 +490,7 @@ void RapidInterpreter::motion(const std::string& word, const std::vector<std::st
     flow = trigger_;
   const Value target = value(word == "MoveAbsJ" ? "pStart" : a.at(0), own);
   m.position = position(target.list.at(0));
-  m.turn = turn(target.list.at(1));
+  m.rotation = rotation(target.list.at(1));
   m.speed = value(a.at(1), own).list.at(0).number;
   const Value zone = value(a.at(triggers ? 3 : 2), own);
   m.zoneMm = zone.list.at(0).number != 0.0 ? 0.0 : zone.list.at(1).number;

@@ -14,7 +14,7 @@ namespace voluta::test {
 struct RapidMotion {
   std::string word; // MoveL, TriggL, MoveJ, MoveAbsJ
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   double speed = 0.0, zoneMm = 0.0; // 0: fine
   bool on = false;
   double flow = 0.0; // of aoFlow, from its beginning on
@@ -62,8 +62,8 @@ private:
   void motion(const std::string& word, const std::vector<std::string>& arguments, Variables& own);
   bool instruction(const std::string& word, const std::string& rest, Variables& own);
   static Eigen::Vector3d position(const Value& value);
-  static Eigen::Quaterniond turn(const Value& value);
-  static Value ofTurn(const Eigen::Quaterniond& q);
+  static Eigen::Quaterniond rotation(const Value& value);
+  static Value ofRotation(const Eigen::Quaterniond& q);
   static Value number(double value);
 
   std::map<std::string, Routine> routines_;

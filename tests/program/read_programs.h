@@ -94,7 +94,7 @@ protected:
       const bool mayBePiece = point > 0 && point < trajectory_.pointCount() &&
                               (program.beadsByJoints ? !byJoints
                                                      : m.target == plan::TargetKind::ToolPoint &&
-                                                           (!m.way.empty() || byJoints));
+                                                           (!m.viaPoints.empty() || byJoints));
       if (mayBePiece) {
         const Eigen::Isometry3d end = cell_->work_T_tool(jointsAt(point));
         Eigen::Vector3d tip = m.position, direction = m.direction;

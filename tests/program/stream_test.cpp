@@ -133,8 +133,8 @@ TEST_F(Streams, GoStraightOverLongTravels) {
   ASSERT_GT((to - from).norm(), 100.0);
   for (std::size_t m = 1; m < back.motions.size(); ++m)
     for (const double share : {0.2, 0.5, 0.8, 1.0}) {
-      const Eigen::Vector3d p = tipAt(m, share) - from, way = (to - from).normalized();
-      EXPECT_LT((p - p.dot(way) * way).norm(), 0.021) << m;
+      const Eigen::Vector3d p = tipAt(m, share) - from, direction = (to - from).normalized();
+      EXPECT_LT((p - p.dot(direction) * direction).norm(), 0.021) << m;
     }
 }
 

@@ -39,10 +39,10 @@ Vector3d leaning(double tiltDeg, double aroundDeg) {
 TEST(Table, PoseEqualsTheExampleOfTheThesis) {
   const TableAngles a = anglesOf({Vector3d(-0.094, 0.127, 0.987)}).front();
   EXPECT_NEAR(degrees(a.tilt), -9.0950, 5e-5);
-  EXPECT_NEAR(degrees(a.turn), -126.5073, 5e-5);
+  EXPECT_NEAR(degrees(a.rotation), -126.5073, 5e-5);
   const Vector3d p(6.338, 8.390, 46.300);
-  const double cB = std::cos(a.tilt), sB = std::sin(a.tilt), cC = std::cos(a.turn),
-               sC = std::sin(a.turn);
+  const double cB = std::cos(a.tilt), sB = std::sin(a.tilt), cC = std::cos(a.rotation),
+               sC = std::sin(a.rotation);
   const Vector3d wanted(cB * cC * p.x() - cB * sC * p.y() + sB * p.z(), sC * p.x() + cC * p.y(),
                         -sB * cC * p.x() + sB * sC * p.y() + cB * p.z());
   EXPECT_LT((tablePose({}, p, a).axesMm - wanted).norm(), 1e-12);
@@ -68,7 +68,7 @@ TEST(Table, DoesNotTurnWhereItCanTiltThrough) {
     over.push_back(leaning(t, 40.0));
   const auto angles = anglesOf(over);
   for (const TableAngles& a : angles) {
-    EXPECT_NEAR(degrees(a.turn), degrees(angles.front().turn), 1e-9);
+    EXPECT_NEAR(degrees(a.rotation), degrees(angles.front().rotation), 1e-9);
   }
   EXPECT_NEAR(degrees(angles.back().tilt), -degrees(angles.front().tilt), 1e-9);
 }
@@ -95,8 +95,8 @@ TEST(Table, CountsItsTurnsOn) {
     round.push_back(leaning(30.0, a));
   const auto angles = anglesOf(round);
   for (std::size_t i = 1; i < angles.size(); ++i)
-    EXPECT_NEAR(degrees(angles[i].turn - angles[i - 1].turn), -5.0, 1e-9);
-  EXPECT_NEAR(degrees(angles.back().turn - angles.front().turn), -1080.0, 1e-6);
+    EXPECT_NEAR(degrees(angles[i].rotation - angles[i - 1].rotation), -5.0, 1e-9);
+  EXPECT_NEAR(degrees(angles.back().rotation - angles.front().rotation), -1080.0, 1e-6);
 }
 
 // Flat layers between two leaning ones, their directions off the normal by rounding at random.
@@ -109,18 +109,18 @@ TEST(Table, RestsWhereItsTurnIsFree) {
   auto angles = anglesOf(path, true, 80);
   for (std::size_t i = 1; i < 101; ++i) {
     EXPECT_EQ(angles[i].tilt, 0.0);
-    EXPECT_NEAR(degrees(angles[i].turn - angles[0].turn), i < 80 ? 0.0 : -60.0, 1e-9) << i;
+    EXPECT_NEAR(degrees(angles[i].rotation - angles[0].rotation), i < 80 ? 0.0 : -60.0, 1e-9) << i;
   }
   // No travel: evenly.
   angles = anglesOf(path);
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 2; i < angles.size(); ++i)
-    most = std::max(most, std::abs(degrees(angles[i].turn - angles[i - 1].turn)));
-  EXPECT_LT(most, 1.0);
+    maximum = std::max(maximum, std::abs(degrees(angles[i].rotation - angles[i - 1].rotation)));
+  EXPECT_LT(maximum, 1.0);
   // Before the first and behind the last it has nowhere to go.
   angles = anglesOf({leaning(0, 0), leaning(0, 0), leaning(20, 70), leaning(0, 0)});
   for (const TableAngles& a : angles)
-    EXPECT_NEAR(degrees(a.turn), -70.0, 1e-9);
+    EXPECT_NEAR(degrees(a.rotation), -70.0, 1e-9);
 }
 
 // A quarter turn 50 mm off the axis leaves its chord by r (1 - cos 45): the closed form.
@@ -129,14 +129,15 @@ TEST(Table, SagIsThatOfTheArc) {
                   to = tablePose({}, {50, 0, 0}, {0.0, base::kPi / 2.0});
   // Where the machine moves straight from (50,0) to (0,50) the nozzle nears the part's axis.
   EXPECT_NEAR(sagMm({}, from, to), 50.0 * (1.0 - std::cos(base::kPi / 4.0)), 1e-6);
-  for (const double most : {1.0, 0.05, 0.01}) {
-    const int pieces = tablePieces({}, from, to, most);
+  for (const double maximum : {1.0, 0.05, 0.01}) {
+    const int pieces = tablePieces({}, from, to, maximum);
     const auto piece = [&](int k) {
       return tablePiece({}, from, to, static_cast<double>(k) / pieces);
     };
     for (int k = 1; k <= pieces; ++k)
-      EXPECT_LE(sagMm({}, piece(k - 1), piece(k)), most);
-    EXPECT_GT(50.0 * (1.0 - std::cos(base::kPi / 4.0 / (0.5 * pieces))), most) << "no more pieces";
+      EXPECT_LE(sagMm({}, piece(k - 1), piece(k)), maximum);
+    EXPECT_GT(50.0 * (1.0 - std::cos(base::kPi / 4.0 / (0.5 * pieces))), maximum)
+        << "no more pieces";
   }
   EXPECT_EQ(tablePieces({}, from, tablePose({}, {-50, 3, 9}, {}), 1e-6), 1) << "it stands";
 }
@@ -145,17 +146,17 @@ TEST(Table, TheWayOnThePartIsTheMachinesLine) {
   const TableFrame frame{4.0, 20.0};
   const TablePose from = tablePose(frame, {20, 5, 9}, {0.2, 0.3}),
                   to = tablePose(frame, {24, 1, 11}, {-0.3, 1.7});
-  const auto way = wayOnPart(frame, from, to);
-  ASSERT_GT(way.size(), 10u);
-  for (std::size_t k = 0; k < way.size(); ++k) {
-    const double share = static_cast<double>(k + 1) / static_cast<double>(way.size() + 1);
+  const auto onTable = pathOnPart(frame, from, to);
+  ASSERT_GT(onTable.size(), 10u);
+  for (std::size_t k = 0; k < onTable.size(); ++k) {
+    const double share = static_cast<double>(k + 1) / static_cast<double>(onTable.size() + 1);
     // Back on the machine it is on the line between the two.
     const TableAngles a{from.angles.tilt + share * (to.angles.tilt - from.angles.tilt),
-                        from.angles.turn + share * (to.angles.turn - from.angles.turn)};
-    const Vector3d axes = tablePose(frame, way[k].position, a).axesMm;
+                        from.angles.rotation + share * (to.angles.rotation - from.angles.rotation)};
+    const Vector3d axes = tablePose(frame, onTable[k].position, a).axesMm;
     EXPECT_LT((axes - (from.axesMm + share * (to.axesMm - from.axesMm))).norm(), 1e-9);
   }
-  EXPECT_TRUE(wayOnPart(frame, from, tablePose(frame, {0, 0, 0}, from.angles)).empty());
+  EXPECT_TRUE(pathOnPart(frame, from, tablePose(frame, {0, 0, 0}, from.angles)).empty());
 }
 
 class TablePrograms : public test::Programs {};
@@ -189,7 +190,7 @@ TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
           const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
           off = std::max(off, (a + t * (b - a) - p).norm());
         };
-        for (const plan::NozzlePoint& p : back.motions[m].way)
+        for (const plan::NozzlePoint& p : back.motions[m].viaPoints)
           look(p.position);
         look(back.motions[m].position);
       } while ((back.motions[m].position - b).norm() > 1e-3);
@@ -227,7 +228,7 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
     for (std::size_t m = 0; m < on.motions.size(); ++m) {
       EXPECT_LT((back.motions[m].position - on.motions[m].position).norm(), 2e-4);
       EXPECT_LT((back.motions[m].direction - on.motions[m].direction).norm(), 1e-6);
-      EXPECT_EQ(back.motions[m].way.size(), on.motions[m].way.size());
+      EXPECT_EQ(back.motions[m].viaPoints.size(), on.motions[m].viaPoints.size());
       EXPECT_EQ(back.motions[m].durationS, on.motions[m].durationS);
     }
     std::vector<std::string> lines;
@@ -255,7 +256,7 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
             readProgram("gcode-bc", {{program.files[0].name, damaged}}, process::Tooling(process_));
         bool same = seen.defects.empty() && seen.motions.size() == back.motions.size();
         for (std::size_t m = 0; same && m < back.motions.size(); ++m)
-          same = seen.motions[m].way.size() == back.motions[m].way.size();
+          same = seen.motions[m].viaPoints.size() == back.motions[m].viaPoints.size();
         EXPECT_FALSE(same) << lines[l] << " -> " << harm;
       }
     }

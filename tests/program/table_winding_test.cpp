@@ -14,37 +14,37 @@
 namespace voluta::program {
 namespace {
 
-constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kTwoPi = 2.0 * base::kPi;
 
-std::vector<TurnRange> inTurns(std::initializer_list<std::pair<double, double>> stretches) {
-  std::vector<TurnRange> all;
+std::vector<AngleRange> inTurns(std::initializer_list<std::pair<double, double>> stretches) {
+  std::vector<AngleRange> all;
   for (const auto& [low, high] : stretches)
-    all.push_back({low * kTurn, high * kTurn});
+    all.push_back({low * kTwoPi, high * kTwoPi});
   return all;
 }
 
 // By hand: within two turns to a side.
 TEST(Windings, AreAsFewAndAsSmallAsCanBe) {
   using Turns = std::vector<int>;
-  EXPECT_EQ(windings({}, kTurn), Turns{});
-  EXPECT_EQ(windings(inTurns({{0, 1}, {-2, 2}, {1, 2}}), 2 * kTurn), (Turns{0, 0, 0}));
+  EXPECT_EQ(windings({}, kTwoPi), Turns{});
+  EXPECT_EQ(windings(inTurns({{0, 1}, {-2, 2}, {1, 2}}), 2 * kTwoPi), (Turns{0, 0, 0}));
   // On and on: its start is free, then it turns as far as one number does.
-  EXPECT_EQ(windings(inTurns({{0, 1.5}, {1.5, 2.5}, {2.5, 4}, {4, 5.5}}), 2 * kTurn),
+  EXPECT_EQ(windings(inTurns({{0, 1.5}, {1.5, 2.5}, {2.5, 4}, {4, 5.5}}), 2 * kTwoPi),
             (Turns{-2, -2, -2, -4}));
-  EXPECT_EQ(windings(inTurns({{0, 1}, {1, 3}, {0.5, 3}}), 2 * kTurn), (Turns{-1, -1, -1}));
+  EXPECT_EQ(windings(inTurns({{0, 1}, {1, 3}, {0.5, 3}}), 2 * kTwoPi), (Turns{-1, -1, -1}));
   // By no more than it must: from -2 to 0, though 1 would do as well.
-  EXPECT_EQ(windings(inTurns({{0, 4}, {-1.5, 0.5}}), 2 * kTurn), (Turns{-2, 0}));
-  EXPECT_EQ(windings(inTurns({{-5.25, -4.5}}), 2 * kTurn), (Turns{4}));
+  EXPECT_EQ(windings(inTurns({{0, 4}, {-1.5, 0.5}}), 2 * kTwoPi), (Turns{-2, 0}));
+  EXPECT_EQ(windings(inTurns({{-5.25, -4.5}}), 2 * kTwoPi), (Turns{4}));
   // A range wider than the limits is centred next to 0.
-  EXPECT_EQ(windings(inTurns({{10, 16}, {16, 17}}), 2 * kTurn), (Turns{-13, -15}));
+  EXPECT_EQ(windings(inTurns({{10, 16}, {16, 17}}), 2 * kTwoPi), (Turns{-13, -15}));
 }
 
-TEST(Windings, LeastTurnsLetAllFit) {
-  EXPECT_EQ(leastTurns({}), 1);
-  EXPECT_EQ(leastTurns(inTurns({{0, 1}, {7.2, 8}})), 1);
-  EXPECT_EQ(leastTurns(inTurns({{0.3, 2.4}})), 2);   // -0.7 .. 1.4 needs 1.4
-  EXPECT_EQ(leastTurns(inTurns({{10.0, 14.0}})), 2); // -2 .. 2
-  EXPECT_EQ(leastTurns(inTurns({{10.1, 14.1}})), 3);
+TEST(Windings, MinRevolutionsLetAllFit) {
+  EXPECT_EQ(minRevolutions({}), 1);
+  EXPECT_EQ(minRevolutions(inTurns({{0, 1}, {7.2, 8}})), 1);
+  EXPECT_EQ(minRevolutions(inTurns({{0.3, 2.4}})), 2);   // -0.7 .. 1.4 needs 1.4
+  EXPECT_EQ(minRevolutions(inTurns({{10.0, 14.0}})), 2); // -2 .. 2
+  EXPECT_EQ(minRevolutions(inTurns({{10.1, 14.1}})), 3);
 }
 
 // Random stretches: within the range, and no number of windings is less (all numbers tried).
@@ -52,17 +52,17 @@ TEST(Windings, StayWithinAndAreFewest) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int round = 0; round < 300; ++round) {
-    const double most = kTurn * (1.0 + std::floor(3.0 * std::abs(unit(random))));
-    std::vector<TurnRange> stretches;
+    const double maximum = kTwoPi * (1.0 + std::floor(3.0 * std::abs(unit(random))));
+    std::vector<AngleRange> stretches;
     double at = 3.0 * unit(random);
     for (int i = 0; i < 14; ++i) {
-      const double to = at + 0.9 * most * unit(random);
-      const double aside = 0.2 * most * std::abs(unit(random));
-      stretches.push_back({std::min(at, to) - (i % 3 ? 0.0 : aside), std::max(at, to)});
+      const double to = at + 0.9 * maximum * unit(random);
+      const double spread = 0.2 * maximum * std::abs(unit(random));
+      stretches.push_back({std::min(at, to) - (i % 3 ? 0.0 : spread), std::max(at, to)});
       at = to;
     }
-    const int least = leastTurns(stretches);
-    const double limit = std::max(most, least * kTurn);
+    const int minimum = minRevolutions(stretches);
+    const double limit = std::max(maximum, minimum * kTwoPi);
     const std::vector<int> turns = windings(stretches, limit);
     constexpr int kMax = 12;
     // fewest[k]: windings up to here with k - kMax turns added.
@@ -70,8 +70,8 @@ TEST(Windings, StayWithinAndAreFewest) {
     int mine = 0;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const auto fits = [&](int k) {
-        return stretches[i].lowest + k * kTurn >= -limit - 1e-6 &&
-               stretches[i].highest + k * kTurn <= limit + 1e-6;
+        return stretches[i].lowest + k * kTwoPi >= -limit - 1e-6 &&
+               stretches[i].highest + k * kTwoPi <= limit + 1e-6;
       };
       EXPECT_TRUE(fits(turns[i]));
       mine += i > 0 && turns[i] != turns[i - 1];
@@ -126,27 +126,27 @@ TEST_F(Winding, KeepsCWithinAndThePartAsItIs) {
           ADD_FAILURE() << d.line << ": " << base::english(d.reason);
         EXPECT_TRUE(back.complete);
         const auto c = anglesOf(program.files[0].text);
-        const double most = std::abs(
+        const double maximum = std::abs(
             *std::ranges::max_element(c, {}, [](double degrees) { return std::abs(degrees); }));
-        EXPECT_LE(most, 360.0 * (turns > 0.0 ? turns : 2.0) + 1e-4);
+        EXPECT_LE(maximum, 360.0 * (turns > 0.0 ? turns : 2.0) + 1e-4);
         const auto unwound = anglesOf(writeProgram("gcode-bc", counts).files[0].text);
         EXPECT_GT(std::abs(unwound.back()), 3.0 * 360.0) << "else nothing is tried";
         std::vector<plan::ProgramMotion> own;
-        std::size_t aside = 0;
+        std::size_t detours = 0;
         for (const plan::ProgramMotion& m : back.motions)
-          if (m.aside) {
-            ++aside;
+          if (m.detour) {
+            ++detours;
             EXPECT_FALSE(m.extruding);
           } else {
             own.push_back(m);
           }
-        EXPECT_GE(aside, 3u);
+        EXPECT_GE(detours, 3u);
         ASSERT_EQ(own.size(), on.motions.size());
         for (std::size_t m = 0; m < own.size(); ++m) {
           EXPECT_LT((own[m].position - on.motions[m].position).norm(), 2e-4);
           EXPECT_LT((own[m].direction - on.motions[m].direction).norm(), 1e-6);
           EXPECT_EQ(own[m].durationS, on.motions[m].durationS);
-          EXPECT_EQ(own[m].way.size(), on.motions[m].way.size());
+          EXPECT_EQ(own[m].viaPoints.size(), on.motions[m].viaPoints.size());
         }
       }
   }
@@ -180,11 +180,11 @@ TEST_F(Winding, IsReadOnlyWhole) {
   for (std::string line; std::getline(text, line);)
     lines.push_back(line);
   std::size_t tried = 0;
-  const auto asides = [](const plan::ReadProgram& p) {
-    return std::ranges::count_if(p.motions, [](const auto& m) { return m.aside; });
+  const auto detours = [](const plan::ReadProgram& p) {
+    return std::ranges::count_if(p.motions, [](const auto& m) { return m.detour; });
   };
   for (std::size_t m = 0; m < whole.motions.size(); ++m) {
-    if (!whole.motions[m].aside)
+    if (!whole.motions[m].detour)
       continue;
     const std::size_t line = whole.motions[m].line - 1;
     const auto changed = [&](const std::string& by) {
@@ -201,12 +201,12 @@ TEST_F(Winding, IsReadOnlyWhole) {
       return by.substr(0, at) + std::to_string(value + 1.5) + by.substr(by.find(' ', at));
     };
     for (const char word : {'X', 'Y', 'Z', 'B', 'C'})
-      EXPECT_LT(asides(changed(moved(word))), asides(whole)) << word << ": " << lines[line];
+      EXPECT_LT(detours(changed(moved(word))), detours(whole)) << word << ": " << lines[line];
     const plan::ReadProgram fewer = changed("");
-    EXPECT_LT(asides(fewer), asides(whole)) << lines[line];
+    EXPECT_LT(detours(fewer), detours(whole)) << lines[line];
     std::string prints = lines[line];
     prints.insert(prints.find(" F"), " E9999");
-    EXPECT_LT(asides(changed(prints)), asides(whole)) << lines[line];
+    EXPECT_LT(detours(changed(prints)), detours(whole)) << lines[line];
     if (++tried == 6)
       break;
   }

@@ -91,24 +91,24 @@ TEST(PvtVelocities, ofTheOtherSignLeaveThePath) {
     PvtMotion in, out;
     in.seconds = 0.05 + 0.1 * std::abs(unit(random));
     out.seconds = 0.05 + 0.1 * std::abs(unit(random));
-    in.way << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
-    out.way << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
+    in.displacement << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
+    out.displacement << 1.0, 0.1 * unit(random), 0.1 * unit(random), 5.0, 0.0, 0.0;
     const PvtVector suits = pvtVelocity(in, out, 0.02);
     const PvtFit same = pvtFit(suits, in, out, 0.02), back = pvtFit(-suits, in, out, 0.02);
-    EXPECT_TRUE(same.isSpeedSuitable && same.isDirectionSuitable && !same.goesBack);
-    EXPECT_TRUE(back.isSpeedSuitable && !back.isDirectionSuitable && back.goesBack);
+    EXPECT_TRUE(same.isSpeedSuitable && same.isDirectionSuitable && !same.reverses);
+    EXPECT_TRUE(back.isSpeedSuitable && !back.isDirectionSuitable && back.reverses);
     PvtVector turned = suits; // of the angles alone
     turned[3] = -turned[3];
     EXPECT_FALSE(pvtFit(turned, in, out, 0.02).isDirectionSuitable);
-    EXPECT_FALSE(pvtFit(PvtVector::Zero(), in, out, 0.02).goesBack) << "it may stop";
+    EXPECT_FALSE(pvtFit(PvtVector::Zero(), in, out, 0.02).reverses) << "it may stop";
   }
 }
 
 TEST(PvtVelocities, stayNearTheLine) {
   const auto motion = [](double x, double y, double s) {
     PvtMotion m;
-    m.way[0] = x;
-    m.way[1] = y;
+    m.displacement[0] = x;
+    m.displacement[1] = y;
     m.seconds = s;
     return m;
   };

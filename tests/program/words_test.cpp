@@ -27,14 +27,14 @@ plan::ReadProgram read(std::string_view format, const std::string& text) {
 }
 
 // Index of the line inserted into the print of the programs below, while the extruder is on.
-constexpr std::size_t kAmid = 8;
+constexpr std::size_t kDuringPrint = 8;
 
-std::string urscript(const std::string& head, const std::string& amid, const std::string& end) {
+std::string urscript(const std::string& head, const std::string& middle, const std::string& end) {
   return "def f():\n set_tcp(p[0,0,0.1,0,0,0])\n" + head +
          " set_standard_digital_out(0,False)\n set_standard_analog_out(0,0.1)\n"
          " movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1)\n set_standard_digital_out(0,True)\n"
          " movel(p[-0.4,0,0.301,0,3,0],t=0.1)\n" +
-         amid +
+         middle +
          " movel(p[-0.4,0,0.302,0,3,0],t=0.1)\n set_standard_digital_out(0,False)\n"
          " set_standard_analog_out(0,0)\n" +
          end + "end\nf()\n";
@@ -47,7 +47,7 @@ std::string withCrLf(const std::string& text) {
   return out;
 }
 
-std::string rapid(const std::string& head, const std::string& amid, const std::string& end) {
+std::string rapid(const std::string& head, const std::string& middle, const std::string& end) {
   const auto move = [](const std::string& z) {
     return "MoveL [[400,0," + z +
            "],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v20,fine,t1\\WObj:=wobj0;\n";
@@ -55,26 +55,26 @@ std::string rapid(const std::string& head, const std::string& amid, const std::s
   return withCrLf("MODULE m\nPERS tooldata t1:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,100],[1,0,0,0],"
                   "0,0,0]];\nPROC main()\nConfL\\Off;\n" +
                   head + "SetDO doExtruder,1; SetAO aoFlow,0.1;\n" + move("300") + move("301") +
-                  amid + move("302") + "SetDO doExtruder,0;\nSetAO aoFlow,0;\n" + end +
+                  middle + move("302") + "SetDO doExtruder,0;\nSetAO aoFlow,0;\n" + end +
                   "ENDPROC\nENDMODULE\n");
 }
 
-std::string melfa(const std::string& head, const std::string& amid, const std::string& end) {
+std::string melfa(const std::string& head, const std::string& middle, const std::string& end) {
   return withCrLf("Tool (0,0,100,0,0,0)\nSpd 20\n" + head +
                   "M_Out(10)=1\nM_Outw(16)=1000\nMov (400,0,300,180,0,180)(7,0)\n"
                   "Mvs (400,0,301,180,0,180)(7,0)\n'\n" +
-                  amid + "Mvs (400,0,302,180,0,180)(7,0)\nM_Out(10)=0\nM_Outw(16)=0\n" + end +
+                  middle + "Mvs (400,0,302,180,0,180)(7,0)\nM_Out(10)=0\nM_Outw(16)=0\n" + end +
                   "End\n");
 }
 
 // Each line in a frame of its own.
-std::string tmscript(const std::string& head, const std::string& amid, const std::string& end) {
+std::string tmscript(const std::string& head, const std::string& middle, const std::string& end) {
   const auto line = [](const std::string& z) {
     return "Line(\"CAP\",400,0," + z + ",180,0,180,20,200,0,false)\n";
   };
   std::istringstream lines("ChangeTCP({0,0,100,0,0,0},1.5)\n" + head +
                            "IO[\"ControlBox\"].DO[0]=1\nIO[\"ControlBox\"].AO[0]=1\n" +
-                           line("300") + line("301") + "//\n//\n" + amid + line("302") +
+                           line("300") + line("301") + "//\n//\n" + middle + line("302") +
                            "IO[\"ControlBox\"].DO[0]=0\nIO[\"ControlBox\"].AO[0]=0\n" + end +
                            "ScriptExit()\n");
   std::string text;
@@ -83,33 +83,33 @@ std::string tmscript(const std::string& head, const std::string& amid, const std
   return text;
 }
 
-std::string gcode(const std::string& head, const std::string& amid, const std::string& end) {
+std::string gcode(const std::string& head, const std::string& middle, const std::string& end) {
   return "G21\nG90\nM82\n" + head +
-         "G92 E0\nG0 X0 Y0 Z1 nX0 nY0 nZ1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
+         "G92 E0\nG0 X0 Y0 Z1 nX0 nY0 nZ1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + middle +
          "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
 }
 
-std::string plainGcode(const std::string& head, const std::string& amid, const std::string& end) {
-  return "G21\nG90\nM82\n" + head + "G92 E0\nG0 X0 Y0 Z1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + amid +
+std::string plainGcode(const std::string& head, const std::string& middle, const std::string& end) {
+  return "G21\nG90\nM82\n" + head + "G92 E0\nG0 X0 Y0 Z1 F600\nG1 X1 E0.1\nG1 X2 E0.2\n" + middle +
          "G1 X3 E0.3\nM104 S0\nM84\n" + end + "; end\n";
 }
 
-std::string tableGcode(const std::string& head, const std::string& amid, const std::string& end) {
+std::string tableGcode(const std::string& head, const std::string& middle, const std::string& end) {
   return "G21\n" + head +
          "G1 Z9 F600\nG1 B0 C0 F600\nG93\nG1 X0 Y0 Z1 F60\nG1 X1 E0.1 F60\n"
          "G1 X2 E0.2 F60\n" +
-         amid + "G1 X3 E0.3 F60\nM104 S0\nM84\n" + end + "; end\n";
+         middle + "G1 X3 E0.3 F60\nM104 S0\nM84\n" + end + "; end\n";
 }
 
-std::string krl(const std::string& head, const std::string& amid, const std::string& end) {
+std::string krl(const std::string& head, const std::string& middle, const std::string& end) {
   return "DEF f ( )\n$BASE=$NULLFRAME\n$TOOL=$NULLFRAME\n$VEL.CP=0.02\n$ANOUT[1]=0.1\n" + head +
-         "$OUT[1]=TRUE\nPTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n" + amid +
+         "$OUT[1]=TRUE\nPTP {X 400,Y 0,Z 300,A 0,B 0,C 180}\n" + middle +
          "LIN {Z 301}\nLIN {Z 302}\n$OUT[1]=FALSE\n$ANOUT[1]=0\n" + end + "END\n";
 }
 
-std::string spelplus(const std::string& head, const std::string& amid, const std::string& end) {
+std::string spelplus(const std::string& head, const std::string& middle, const std::string& end) {
   return "Function f\n  Motor On\n  Power High; SpeedS 20\n  AIO_Out 1, 1\n  Speed 10\n" + head +
-         "  On 1\n  Go XY(400,0,300,0,0,180)\n" + amid +
+         "  On 1\n  Go XY(400,0,300,0,0,180)\n" + middle +
          "  Move XY(400,0,301,0,0,180)\n  Move XY(400,0,302,0,0,180)\n  Off 1\n"
          "  AIO_Out 1, 0\n" +
          end + "Fend\n";
@@ -185,7 +185,7 @@ TEST(Words, OfUrscriptAreKnownOrRefused) {
       "set_standard_digital_input_action sleep movel movej movep zero_ftsensor set_baselight_off "
       "enter_critical exit_critical join kill run interpreter_mode end_interpreter_mode "
       "clear_interpreter tool_contact set_failure_action torque_command direct_torque";
-  expectAllKnownOrRefused("urscript", wordsOf(kManual, "(1)"), urscript, kAmid,
+  expectAllKnownOrRefused("urscript", wordsOf(kManual, "(1)"), urscript, kDuringPrint,
                           {"textmsg", "set_flag"});
 }
 
@@ -213,7 +213,7 @@ TEST(Words, OfRapidAreKnownOrRefused) {
       "TuneReset TuneServo UIMsgBox UIShow UnLoad UnpackRawBytes VelSet WaitAI WaitDI WaitDO "
       "WaitGI WaitLoad WaitRob WaitSyncTask WaitTestAndSet WaitTime WaitUntil WarmStart WHILE "
       "WorldAccLim Write WriteBin WZBoxDef WZDOSet WZEnable WZFree";
-  expectAllKnownOrRefused("rapid", wordsOf(kManual, " 1;"), rapid, kAmid,
+  expectAllKnownOrRefused("rapid", wordsOf(kManual, " 1;"), rapid, kDuringPrint,
                           {"ClkReset", "ClkStart", "ClkStop", "ErrWrite", "TPErase", "TPWrite"});
 }
 
@@ -227,13 +227,13 @@ TEST(Words, OfKrlAreKnownOrRefused) {
       "STRUC "
       "SWAIT SWITCH SWRITE SYN TIME_BLOCK TIMER_STOP TRIGGER UNTIL WHILE SHIFT MOVE_ENABLE LK "
       "SET_OV AUT EMI_ACT IR_STOPM RSI_MOVECORR";
-  expectAllKnownOrRefused("krl", wordsOf(kManual, " (1)"), krl, kAmid, {"MsgNotify"});
+  expectAllKnownOrRefused("krl", wordsOf(kManual, " (1)"), krl, kDuringPrint, {"MsgNotify"});
   constexpr const char* kVariables =
       "$OV_PRO $OV_ROB $ADVANCE $RED_VEL $RED_ACC $VEL_EXTAX $ACC_AXIS $ACC_EXTAX $ORI_TYPE "
       "$CIRC_TYPE $SINGUL_STRATEGY $TORQUE_AXIS $SOFTN_END $SOFTP_END $WORLD $ROBROOT $IPO_MODE "
       "$ACT_BASE $ACT_TOOL $LOAD_A1 $APO_DIS_PTP $GEAR_JERK $JERK $CURR_RED $DIRECTION $TRAFONAME "
       "$BWDSTART $TIMER $FLAG $CYCFLAG $OUT_C $PRO_MODE $STOPNOAPROX";
-  expectAllKnownOrRefused("krl", wordsOf(kVariables, "=1"), krl, kAmid,
+  expectAllKnownOrRefused("krl", wordsOf(kVariables, "=1"), krl, kDuringPrint,
                           {"$BWDSTART=1", "$TIMER=1", "$FLAG=1"});
 }
 
@@ -259,7 +259,7 @@ TEST(Words, OfSpelplusAreKnownOrRefused) {
       "TMOut Toff Ton Trap VRun Wait WaitNet WaitPos WaitSig Weight Where WOpen WorkQue_Add Xqt "
       "XYLim "
       "ZeroFlg";
-  expectAllKnownOrRefused("spel", wordsOf(kManual, " 1"), spelplus, kAmid,
+  expectAllKnownOrRefused("spel", wordsOf(kManual, " 1"), spelplus, kDuringPrint,
                           {"Accel", "AccelR", "AccelS", "Cls", "MemOff", "MemOn", "Print"});
 }
 
@@ -271,7 +271,7 @@ TEST(Words, OfMelfaAreKnownOrRefused) {
       "On Open Ovrd Plt Prec Print Priority PVSCal RelM Rem Reset Return Select Servo SetCalFrm "
       "SetExtArea Skip Spd SpdOpt SplSpd SplPos Title Tool Torq Trk TrChk TrClr TrOut TrRst TrWcur "
       "VxDr Wait While WEnd Wth WthIf XClr XLoad XRst XRun XStp ZoneChk";
-  expectAllKnownOrRefused("melfa", wordsOf(kManual, " 1"), melfa, kAmid,
+  expectAllKnownOrRefused("melfa", wordsOf(kManual, " 1"), melfa, kDuringPrint,
                           {"Dim", "Rem", "Title", "Spd", "Ovrd"});
 }
 
@@ -282,7 +282,8 @@ TEST(Words, OfTmscriptAreKnownOrRefused) {
       "Vision_DoJob Vision_DoJob_PTP Vision_IsJobAvailable SuspendContinue Force_Start "
       "Compliance_Start TouchStop_Start StartContinueVmove SetContinueVmove StopContinueVmove "
       "StartContinueVLine StopContinueVLine modbus_write socket_send com_write Sleep goto";
-  expectAllKnownOrRefused("tmscript", wordsOf(kManual, "(1)"), tmscript, kAmid, {"QueueTag"});
+  expectAllKnownOrRefused("tmscript", wordsOf(kManual, "(1)"), tmscript, kDuringPrint,
+                          {"QueueTag"});
 }
 
 TEST(Words, OfGcodeAreKnownOrRefused) {
@@ -301,12 +302,12 @@ TEST(Words, OfGcodeAreKnownOrRefused) {
   std::vector<std::string> ofTable = lines;
   std::erase(ofTable, "G94 S5");
   taken.emplace_back("G93");
-  expectAllKnownOrRefused("gcode-bc", ofTable, tableGcode, kAmid, taken);
+  expectAllKnownOrRefused("gcode-bc", ofTable, tableGcode, kDuringPrint, taken);
   taken.back() = "G94";
-  expectAllKnownOrRefused("gcode-extended", lines, gcode, kAmid, taken);
+  expectAllKnownOrRefused("gcode-extended", lines, gcode, kDuringPrint, taken);
   for (const char* word : {"M75", "M76", "M77", "M201", "M203", "M204", "M205", "M486", "M900"})
     taken.emplace_back(word);
-  expectAllKnownOrRefused("gcode", lines, plainGcode, kAmid, taken);
+  expectAllKnownOrRefused("gcode", lines, plainGcode, kDuringPrint, taken);
 }
 
 TEST(Words, AreAcceptedOnlyAtTheirPlaces) {
@@ -314,7 +315,7 @@ TEST(Words, AreAcceptedOnlyAtTheirPlaces) {
     std::string_view format;
     std::string (*program)(const std::string&, const std::string&, const std::string&);
     const char* line;
-    bool head, amid, end;
+    bool head, middle, end;
   } cases[] = {
       {"urscript", urscript, "set_payload(1.0,[0,0,0])\n", true, false, false},
       {"urscript", urscript, "set_gravity([0,0,9.82])\n", true, false, false},
@@ -368,7 +369,7 @@ TEST(Words, AreAcceptedOnlyAtTheirPlaces) {
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
     EXPECT_EQ(read(c.format, c.program(c.line, "", "")).defects.empty(), c.head);
-    EXPECT_EQ(read(c.format, c.program("", c.line, "")).defects.empty(), c.amid);
+    EXPECT_EQ(read(c.format, c.program("", c.line, "")).defects.empty(), c.middle);
     const plan::ReadProgram atEnd = read(c.format, c.program("", "", c.line));
     // Heat at the end is no end.
     EXPECT_EQ(atEnd.defects.empty(), c.end && c.line != std::string("M104 S210\n"));
@@ -485,7 +486,7 @@ TEST(Words, FilamentDrawnOutOfTheHotEndIsADefect) {
   EXPECT_TRUE(read("gcode-extended", gcode("", "G1 E-5 F1800\nG1 E0.2\n", "")).defects.empty());
   const plan::ReadProgram far = read("gcode-extended", gcode("", "G1 E-400 F1800\nG1 E0.2\n", ""));
   ASSERT_EQ(far.defects.size(), 1u);
-  EXPECT_EQ(far.defects[0].line, kAmid);
+  EXPECT_EQ(far.defects[0].line, kDuringPrint);
 }
 
 } // namespace

@@ -49,14 +49,14 @@ TEST(Specimens, AreClosedAndOfTheirVolume) {
 // Table 5.1: base 40 mm, ten layers of 0.2 mm, the first 0.25, ten beads of 0.657 mm.
 TEST(Specimens, RibsAreOnTheirBodies) {
   const double height = 2.05, width = 6.57, slope = 40.0 - 2.0 * 8.0 / std::sqrt(3.0);
-  const double turn = base::kPi - 2.0 * std::asin(1.1 / 20.0);
+  const double angle = base::kPi - 2.0 * std::asin(1.1 / 20.0);
   const struct {
     geometry::TriangleMesh mesh;
     double mm3;
   } cases[] = {{gableRoof(), 0.25 * std::sqrt(3.0) * 1600 * 30},
                {ribOnRoof(), width * (2 * slope * height + base::kPi / 3 * height * height)},
                {halfCylinder(), 0.5 * base::kPi * 400 * 30},
-               {ribOnCylinder(), width * 0.5 * turn * (22.05 * 22.05 - 400)}};
+               {ribOnCylinder(), width * 0.5 * angle * (22.05 * 22.05 - 400)}};
   for (const auto& c : cases) {
     EXPECT_TRUE(geometry::boundaryLoops(c.mesh).empty());
     EXPECT_NEAR(geometry::volume(c.mesh), c.mm3, 1e-3 * c.mm3);

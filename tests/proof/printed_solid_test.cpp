@@ -20,9 +20,9 @@ TEST(PrintedSolid, ABoxIsAsMuchAsTheReplayLays) {
   const geometry::Diagnosis found = geometry::diagnose(solid);
   EXPECT_TRUE(found.watertight);
   EXPECT_EQ(found.components, 1u); // no walls are left inside
-  const double laid =
+  const double deposited =
       plan.checked[0]->verdict.massRatio * geometry::volume(plan.job.item().printed()); // mm3
-  EXPECT_NEAR(geometry::volume(solid), laid, 0.03 * laid);
+  EXPECT_NEAR(geometry::volume(solid), deposited, 0.03 * deposited);
   const Eigen::AlignedBox3d box = geometry::bounds(solid);
   EXPECT_NEAR(box.sizes().x(), 20.0, 0.8);
   EXPECT_NEAR(box.sizes().z(), 8.0, 0.8);

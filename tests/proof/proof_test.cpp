@@ -191,10 +191,10 @@ TEST(Proof, TheMarginIsToTheNearerLimit) {
   const motion::MotionMargins margins = motion::marginsOf(t, *plan.cell, kCtx);
   for (int j = 0; j < t.dof; ++j) {
     const auto& limits = plan.cell->limits()[static_cast<std::size_t>(j)];
-    double least = 1e9;
+    double minimum = 1e9;
     for (std::size_t i = 0; i < t.pointCount(); ++i)
-      least = std::min({least, t.at(i)[j] - limits.min, limits.max - t.at(i)[j]});
-    EXPECT_DOUBLE_EQ(margins.joints[static_cast<std::size_t>(j)].rad, least);
+      minimum = std::min({minimum, t.at(i)[j] - limits.min, limits.max - t.at(i)[j]});
+    EXPECT_DOUBLE_EQ(margins.joints[static_cast<std::size_t>(j)].rad, minimum);
   }
 }
 

@@ -88,11 +88,11 @@ plan::Trajectory squareOf(const robot::Cell& cell) {
   const Isometry3d home = cell.work_T_tool(cell.home());
   Isometry3d down = Isometry3d::Identity();
   down.linear() = Eigen::AngleAxisd(std::numbers::pi, Vector3d::UnitX()).toRotationMatrix();
-  for (const Isometry3d& turn : {home, down})
+  for (const Isometry3d& rotation : {home, down})
     for (const double height : {1.0, 30.0, 60.0, 100.0, 150.0})
-      for (const double aside : {-12.0, 20.0, 60.0, 120.0, -120.0}) {
-        Isometry3d centre = turn;
-        centre.translation() = Vector3d(aside, aside, height);
+      for (const double offset : {-12.0, 20.0, 60.0, 120.0, -120.0}) {
+        Isometry3d centre = rotation;
+        centre.translation() = Vector3d(offset, offset, height);
         if (auto t = squareAt(cell, centre))
           return *t;
       }

@@ -71,11 +71,11 @@ TEST(RecordFormats, RtdePosesGiveTheTip) {
                        "actual_TCP_pose_3,actual_TCP_pose_4,actual_TCP_pose_5\r\n";
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const Isometry3d tcp = base_T_tcp(cell, joints[i]);
-      const Vector3d turn = program::rotationVector(Eigen::Quaterniond(tcp.linear()));
+      const Vector3d rotation = program::rotationVector(Eigen::Quaterniond(tcp.linear()));
       text += fmt::format("{:.3f},{:.9f},{:.9f},{:.9f},{:.9f},{:.9f},{:.9f}\r\n",
                           0.008 * static_cast<double>(i), 1e-3 * tcp.translation().x(),
-                          1e-3 * tcp.translation().y(), 1e-3 * tcp.translation().z(), turn.x(),
-                          turn.y(), turn.z());
+                          1e-3 * tcp.translation().y(), 1e-3 * tcp.translation().z(), rotation.x(),
+                          rotation.y(), rotation.z());
     }
     expectTips(text, cell, joints, "rtde");
   }
@@ -87,11 +87,11 @@ TEST(RecordFormats, MelfaPosesGiveTheTip) {
   std::string text = "time[ms];X;Y;Z;A;B;C\n";
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Isometry3d tcp = base_T_tcp(cell, joints[i]);
-    const Vector3d turn = program::xyzAngles(Eigen::Quaterniond(tcp.linear()));
+    const Vector3d rotation = program::xyzAngles(Eigen::Quaterniond(tcp.linear()));
     text += fmt::format("{:.2f};{:.6f};{:.6f};{:.6f};{:.7f};{:.7f};{:.7f}\n",
                         7.11 * static_cast<double>(i), tcp.translation().x(), tcp.translation().y(),
-                        tcp.translation().z(), base::radiansToDegrees(turn.x()),
-                        base::radiansToDegrees(turn.y()), base::radiansToDegrees(turn.z()));
+                        tcp.translation().z(), base::radiansToDegrees(rotation.x()),
+                        base::radiansToDegrees(rotation.y()), base::radiansToDegrees(rotation.z()));
   }
   expectTips(text, cell, joints, "melfa");
   EXPECT_NEAR(readRecord(text, "record.csv", {cell}).timeS[1], 0.00711, 1e-12);

@@ -46,7 +46,7 @@ TEST(CompareRun, WithoutErrorsNoneIsFound) {
       const RunComparison c = compared(recordOf(planned, {}, cycleS), planned);
       EXPECT_EQ(c.verdict(), RunVerdict::Within) << seed;
       EXPECT_LT(c.pathMaxMm, 1e-9) << seed;
-      EXPECT_LT(std::abs(c.speedMostSlow) + std::abs(c.speedMostFast), 1e-3) << seed;
+      EXPECT_LT(std::abs(c.speedSlowest) + std::abs(c.speedFastest), 1e-3) << seed;
       EXPECT_LT(std::abs(c.speedMean), 1e-3) << seed;
       EXPECT_GT(c.printedMm, 0.98 * c.beadsMm) << seed;
     }
@@ -56,13 +56,13 @@ TEST(CompareRun, WithoutErrorsNoneIsFound) {
 TEST(CompareRun, SlowSpeedAndWrongPathAreFoundAtTheirPlaces) {
   for (unsigned seed = 0; seed < test::ofSeeds(25u, 100u); ++seed) {
     const PlannedRun planned = randomBeads(seed);
-    const double slowMm = straightBead(planned, 0.2), asideMm = straightBead(planned, 0.6);
-    ASSERT_GT(std::min(slowMm, asideMm), 0.0) << seed;
+    const double slowMm = straightBead(planned, 0.2), offsetMm = straightBead(planned, 0.6);
+    ASSERT_GT(std::min(slowMm, offsetMm), 0.0) << seed;
     RecordErrors errors;
     errors.speed = [&](double mm) { return std::abs(mm - slowMm) < 5.0 ? 0.98 : 1.0; };
     // Rises and falls over 2 mm, across the line in the plane.
     errors.offset = [&](double mm) {
-      const double share = std::clamp((4.0 - std::abs(mm - asideMm)) / 2.0, 0.0, 1.0);
+      const double share = std::clamp((4.0 - std::abs(mm - offsetMm)) / 2.0, 0.0, 1.0);
       return Vector3d(0, 0.3 * share, 0);
     };
     const RunComparison c = compared(recordOf(planned, errors, kRtdeS), planned);
@@ -70,7 +70,8 @@ TEST(CompareRun, SlowSpeedAndWrongPathAreFoundAtTheirPlaces) {
                flow = placesOf(c, ErrorKind::Flow);
     ASSERT_EQ(path.size(), 1u) << seed;
     EXPECT_NEAR(path[0].worst, 0.3, 0.01) << seed;
-    EXPECT_LT((path[0].where - planned.tip[placeAt(planned, asideMm).segment]).norm(), 5.0) << seed;
+    EXPECT_LT((path[0].where - planned.tip[placeAt(planned, offsetMm).segment]).norm(), 5.0)
+        << seed;
     ASSERT_EQ(speed.size(), 1u) << seed;
     EXPECT_NEAR(speed[0].worst, -0.02, 0.002) << seed;
     EXPECT_NEAR(speed[0].planS, placeAt(planned, slowMm).timeS, 0.6) << seed;

@@ -24,7 +24,7 @@ protected:
     whole_ = test::textOf(program::writeProgram(
         GetParam(), {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
     const Verification sound = verify(whole_);
-    ASSERT_TRUE(sound.passed) << told(sound);
+    ASSERT_TRUE(sound.passed) << findingsText(sound);
     first_ = test::read(whole_, s.process).motions.front().line;
   }
   Verification verify(const test::ProgramText& text) const {
@@ -39,7 +39,7 @@ protected:
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
       return place.line == line || (place.line >= first_ - 1 && place.line <= first_ + 1);
-    })) << told(v);
+    })) << findingsText(v);
   }
   // In the line of the head that the pattern is in.
   void changed(const std::string& pattern, const std::string& by, bool isHarmful = true) const {
@@ -52,7 +52,7 @@ protected:
         if (isHarmful)
           expectRefused(text, l);
         else
-          EXPECT_TRUE(verify(text).passed) << told(verify(text));
+          EXPECT_TRUE(verify(text).passed) << findingsText(verify(text));
         return;
       }
     ADD_FAILURE() << pattern << " is in no line";
@@ -74,7 +74,7 @@ protected:
     text.lines.erase(std::ranges::find(text.lines, "G94"));
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
-    EXPECT_NE(told(v).find("G94 is missing"), std::string::npos) << told(v);
+    EXPECT_NE(findingsText(v).find("G94 is missing"), std::string::npos) << findingsText(v);
   }
   void inserted(const std::string& line, std::size_t before) const {
     SCOPED_TRACE(GetParam() + " with " + line + " before line " + std::to_string(before));

@@ -202,17 +202,17 @@ bool isSamePath(const Written& w, const std::vector<plan::ProgramFile>& text) {
   const plan::ReadProgram before = w.read(w.files), after = w.read(text);
   if (!after.defects.empty() || before.motions.size() != after.motions.size())
     return false;
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t m = 0; m < before.motions.size(); ++m)
-    for (const plan::NozzlePoint& p : after.motions[m].way) {
-      const std::vector<plan::NozzlePoint>& old = before.motions[m].way;
-      double least = old.empty() ? 1e9 : (p.position - old.front().position).norm();
+    for (const plan::NozzlePoint& p : after.motions[m].viaPoints) {
+      const std::vector<plan::NozzlePoint>& old = before.motions[m].viaPoints;
+      double minimum = old.empty() ? 1e9 : (p.position - old.front().position).norm();
       for (std::size_t i = 1; i < old.size(); ++i)
-        least = std::min(
-            least, geometry::distanceToSegment(p.position, old[i - 1].position, old[i].position));
-      most = std::max(most, least);
+        minimum = std::min(
+            minimum, geometry::distanceToSegment(p.position, old[i - 1].position, old[i].position));
+      maximum = std::max(maximum, minimum);
     }
-  return most < ReplayThresholds{}.deviationMaxMm + 0.01; // with the chords' sagitta
+  return maximum < ReplayThresholds{}.deviationMaxMm + 0.01; // with the chords' sagitta
 }
 
 TEST_P(ArcPrograms, fortyEditsOfArcsAreRefused) {

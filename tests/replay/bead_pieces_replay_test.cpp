@@ -49,7 +49,7 @@ TEST(BeadPieces, ShareTheirMotionsMaterialByLength) {
     knowledge[m] = {0.5f + 0.1f * static_cast<float>(m), 0.6f + 0.1f * static_cast<float>(m), m < 4,
                     m >= 4};
   const std::vector<BeadPiece> pieces = beadPieces(volume, path, knowledge);
-  std::vector<double> laid(7, 0.0), length(7, 0.0), whole(7, 0.0);
+  std::vector<double> deposited(7, 0.0), length(7, 0.0), whole(7, 0.0);
   for (std::size_t m = 1; m < 7; ++m)
     for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s)
       whole[m] += (path.tip[s] - path.tip[s - 1]).norm();
@@ -67,11 +67,12 @@ TEST(BeadPieces, ShareTheirMotionsMaterialByLength) {
     }
     EXPECT_LE(step, 1.05 + 1e-9);
     // Heights go evenly with the way.
-    const auto height = [&](double way) {
-      return 0.5 + 0.1 * static_cast<double>(m) + (whole[m] > 0.0 ? 0.1 * way / whole[m] : 0.1);
+    const auto height = [&](double distance) {
+      return 0.5 + 0.1 * static_cast<double>(m) +
+             (whole[m] > 0.0 ? 0.1 * distance / whole[m] : 0.1);
     };
     EXPECT_NEAR(piece.fromHeightMm, height(length[m]), 2e-3);
-    laid[m] += static_cast<double>(piece.volumeMm3);
+    deposited[m] += static_cast<double>(piece.volumeMm3);
     run = (begins ? 0.0 : run) + step;
     length[m] += step;
     EXPECT_NEAR(piece.toHeightMm, height(length[m]), 2e-3);
@@ -91,10 +92,10 @@ TEST(BeadPieces, ShareTheirMotionsMaterialByLength) {
     }
   }
   for (std::size_t m = 0; m < 7; ++m) {
-    EXPECT_NEAR(laid[m], volume[m], 1e-5);
+    EXPECT_NEAR(deposited[m], volume[m], 1e-5);
     EXPECT_NEAR(length[m], volume[m] > 0.0 ? whole[m] : 0.0, 0.01);
   }
-  const std::vector<std::uint32_t> first = firstPieceOfMotions(laidPieces(pieces, 6.0), 7);
+  const std::vector<std::uint32_t> first = firstPieceOfMotions(depositedPieces(pieces, 6.0), 7);
   ASSERT_EQ(first.size(), 8u);
   for (std::size_t m = 0; m <= 7; ++m) {
     std::size_t wanted = 0;

@@ -101,7 +101,7 @@ TEST(Depositor, ANarrowBendLeavesNoWedgesOpen) {
     EXPECT_GT(count, 10);
     EXPECT_GT(sum / count, 0.97) << off;
   }
-  EXPECT_NEAR(filled(beads) + beads.excessMm3, beads.laidMm3, 1e-3);
+  EXPECT_NEAR(filled(beads) + beads.excessMm3, beads.depositedMm3, 1e-3);
 }
 
 TEST(Depositor, ACylinderOfTwentyRings) {
@@ -146,7 +146,7 @@ Judged judge(const std::vector<BeadPiece>& pieces, const geometry::TriangleMesh&
   const geometry::MeshQuery query(part);
   const PartCells cells = partCells(part, query, beads.grid, kOne);
   const Coverage c = measureCoverage(beads, cells, query, kBands, kOne);
-  return {c.coveredFraction, beads.laidMm3 / cells.volumeMm3, c.outsideMm3 / cells.volumeMm3,
+  return {c.coveredFraction, beads.depositedMm3 / cells.volumeMm3, c.outsideMm3 / cells.volumeMm3,
           beads.excessMm3 / cells.volumeMm3};
 }
 
@@ -288,7 +288,7 @@ TEST(Depositor, MaterialIsNeverLost) {
   }
   const BeadGrid beads = lay(pieces, {-3, -3, -2}, {15, 15, 9});
   EXPECT_GT(beads.excessMm3, 0.0);
-  EXPECT_NEAR((filled(beads) + beads.excessMm3) / beads.laidMm3, 1.0, 1e-6);
+  EXPECT_NEAR((filled(beads) + beads.excessMm3) / beads.depositedMm3, 1.0, 1e-6);
   for (const float f : beads.fill) {
     EXPECT_GE(f, 0.0f);
     EXPECT_LE(f, 1.0f);
@@ -336,10 +336,10 @@ TEST(Support, WallIsSupportedAndBeadInTheAirIsNot) {
 }
 
 // A wall whose layers are offset by some of their width: the rest of the width is carried.
-SupportedBeads stepping(double asideMm) {
+SupportedBeads stepping(double offsetMm) {
   std::vector<BeadPiece> pieces;
   for (int k = 1; k <= 6; ++k)
-    addBead(pieces, {{0, 5 + asideMm * k, 0.8 * k}, {30, 5 + asideMm * k, 0.8 * k}}, 1.2, 0.8);
+    addBead(pieces, {{0, 5 + offsetMm * k, 0.8 * k}, {30, 5 + offsetMm * k, 0.8 * k}}, 1.2, 0.8);
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
   const PrintedPart printed(beads, pieces);
   const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
@@ -446,7 +446,7 @@ TEST(InteriorSpans, OutsideThePartNoneIsAccepted) {
 TEST(Support, CellsDoNotDecideTheSupportOfAThinBead) {
   constexpr double kWidth = 1.2, kHeight = 0.5, kLower = 0.6;
   const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
-  const auto found = [&](double gapMm, double asideMm, double shiftMm, double leanRad) {
+  const auto found = [&](double gapMm, double offsetMm, double shiftMm, double leanRad) {
     const Eigen::Vector3d up(0.0, std::sin(leanRad), std::cos(leanRad)),
         side(0.0, -std::cos(leanRad), std::sin(leanRad));
     std::vector<BeadPiece> pieces;
@@ -458,7 +458,7 @@ TEST(Support, CellsDoNotDecideTheSupportOfAThinBead) {
         pieces[p].fromDirection = pieces[p].toDirection = up;
     };
     add(kLower, Eigen::Vector3d::Zero());
-    add(kHeight, (kHeight + gapMm) * up + asideMm * side);
+    add(kHeight, (kHeight + gapMm) * up + offsetMm * side);
     const std::size_t half = pieces.size() / 2;
     const BeadGrid beads = lay(pieces, {-3, 0, 0}, {23, 20, 12});
     const SupportedBeads s =

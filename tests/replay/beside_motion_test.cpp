@@ -35,13 +35,13 @@ Verification verify(const test::ProgramText& text) {
 }
 
 // Behind the line of a motion within a bead.
-void insertAmid(test::ProgramText& text, const std::string& line, std::size_t& at) {
+void insertDuringPrint(test::ProgramText& text, const std::string& line, std::size_t& at) {
   at = test::read(text, scene().process).motions[8].line + 1;
   text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(at - 1),
                     text.format == "rapid" ? line + "\r" : line);
 }
 
-bool toldAt(const Verification& v, const std::string& word, std::size_t line) {
+bool reportedAt(const Verification& v, const std::string& word, std::size_t line) {
   for (std::size_t i = 0; i < v.findings.size(); ++i)
     if (voluta::plan::reportId(v.findings[i]) == word && v.places[i].line + 1 >= line &&
         v.places[i].line <= line + 1)
@@ -72,10 +72,10 @@ TEST(BesideMotion, AWaitInWhichMaterialFlowsIsFound) {
     SCOPED_TRACE(c.line);
     test::ProgramText text = textOf(c.format);
     std::size_t at = 0;
-    insertAmid(text, c.line, at);
+    insertDuringPrint(text, c.line, at);
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
-    EXPECT_TRUE(toldAt(v, c.word, at)) << at << "\n" << told(v);
+    EXPECT_TRUE(reportedAt(v, c.word, at)) << at << "\n" << findingsText(v);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(BesideMotion, FlowDuringAWaitIsCounted) {
   test::ProgramText text = textOf("urscript");
   const Verification sound = verify(text);
   std::size_t at = 0;
-  insertAmid(text, "  sleep(10)", at);
+  insertDuringPrint(text, "  sleep(10)", at);
   const Verification v = verify(text);
   const double flow = test::read(text, scene().process).motions[8].flowMm3PerS;
   EXPECT_NEAR(v.depositedMm3 - sound.depositedMm3, 10.0 * flow, 1e-6);
@@ -111,7 +111,7 @@ TEST(BesideMotion, AMissingOrOtherPrimeIsFound) {
     EXPECT_FALSE(v.passed) << d.id;
     EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
       return f.kind == plan::FindingKind::PrimeChanged;
-    })) << told(v);
+    })) << findingsText(v);
   }
 }
 
@@ -148,7 +148,8 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
     ASSERT_GT(line, 0u);
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
-    EXPECT_TRUE(toldAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n" << told(v);
+    EXPECT_TRUE(reportedAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n"
+                                             << findingsText(v);
   }
 }
 
@@ -179,9 +180,9 @@ TEST(BesideMotion, AnotherNozzleIsFound) {
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
     const std::size_t first = test::read(text, scene().process).motions.front().line;
-    EXPECT_TRUE(toldAt(v, "nozzleElsewhere", line) || toldAt(v, "nozzleElsewhere", first))
+    EXPECT_TRUE(reportedAt(v, "nozzleElsewhere", line) || reportedAt(v, "nozzleElsewhere", first))
         << *said << "\n"
-        << told(v);
+        << findingsText(v);
   }
 }
 
@@ -206,7 +207,7 @@ TEST(BesideMotion, NozzleMayDeviateWithinTheTolerance) {
     test::ProgramText changed = text;
     changed.lines[static_cast<std::size_t>(row - text.lines.begin())] = other;
     const Verification v = verify(changed);
-    EXPECT_EQ(v.passed, off < 0.05) << told(v);
+    EXPECT_EQ(v.passed, off < 0.05) << findingsText(v);
   }
 }
 
@@ -214,7 +215,7 @@ TEST(BesideMotion, ALoadMayDifferByAKilogram) {
   test::ProgramText text = textOf("urscript");
   ASSERT_GT(change(text, "set_payload", "(0.5", "(1.4"), 0u);
   const Verification v = verify(text);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
 }
 
 } // namespace

@@ -62,31 +62,31 @@ struct Job {
   // "kind line count" of each.
   std::vector<std::string> findings() const {
     const ExecutedPath path = executeToolPoints(program, {});
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const TextFinding& f :
          compareWithPlan(program, path, planned, trajectory, aligned(path), ComparisonOptions{}))
-      told.push_back(tellOf(f.finding.kind, f.place.line, f.finding.count));
-    return told;
+      reported.push_back(reportOf(f.finding.kind, f.place.line, f.finding.count));
+    return reported;
   }
   PathDeviation deviation() const {
     const ExecutedPath path = executeToolPoints(program, {});
     return pathDeviation(path, planned, trajectory, program, aligned(path), {});
   }
-  static std::string told(FindingKind kind, std::size_t motion, std::size_t count = 1) {
-    return tellOf(kind, 10 + motion, count);
+  static std::string expected(FindingKind kind, std::size_t motion, std::size_t count = 1) {
+    return reportOf(kind, 10 + motion, count);
   }
   // Several kinds may share a word.
-  static std::string tellOf(FindingKind kind, std::size_t line, std::size_t count) {
+  static std::string reportOf(FindingKind kind, std::size_t line, std::size_t count) {
     return std::string(plan::rowOf(kind).reportId) + '/' + std::to_string(static_cast<int>(kind)) +
            " line " + std::to_string(line) + " x" + std::to_string(count);
   }
 };
 
-using Told = std::vector<std::string>;
+using Reported = std::vector<std::string>;
 
 TEST(Comparison, PlansOwnProgramGivesNoFinding) {
   const Job job;
-  EXPECT_EQ(job.findings(), Told{});
+  EXPECT_EQ(job.findings(), Reported{});
   EXPECT_EQ(job.deviation().mm, 0.0);
   EXPECT_EQ(job.deviation().rad, 0.0);
 }
@@ -98,9 +98,9 @@ TEST(Comparison, ASpeedMayDifferByATwentieth) {
     for (const std::size_t m : {4u, 10u})
       job.program.motions[m].speedMmPerS /= by;
     const bool changed = by < 0.95 || by > 1.05;
-    EXPECT_EQ(job.findings(), changed ? (Told{job.told(FindingKind::SpeedChanged, 4),
-                                              job.told(FindingKind::SpeedChanged, 10)})
-                                      : Told{});
+    EXPECT_EQ(job.findings(), changed ? (Reported{job.expected(FindingKind::SpeedChanged, 4),
+                                                  job.expected(FindingKind::SpeedChanged, 10)})
+                                      : Reported{});
   }
   // Differences below a millisecond are rounding.
   for (const double later : {0.9e-3, 1.1e-3}) {
@@ -110,7 +110,8 @@ TEST(Comparison, ASpeedMayDifferByATwentieth) {
     for (double& t : job.trajectory.timeS)
       t /= 10.0;
     job.program.motions[3].durationS = 1.0 / 200.0 + later;
-    EXPECT_EQ(job.findings(), later > 1e-3 ? Told{job.told(FindingKind::SpeedChanged, 3)} : Told{});
+    EXPECT_EQ(job.findings(),
+              later > 1e-3 ? Reported{job.expected(FindingKind::SpeedChanged, 3)} : Reported{});
   }
 }
 
@@ -120,9 +121,9 @@ TEST(Comparison, MaterialMayDifferByATwentieth) {
     for (const std::size_t m : {3u, 13u})
       job.program.motions[m].volumeMm3 *= by;
     const bool changed = by < 0.95 || by > 1.05;
-    EXPECT_EQ(job.findings(), changed ? (Told{job.told(FindingKind::FlowChanged, 3),
-                                              job.told(FindingKind::FlowChanged, 13)})
-                                      : Told{})
+    EXPECT_EQ(job.findings(), changed ? (Reported{job.expected(FindingKind::FlowChanged, 3),
+                                                  job.expected(FindingKind::FlowChanged, 13)})
+                                      : Reported{})
         << by;
   }
   // Of hardly anything a few thousandths are rounding.
@@ -133,7 +134,8 @@ TEST(Comparison, MaterialMayDifferByATwentieth) {
     for (plan::ProgramMotion& m : job.program.motions)
       m.volumeMm3 *= m.extruding ? 0.01 : 1.0;
     job.program.motions[5].volumeMm3 += more;
-    EXPECT_EQ(job.findings(), more > 0.005 ? Told{job.told(FindingKind::FlowChanged, 5)} : Told{});
+    EXPECT_EQ(job.findings(),
+              more > 0.005 ? Reported{job.expected(FindingKind::FlowChanged, 5)} : Reported{});
   }
 }
 
@@ -150,8 +152,9 @@ TEST(Comparison, SlowerOrHigherRateGivesOneFinding) {
       job.program.motions[4].speedMmPerS = 10.0;
     else
       job.program.motions[4].flowMm3PerS *= 1.3;
-    EXPECT_EQ(job.findings(),
-              Told{job.told(slower ? FindingKind::SpeedChanged : FindingKind::FlowChanged, 4)});
+    EXPECT_EQ(
+        job.findings(),
+        Reported{job.expected(slower ? FindingKind::SpeedChanged : FindingKind::FlowChanged, 4)});
   }
 }
 
@@ -159,9 +162,9 @@ TEST(Comparison, ConsecutiveChangesGiveOneFinding) {
   Job job;
   for (const std::size_t m : {3u, 4u, 5u, 12u, 14u})
     job.program.motions[m].volumeMm3 *= 2.0;
-  EXPECT_EQ(job.findings(),
-            (Told{job.told(FindingKind::FlowChanged, 3, 3), job.told(FindingKind::FlowChanged, 12),
-                  job.told(FindingKind::FlowChanged, 14)}));
+  EXPECT_EQ(job.findings(), (Reported{job.expected(FindingKind::FlowChanged, 3, 3),
+                                      job.expected(FindingKind::FlowChanged, 12),
+                                      job.expected(FindingKind::FlowChanged, 14)}));
 }
 
 // Two kinds side by side, each in a row.
@@ -171,8 +174,8 @@ TEST(Comparison, ChangesOfTwoKindsGiveTwoFindings) {
     job.program.motions[m].volumeMm3 *= 2.0;
     job.program.motions[m].speedMmPerS *= 2.0;
   }
-  EXPECT_EQ(job.findings(), (Told{job.told(FindingKind::SpeedChanged, 3, 3),
-                                  job.told(FindingKind::FlowChanged, 3, 3)}));
+  EXPECT_EQ(job.findings(), (Reported{job.expected(FindingKind::SpeedChanged, 3, 3),
+                                      job.expected(FindingKind::FlowChanged, 3, 3)}));
 }
 
 TEST(Comparison, TheExtruderIsOnWhereItPrintsAndNowhereElse) {
@@ -180,40 +183,41 @@ TEST(Comparison, TheExtruderIsOnWhereItPrintsAndNowhereElse) {
   job.program.motions[8].extruding = true;
   job.program.motions[8].volumeMm3 = 1.0;
   job.program.motions[13].extruding = false;
-  EXPECT_EQ(job.findings(), (Told{job.told(FindingKind::ExtruderOnTravel, 8),
-                                  job.told(FindingKind::ExtruderOffPrint, 13)}));
+  EXPECT_EQ(job.findings(), (Reported{job.expected(FindingKind::ExtruderOnTravel, 8),
+                                      job.expected(FindingKind::ExtruderOffPrint, 13)}));
   // Where the text begins, an extruder that is on and lays nothing is no harm.
   for (const double volume : {0.0, 0.004, 0.006}) {
     Job first;
     first.program.motions[0].extruding = true;
     first.program.motions[0].volumeMm3 = volume;
-    EXPECT_EQ(first.findings(),
-              volume > 0.005 ? Told{first.told(FindingKind::ExtruderOnTravel, 0)} : Told{});
+    EXPECT_EQ(first.findings(), volume > 0.005
+                                    ? Reported{first.expected(FindingKind::ExtruderOnTravel, 0)}
+                                    : Reported{});
   }
 }
 
 TEST(Comparison, DeviationsDefectsAndAMissingEndGiveFindings) {
   Job job;
   job.program.motions[5].position.z() += 0.3;
-  EXPECT_EQ(job.findings(), Told{job.told(FindingKind::WaypointMoved, 5)});
+  EXPECT_EQ(job.findings(), Reported{job.expected(FindingKind::WaypointMoved, 5)});
   job = Job();
   job.program.motions[5].direction = {std::sin(0.1), 0, std::cos(0.1)};
-  EXPECT_EQ(job.findings(), Told{job.told(FindingKind::WaypointTilted, 5)});
+  EXPECT_EQ(job.findings(), Reported{job.expected(FindingKind::WaypointTilted, 5)});
   job = Job();
   std::swap(job.program.motions[4].position, job.program.motions[5].position);
-  EXPECT_EQ(job.findings().front(), job.told(FindingKind::WaypointsSwapped, 4, 2));
+  EXPECT_EQ(job.findings().front(), job.expected(FindingKind::WaypointsSwapped, 4, 2));
   job = Job();
   job.program.motions.erase(job.program.motions.begin() + 4, job.program.motions.begin() + 6);
-  EXPECT_EQ(job.findings().front(), Job::tellOf(FindingKind::WaypointsMissingBetween, 16, 2));
+  EXPECT_EQ(job.findings().front(), Job::reportOf(FindingKind::WaypointsMissingBetween, 16, 2));
   job = Job();
   job.program.motions.resize(13);
-  EXPECT_EQ(job.findings(), Told{job.told(FindingKind::ProgramCutShort, 12, 3)});
+  EXPECT_EQ(job.findings(), Reported{job.expected(FindingKind::ProgramCutShort, 12, 3)});
   job = Job();
   job.program.complete = false;
-  EXPECT_EQ(job.findings(), Told{job.told(FindingKind::EndMissing, 15)});
+  EXPECT_EQ(job.findings(), Reported{job.expected(FindingKind::EndMissing, 15)});
   job.program.defects.push_back({0, 17, {}});
-  EXPECT_EQ(job.findings(),
-            (Told{job.told(FindingKind::UnreadableLine, 7), job.told(FindingKind::EndMissing, 7)}));
+  EXPECT_EQ(job.findings(), (Reported{job.expected(FindingKind::UnreadableLine, 7),
+                                      job.expected(FindingKind::EndMissing, 7)}));
 }
 
 // Beside the plan's line, by as much as the nozzle is; along it nothing.

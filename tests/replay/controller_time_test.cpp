@@ -37,7 +37,7 @@ plan::ReadProgram through(const std::vector<Eigen::Vector3d>& points, double spe
   return p;
 }
 
-std::vector<double> times(const plan::ReadProgram& p, TurnLaw law = TurnLaw::Text) {
+std::vector<double> times(const plan::ReadProgram& p, RotationLaw law = RotationLaw::Text) {
   return controllerTimes(p, executeToolPoints(p, {}), law);
 }
 double total(const std::vector<double>& seconds) {
@@ -64,8 +64,8 @@ TEST(ControllerTime, BlendsOnAStraightLineCostNoTime) {
   // Where the controller looks one motion ahead, it can't be faster than it brakes within one.
   plan::ReadProgram shortSighted = through(points, 20, 500, 0.1);
   shortSighted.time.lookAhead = 1;
-  const double most = std::sqrt(2 * 500 * 0.3);
-  EXPECT_NEAR(times(shortSighted)[50], 0.3 / most, 0.3 / most * 0.1);
+  const double maximum = std::sqrt(2 * 500 * 0.3);
+  EXPECT_NEAR(times(shortSighted)[50], 0.3 / maximum, 0.3 / maximum * 0.1);
   EXPECT_GT(total(times(shortSighted)), 30.0 / 20 + 0.04);
 }
 
@@ -85,7 +85,7 @@ TEST(ControllerTime, TimeRulesOverSpeedAndAcceleration) {
   for (plan::ProgramMotion& m : p.motions)
     m.durationS = 0.5;
   EXPECT_EQ(times(p)[1], 0.5);
-  EXPECT_EQ(times(p, TurnLaw::WaySpeed)[2], 0.5);
+  EXPECT_EQ(times(p, RotationLaw::PathSpeed)[2], 0.5);
   p.time.cycleS = 0.6;
   EXPECT_EQ(times(p)[1], 0.6);
 }
@@ -174,12 +174,12 @@ TEST(ControllerTime, OurProgramsDepositThePlannedVolumeUnderBothLaws) {
     EXPECT_NEAR(v.durationS, scene().trajectory.timeS.back(),
                 0.15 * scene().trajectory.timeS.back())
         << d.id;
-    EXPECT_TRUE(v.passed) << d.id << told(v);
+    EXPECT_TRUE(v.passed) << d.id << findingsText(v);
   }
   const plan::ReadProgram p = test::read(textOf("urscript"), scene().process);
   const ExecutedPath path = executeProgram(p, scene().cell, {});
-  const double text = total(controllerTimes(p, path, TurnLaw::Text));
-  EXPECT_NEAR(total(controllerTimes(p, path, TurnLaw::WaySpeed)), text, 0.05 * text);
+  const double text = total(controllerTimes(p, path, RotationLaw::Text));
+  EXPECT_NEAR(total(controllerTimes(p, path, RotationLaw::PathSpeed)), text, 0.05 * text);
 }
 
 TEST(ControllerTime, AProgramThatWouldPrintForWeeksIsRefused) {
@@ -190,7 +190,7 @@ TEST(ControllerTime, AProgramThatWouldPrintForWeeksIsRefused) {
   EXPECT_GT(v.durationS, 2.0 * scene().trajectory.timeS.back());
   EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::FlowErrors;
-  })) << told(v);
+  })) << findingsText(v);
 }
 
 TEST(ControllerTime, UnplannedAccelerationIsFound) {
@@ -213,9 +213,9 @@ TEST(ControllerTime, SpeedsThatTheTurnSlowsAreRefused) {
   test::Scene s = test::boxScene(1);
   plan::ReadProgram p = test::read(bySpeeds(textOf("urscript"), "9"), s.process);
   ExecutedPath path = executeProgram(p, scene().cell, {});
-  std::fill(path.turnRad.begin(), path.turnRad.end(), 0.1);
-  const double text = total(controllerTimes(p, path, TurnLaw::Text));
-  EXPECT_GT(total(controllerTimes(p, path, TurnLaw::WaySpeed)), 10.0 * text);
+  std::fill(path.angleRad.begin(), path.angleRad.end(), 0.1);
+  const double text = total(controllerTimes(p, path, RotationLaw::Text));
+  EXPECT_GT(total(controllerTimes(p, path, RotationLaw::PathSpeed)), 10.0 * text);
 }
 
 // A transfer in two pieces, planned through without a stop: poses of a foreign program are at the
@@ -239,7 +239,7 @@ TEST(ControllerTime, PiecesOfATransferTakeTheirTimeForAForeignController) {
       program::readProgram("urscript", program.files, process::Tooling(s.process));
   ASSERT_EQ(read.motions.size(), t.pointCount());
   const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
-  const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+  const std::vector<double> seconds = controllerTimes(read, path, RotationLaw::Text);
   for (std::size_t m = t.pointCount() - 2; m < t.pointCount(); ++m)
     EXPECT_NEAR(seconds[m], 0.25, 0.005);
 }

@@ -55,8 +55,8 @@ ReadProgram asPoses(ReadProgram read, const robot::Cell& cell) {
 
 // Where the way is `s` along the straight one from place m - 1 to m: by the parabola (Bernstein)
 // within a blend, which has at most half of the ways on both sides.
-Place wayAt(const std::vector<Place>& p, const std::vector<double>& blends, std::size_t m,
-            double s) {
+Place pathAt(const std::vector<Place>& p, const std::vector<double>& blends, std::size_t m,
+             double s) {
   const auto lengthTo = [&](std::size_t k) { return (p[k].at - p[k - 1].at).norm(); };
   const auto blendAt = [&](std::size_t k) {
     return k == 0 || k + 1 == p.size()
@@ -97,7 +97,7 @@ void expectWay(const ExecutedPath& path, const std::vector<Place>& places,
     const std::size_t first = path.firstSample[m], n = path.firstSample[m + 1] - first;
     for (std::size_t k = 0; k < n; ++k) {
       const Place wanted =
-          wayAt(places, blends, m, static_cast<double>(k + 1) / static_cast<double>(n));
+          pathAt(places, blends, m, static_cast<double>(k + 1) / static_cast<double>(n));
       EXPECT_LT((path.tip[first + k] - wanted.at).norm(), 1e-9) << m << ' ' << k;
       EXPECT_LT((path.direction[first + k] - leaning(wanted.lean)).norm(), 1e-9) << m << ' ' << k;
     }
@@ -133,7 +133,7 @@ TEST(Corners, AreAsSharpAsTheyTurnAndTakeNoTimeOfTheirOwn) {
       corner = 2.0 * std::asin(0.5 * (out - in).norm());
     }
     EXPECT_NEAR(path.cornerRad[m], corner, 1e-9);
-    EXPECT_EQ(path.turnRad[m], 0.0);
+    EXPECT_EQ(path.angleRad[m], 0.0);
   }
   EXPECT_NEAR(path.totalS(), begins, 1e-12);
 }
@@ -160,13 +160,13 @@ TEST(Corners, OverlapIfTwoBlendsExceedTheirWay) {
 // A way of its own between two targets: at equal steps of time, straight between its points.
 TEST(Corners, AWayOfPointsIsPassedAtEqualSteps) {
   ReadProgram read = program({{{0, 0, 0}, 0.0}, {{0, 9, 0}, 0.3}}, {0, 0});
-  const std::vector<Place> way{{{4, 0, 0}, 0.2}, {{4, 6, 0}, -0.1}};
-  for (const Place& p : way)
-    read.motions[1].way.push_back({p.at, leaning(p.lean)});
+  const std::vector<Place> targets{{{4, 0, 0}, 0.2}, {{4, 6, 0}, -0.1}};
+  for (const Place& p : targets)
+    read.motions[1].viaPoints.push_back({p.at, leaning(p.lean)});
   const ExecutedPath path = executeToolPoints(read, {});
   EXPECT_NEAR(path.commandedMm[1], 4.0 + 6.0 + 5.0, 1e-12);
   EXPECT_NEAR(path.durationS[1], 15.0 / 20.0, 1e-12);
-  const std::vector<Place> all{{{0, 0, 0}, 0.0}, way[0], way[1], {{0, 9, 0}, 0.3}};
+  const std::vector<Place> all{{{0, 0, 0}, 0.0}, targets[0], targets[1], {{0, 9, 0}, 0.3}};
   const std::size_t first = path.firstSample[1], n = path.firstSample[2] - first;
   for (std::size_t k = 0; k < n; ++k) {
     const double at = 3.0 * static_cast<double>(k + 1) / static_cast<double>(n);
@@ -251,27 +251,27 @@ TEST_F(JointMotions, OneTargetIsAnArmAtRest) {
 
 // From rest to rest by the joint that turns furthest: a trapezoid, or a triangle where it is short.
 TEST_F(JointMotions, TakeLongerWithRamps) {
-  for (const double turn : {0.5, 0.02}) {
+  for (const double rotation : {0.5, 0.02}) {
     robot::JointVector a = cell_.home(), b = a;
-    b[1] -= turn;
-    b[3] += 0.4 * turn;
+    b[1] -= rotation;
+    b[3] += 0.4 * rotation;
     ReadProgram read;
     read.motions = {to(a, 0.0), to(b, 0.4), to(a, 0.0, 0.7)};
     const ExecutedPath path = executeProgram(read, cell_, {});
     const double acceleration = 2.0, up = 0.4 * 0.4 / acceleration; // rad of both ramps
-    const double ramped =
-        turn > up ? turn / 0.4 + 0.4 / acceleration : 2.0 * std::sqrt(turn / acceleration);
-    EXPECT_NEAR(jointMotionS(path, 1, 0.0), turn / 0.4, 1e-9);
+    const double ramped = rotation > up ? rotation / 0.4 + 0.4 / acceleration
+                                        : 2.0 * std::sqrt(rotation / acceleration);
+    EXPECT_NEAR(jointMotionS(path, 1, 0.0), rotation / 0.4, 1e-9);
     EXPECT_NEAR(jointMotionS(path, 1, acceleration), ramped, 1e-9);
     // By the motion's own acceleration, else by its controller's; a motion with a time takes that.
     read.time.jointAccelerationRadPerS2 = acceleration;
-    std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+    std::vector<double> seconds = controllerTimes(read, path, RotationLaw::Text);
     ASSERT_EQ(seconds.size(), 3u);
     EXPECT_EQ(seconds[0], 0.0);
     EXPECT_NEAR(seconds[1], ramped, 1e-9);
     EXPECT_NEAR(seconds[2], 0.7, 1e-9);
     read.motions[1].jointAccelerationRadPerS2 = 1e9;
-    EXPECT_NEAR(controllerTimes(read, path, TurnLaw::Text)[1], turn / 0.4, 1e-6);
+    EXPECT_NEAR(controllerTimes(read, path, RotationLaw::Text)[1], rotation / 0.4, 1e-6);
   }
 }
 
@@ -284,11 +284,11 @@ TEST_F(JointMotions, JumpToAnotherBranchIsAViolation) {
   read.motions[1].jointInterpolated = false;
   const ExecutedPath path = executeProgram(read, cell_, {});
   ASSERT_FALSE(path.violations.empty());
-  bool told = false;
+  bool reported = false;
   for (const LimitViolation& v : path.violations)
-    told = told || (v.kind == LimitKind::BranchJump && v.motion == 1 && v.joint == 0 &&
-                    v.value > 1.0 && v.limit == 1.0);
-  EXPECT_TRUE(told);
+    reported = reported || (v.kind == LimitKind::BranchJump && v.motion == 1 && v.joint == 0 &&
+                            v.value > 1.0 && v.limit == 1.0);
+  EXPECT_TRUE(reported);
 }
 
 TEST_F(JointMotions, NameTheJointThatIsTooFastAndItsSpeed) {
@@ -340,15 +340,15 @@ TEST_F(JointMotions, ATurnOnTheSpotTakesAsLongAsItsJointsNeed) {
   ReadProgram read;
   read.flange_T_tcp = Isometry3d(Eigen::Translation3d(0, 0, 100));
   read.motions = {to(a, 0.0), to(a, 0.0)};
-  ProgramMotion& turn = read.motions[1];
-  turn.target = plan::TargetKind::FlangePose;
-  turn.jointInterpolated = false;
-  turn.speedMmPerS = 50.0;
-  turn.frame_T_tcp = cell_.robot().kinematics->flange(b) * read.flange_T_tcp;
+  ProgramMotion& rotation = read.motions[1];
+  rotation.target = plan::TargetKind::FlangePose;
+  rotation.jointInterpolated = false;
+  rotation.speedMmPerS = 50.0;
+  rotation.frame_T_tcp = cell_.robot().kinematics->flange(b) * read.flange_T_tcp;
   const ExecutedPath path = executeProgram(read, cell_, {});
   EXPECT_TRUE(path.violations.empty());
   EXPECT_NEAR(path.commandedMm[1], 0.0, 1e-9);
-  EXPECT_NEAR(path.turnRad[1], 0.6, 1e-9);
+  EXPECT_NEAR(path.angleRad[1], 0.6, 1e-9);
   EXPECT_NEAR(path.durationS[1], 0.6 / cell_.limits()[5].velocity, 1e-9);
   for (int j = 0; j < 6; ++j)
     EXPECT_NEAR(path.jointsAt(1)[j], b[j], 1e-9);

@@ -64,7 +64,7 @@ protected:
                                              place.line <= cut.back() + 1 + kBeside;
                                     }))
         << text.format << ": " << edit << "\n"
-        << told(v);
+        << findingsText(v);
   }
 };
 
@@ -77,7 +77,7 @@ TEST_F(CutPulses, LastAndAreDrawnBackInStepWithTheMotion) {
     EXPECT_TRUE(read.defects.empty())
         << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
     const Verification v = verify(read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     TextLines cut;
     for (const std::size_t line : cutLines(text))
       cut.push_back(text.lines[line]);
@@ -200,7 +200,7 @@ TEST_F(CutPulses, HarmlessEditsPass) {
             std::regex_replace(text.lines[line], std::regex(c.pattern), std::string(c.by));
       ASSERT_NE(text.lines, whole.lines) << c.pattern;
       const Verification v = verifyText(text);
-      EXPECT_TRUE(v.passed) << format << ": " << c.by << "\n" << told(v);
+      EXPECT_TRUE(v.passed) << format << ": " << c.by << "\n" << findingsText(v);
     }
     std::mt19937_64 random(5);
     const std::vector<test::Mutation> all = test::harmlessMutations(format);
@@ -209,7 +209,8 @@ TEST_F(CutPulses, HarmlessEditsPass) {
       if (!all[i % all.size()].apply(subject, 0, random))
         continue;
       const Verification v = verifyText(subject.text);
-      EXPECT_TRUE(v.passed) << format << ": " << all[i % all.size()].kind << "\n" << told(v);
+      EXPECT_TRUE(v.passed) << format << ": " << all[i % all.size()].kind << "\n"
+                            << findingsText(v);
     }
   }
 }

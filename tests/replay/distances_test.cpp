@@ -91,7 +91,7 @@ TEST(Distances, RandomPairsAgreeWithSampledPoints) {
     const auto g = [&](const Vector3d& p) {
       return distanceToPoint(a, p) + distanceToPoint(b, inverse * p);
     };
-    double least = 1e9;
+    double minimum = 1e9;
     for (int start = 0; start < 4; ++start) {
       Vector3d p = f.translation() * (start / 3.0);
       double value = g(p);
@@ -104,15 +104,15 @@ TEST(Distances, RandomPairsAgreeWithSampledPoints) {
             p = q;
           }
         }
-      least = std::min(least, value);
+      minimum = std::min(minimum, value);
     }
-    EXPECT_NEAR(distance, least, 0.02) << round;
+    EXPECT_NEAR(distance, minimum, 0.02) << round;
     EXPECT_NEAR(distance, distanceBetween(b, f, a, Isometry3d::Identity()), 2e-4) << round;
   }
 }
 
 // Least of a convex function of one or two numbers in [0, 1], by thirds.
-template <typename F> double leastOfOne(const F& f) {
+template <typename F> double minimumOfOne(const F& f) {
   double a = 0.0, b = 1.0;
   for (int k = 0; k < 50; ++k) {
     const double u = a + (b - a) / 3.0, v = b - (b - a) / 3.0;
@@ -123,11 +123,11 @@ template <typename F> double leastOfOne(const F& f) {
   }
   return f(0.5 * (a + b));
 }
-double leastOfSegments(const Vector3d& p0, const Vector3d& p1, const Vector3d& q0,
-                       const Vector3d& q1) {
-  return leastOfOne([&](double s) {
+double minimumOfSegments(const Vector3d& p0, const Vector3d& p1, const Vector3d& q0,
+                         const Vector3d& q1) {
+  return minimumOfOne([&](double s) {
     const Vector3d p = p0 + s * (p1 - p0);
-    return leastOfOne([&](double t) { return (p - q0 - t * (q1 - q0)).norm(); });
+    return minimumOfOne([&](double t) { return (p - q0 - t * (q1 - q0)).norm(); });
   });
 }
 
@@ -142,7 +142,7 @@ TEST(Distances, SegmentsAgainstAllPlacesOnBoth) {
                        : Vector3d(u(random), u(random), u(random));
     };
     const Vector3d p0 = point(), p1 = point(), q0 = point(), q1 = point();
-    const double wanted = leastOfSegments(p0, p1, q0, q1);
+    const double wanted = minimumOfSegments(p0, p1, q0, q1);
     EXPECT_NEAR(segmentDistance(p0, p1, q0, q1), wanted, 1e-6) << round;
     EXPECT_NEAR(segmentDistance(q1, q0, p0, p1), wanted, 1e-6) << round;
     const robot::Capsule a{p0, p1, 0.3}, b{q0, q1, 0.2};
@@ -185,11 +185,11 @@ TEST(Distances, BoxesAgainstTheirEdges) {
     for (std::size_t i = 0; i < 8; ++i)
       for (const std::size_t d : {1u, 2u, 4u})
         if (!(i & d))
-          wanted = std::min({wanted, leastOfOne([&](double t) {
+          wanted = std::min({wanted, minimumOfOne([&](double t) {
                                const Vector3d on = p[i] + t * (p[i + d] - p[i]);
                                return distanceToPoint(b, frame.inverse(Eigen::Isometry) * on);
                              }),
-                             leastOfOne([&](double t) {
+                             minimumOfOne([&](double t) {
                                return distanceToPoint(a, q[i] + t * (q[i + d] - q[i]));
                              })});
     (wanted > 1e-3 ? apart : met)++;
@@ -216,7 +216,7 @@ TEST(Distances, ABallIsItsCentreLessItsRadius) {
     EXPECT_NEAR(distanceBetween(shape, frame, ball, at(0, 0, 0)), wanted, 2e-4) << round;
     // A capsule's, anywhere along it.
     const Vector3d end(u(random), u(random), u(random));
-    const double along = leastOfOne([&](double t) {
+    const double along = minimumOfOne([&](double t) {
       return distanceToPoint(shape, frame.inverse() * (centre + t * (end - centre)));
     });
     EXPECT_NEAR(distanceBetween(robot::Capsule{centre, end, radius}, at(0, 0, 0), shape, frame),
@@ -253,14 +253,14 @@ TEST(Distances, APointToASolidIsToItsNearestPoint) {
     for (const auto& [shape, filled] :
          {std::pair<robot::Shape, const std::vector<Vector3d>&>{frustum, inFrustum},
           {prism, inPrism}}) {
-      double least = 1e9;
+      double minimum = 1e9;
       for (const Vector3d& q : filled)
-        least = std::min(least, (p - q).norm());
+        minimum = std::min(minimum, (p - q).norm());
       const double distance = distanceToPoint(shape, p);
-      EXPECT_LE(distance, least + 1e-9);
-      EXPECT_GE(distance, least - 0.15);
-      if (least > 1.0) {
-        EXPECT_NEAR(distance, least, 0.02) << round;
+      EXPECT_LE(distance, minimum + 1e-9);
+      EXPECT_GE(distance, minimum - 0.15);
+      if (minimum > 1.0) {
+        EXPECT_NEAR(distance, minimum, 0.02) << round;
       }
     }
   }
@@ -326,11 +326,11 @@ TEST(Distances, AHeadIsItsFrusta) {
   std::uniform_real_distribution<double> u(-40, 40);
   for (int k = 0; k < 2000; ++k) {
     const Vector3d p(u(random), u(random), u(random) + 40);
-    double least = 1e9;
+    double minimum = 1e9;
     for (const robot::Shape& f : head.frusta())
-      least = std::min(least, distanceToPoint(f, p));
-    EXPECT_NEAR(head.distance(p), least, 1e-9);
-    EXPECT_EQ(head.within(p.head<2>().squaredNorm(), p.z(), 3.0), least <= 3.0);
+      minimum = std::min(minimum, distanceToPoint(f, p));
+    EXPECT_NEAR(head.distance(p), minimum, 1e-9);
+    EXPECT_EQ(head.within(p.head<2>().squaredNorm(), p.z(), 3.0), minimum <= 3.0);
   }
   EXPECT_NEAR(head.lowest(1.0, 1.0), 1.0, 1e-12);
   EXPECT_NEAR(head.lowest(30.0, 0.0), 8.0, 1e-12);

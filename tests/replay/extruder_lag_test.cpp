@@ -76,7 +76,7 @@ TEST_F(ExtruderLag, EveryDialectWithAnExtruderOfItsOwnKeepsThem) {
     const plan::ReadProgram read = test::read(textFor(dialect.id), scene_.process);
     ASSERT_TRUE(read.defects.empty()) << base::english(read.defects[0].reason);
     const Verification v = verify(read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     EXPECT_LE(v.flowErrorFraction, 0.01);
     const auto mass = std::ranges::find(v.results, "massRatio", &ThresholdResult::name);
     if (mass != v.results.end()) {
@@ -180,7 +180,7 @@ TEST_F(BeadWords, AreStatedAtEveryBead) {
                                         }),
                   static_cast<std::ptrdiff_t>(beads));
     const Verification v = verify(text);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
   }
 }
 

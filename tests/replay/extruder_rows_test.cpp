@@ -312,9 +312,9 @@ protected:
 
 TEST_P(ExtruderRows, TheUndamagedProgramPasses) {
   const Verification v = verify(files_);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_NEAR(v.massRatio, 1.0, 0.01);
-  EXPECT_TRUE(v.findings.empty()) << told(v);
+  EXPECT_TRUE(v.findings.empty()) << findingsText(v);
 }
 
 TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
@@ -346,7 +346,7 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
       found += here ? 1 : 0;
       if (!here)
         missed += kind.name + " (line " + std::to_string(*at + 1) +
-                  "): " + (v.passed ? "passed\n" : told(v).substr(0, 200) + "\n");
+                  "): " + (v.passed ? "passed\n" : findingsText(v).substr(0, 200) + "\n");
     }
   EXPECT_EQ(tried, shares.size() * kinds.size()) << missed;
   EXPECT_EQ(refused, tried) << missed;

@@ -41,7 +41,7 @@ protected:
 
 TEST_F(FlowBySpeed, theUndamagedProgramPasses) {
   const Verification v = verify(whole_);
-  EXPECT_TRUE(v.passed && v.findings.empty()) << told(v);
+  EXPECT_TRUE(v.passed && v.findings.empty()) << findingsText(v);
   EXPECT_NEAR(v.massRatio, 1.0, 0.005);
   EXPECT_LT(v.flowErrorFraction, 0.01);
 }
@@ -63,7 +63,7 @@ TEST_F(FlowBySpeed, harmIsFoundAtItsLine) {
     EXPECT_FALSE(v.passed) << kind;
     EXPECT_TRUE(std::ranges::any_of(
         v.places, [&](TextPlace p) { return p.line >= line && p.line <= line + 3; }))
-        << kind << ": " << told(v).substr(0, 200);
+        << kind << ": " << findingsText(v).substr(0, 200);
   };
   for (const auto& [from, to] : kinds) {
     test::ProgramText text = whole_;
@@ -73,11 +73,11 @@ TEST_F(FlowBySpeed, harmIsFoundAtItsLine) {
   }
   // Within a bead: a share that holds from there on, at any speed.
   const std::size_t bead = next(at + 60, "MoveL.*\\[FALSE");
-  for (const char* amid :
+  for (const char* middle :
        {"    SetAO aoFlow,0.9;\r", "    SetAO aoFlow,0;\r", "    TriggSpeed x;\r"}) {
     test::ProgramText text = whole_;
-    text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(bead + 1), amid);
-    expectNamed(text, bead + 1, amid);
+    text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(bead + 1), middle);
+    expectNamed(text, bead + 1, middle);
   }
 }
 

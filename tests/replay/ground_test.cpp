@@ -209,9 +209,9 @@ TEST(JointArcs, PassWhereTheJointsTakeTheNozzle) {
     EXPECT_FALSE(arcs.passes(2, tip, direction)) << "straight";
     EXPECT_FALSE(arcs.passes(3, tip, direction));
     const Vector3d along = (at(u + 1e-4).translation() - at(u - 1e-4).translation()).normalized();
-    const Vector3d aside = along.unitOrthogonal();
+    const Vector3d lateral = along.unitOrthogonal();
     for (const double mm : {0.24, 0.26})
-      EXPECT_EQ(arcs.passes(1, tip + mm * aside, direction), mm < 0.25) << u;
+      EXPECT_EQ(arcs.passes(1, tip + mm * lateral, direction), mm < 0.25) << u;
     const Vector3d axis = direction.unitOrthogonal();
     const Vector3d leaning = Eigen::AngleAxisd(0.05, axis) * direction;
     EXPECT_FALSE(arcs.passes(1, tip, leaning));

@@ -61,7 +61,7 @@ void replaceAll(ProgramText& text, const std::string& from, const std::string& t
 }
 
 // A line of a bead, not its first or last.
-std::size_t amidBead(const ProgramText& text, const test::Scene& s, std::mt19937_64& random) {
+std::size_t insideBead(const ProgramText& text, const test::Scene& s, std::mt19937_64& random) {
   const plan::ReadProgram read = test::read(text, s.process);
   std::vector<std::size_t> lines;
   for (std::size_t m = 1; m + 1 < read.motions.size(); ++m)
@@ -100,20 +100,20 @@ std::vector<Edit> gcodeEdits() {
            }},
           {"off amid the print",
            [](ProgramText& t, const test::Scene& s, std::mt19937_64& random) {
-             const std::size_t line = amidBead(t, s, random);
+             const std::size_t line = insideBead(t, s, random);
              insertBefore(t, line, random() % 2 == 0 ? "M104 S0" : "M109 S0");
              return std::vector<std::size_t>{line};
            }},
           {"colder amid the print",
            [](ProgramText& t, const test::Scene& s, std::mt19937_64& random) {
-             const std::size_t line = amidBead(t, s, random);
+             const std::size_t line = insideBead(t, s, random);
              insertBefore(t, line, "M104 S" + std::to_string(20 + random() % 150));
              return std::vector<std::size_t>{line};
            }},
           {"the wait behind the first bead",
            [](ProgramText& t, const test::Scene& s, std::mt19937_64& random) {
              eraseAll(t, "M109");
-             insertBefore(t, amidBead(t, s, random), "M109 S210");
+             insertBefore(t, insideBead(t, s, random), "M109 S210");
              return std::vector<std::size_t>{firstMotion(t, s)};
            }},
           {"off before the prime",
@@ -159,7 +159,7 @@ std::vector<Edit> textEdits() {
              return std::vector<std::size_t>{line};
            }},
           {"off amid the print", [](ProgramText& t, const test::Scene& s, std::mt19937_64& random) {
-             const std::size_t line = amidBead(t, s, random);
+             const std::size_t line = insideBead(t, s, random);
              std::string heat = t.lines[lineWith(t, "M210n") - 1];
              heat.replace(heat.find("M210n"), 5, "M0n");
              insertBefore(t, line, heat);
@@ -170,10 +170,10 @@ std::vector<Edit> textEdits() {
 void expectAllRefused(const std::string& format, const std::vector<Edit>& edits, int seeds) {
   const ProgramText whole = write(scene(), format);
   const Verification sound = verify(scene(), whole);
-  ASSERT_TRUE(sound.passed) << told(sound);
+  ASSERT_TRUE(sound.passed) << findingsText(sound);
   EXPECT_TRUE(std::ranges::none_of(sound.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::FanChanged;
-  })) << told(sound);
+  })) << findingsText(sound);
   for (const Edit& edit : edits)
     for (int seed = 0; seed < seeds; ++seed) {
       std::mt19937_64 random(static_cast<std::uint64_t>(seed));
@@ -185,7 +185,7 @@ void expectAllRefused(const std::string& format, const std::vector<Edit>& edits,
           v.places,
           [&](TextPlace place) { return std::ranges::find(lines, place.line) != lines.end(); }))
           << format << ": " << edit.name << " at line " << lines.front() << "\n"
-          << told(v);
+          << findingsText(v);
     }
 }
 
@@ -216,7 +216,7 @@ TEST(HeatFacts, OnlyTemperaturesNearTheMaterialsOwnPass) {
     replaceAll(text, "M140 S60", std::string("M140 S") + c.bed);
     replaceAll(text, "M190 S60", std::string("M190 S") + c.bed);
     const Verification v = verify(scene(), text);
-    EXPECT_EQ(v.passed, c.passes) << c.nozzle << ", " << c.bed << "\n" << told(v);
+    EXPECT_EQ(v.passed, c.passes) << c.nozzle << ", " << c.bed << "\n" << findingsText(v);
   }
 }
 
@@ -227,7 +227,7 @@ TEST(HeatFacts, AMaterialWithoutTemperaturesNeedsNone) {
   const ProgramText text = write(s, "gcode-extended");
   EXPECT_EQ(lineWith(text, "M109") + lineWith(text, "M190") + lineWith(text, "M106"), 0u);
   const Verification v = verify(s, text);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
 }
 
 std::vector<std::size_t> fanLines(const Verification& v) {
@@ -249,16 +249,16 @@ TEST(HeatFacts, TheFanStartsWithTheSecondLayerAndItsLackIsARemark) {
     ProgramText text = whole;
     text.lines[line - 1] = "";
     Verification v = verify(scene(), text);
-    EXPECT_TRUE(v.passed) << told(v);
-    ASSERT_EQ(fanLines(v).size(), 1u) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
+    ASSERT_EQ(fanLines(v).size(), 1u) << findingsText(v);
     EXPECT_GT(fanLines(v).front(), line);
     // On in the first layer.
     text = whole;
     const plan::ReadProgram read = test::read(text, scene().process);
     insertBefore(text, read.motions.front().line, whole.lines[line - 1]);
     v = verify(scene(), text);
-    EXPECT_TRUE(v.passed) << told(v);
-    ASSERT_EQ(fanLines(v).size(), 1u) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
+    ASSERT_EQ(fanLines(v).size(), 1u) << findingsText(v);
     EXPECT_LT(fanLines(v).front(), line);
   }
 }

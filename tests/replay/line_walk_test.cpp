@@ -13,13 +13,13 @@ namespace {
 double shareIn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& low) {
   double begin = 0.0, end = 1.0;
   for (int k = 0; k < 3; ++k) {
-    const double way = b[k] - a[k];
-    if (way == 0.0) {
+    const double step = b[k] - a[k];
+    if (step == 0.0) {
       if (a[k] < low[k] || a[k] >= low[k] + 1.0)
         return 0.0;
       continue;
     }
-    const double first = (low[k] - a[k]) / way, second = (low[k] + 1.0 - a[k]) / way;
+    const double first = (low[k] - a[k]) / step, second = (low[k] + 1.0 - a[k]) / step;
     begin = std::max(begin, std::min(first, second));
     end = std::min(end, std::max(first, second));
   }
@@ -33,11 +33,11 @@ TEST(LineWalk, FourLinesCrossTheirOwnCells) {
   for (int round = 0; round < 500; ++round) {
     Lines lines;
     for (std::size_t k = 0; k < 3; ++k) {
-      const float most = static_cast<float>(size[static_cast<int>(k)]) - 0.02f;
+      const float maximum = static_cast<float>(size[static_cast<int>(k)]) - 0.02f;
       for (int l = 0; l < kLanes; ++l) {
-        lines.from[k][l] = 0.01f + most * u(random);
+        lines.from[k][l] = 0.01f + maximum * u(random);
         // Some along the cells' sides, some within a cell.
-        lines.to[k][l] = u(random) < 0.2f ? lines.from[k][l] : 0.01f + most * u(random);
+        lines.to[k][l] = u(random) < 0.2f ? lines.from[k][l] : 0.01f + maximum * u(random);
       }
     }
     std::array<std::vector<double>, kLanes> shares;

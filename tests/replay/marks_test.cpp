@@ -84,7 +84,7 @@ TEST_F(MarkedPrograms, AreReadBackAndPassInEveryDialect) {
         wanted.emplace_back(said.sets, plan::markCode(said.signal, said.on));
       EXPECT_EQ(marks, wanted);
       const Verification v = verify(read);
-      EXPECT_TRUE(v.passed) << told(v);
+      EXPECT_TRUE(v.passed) << findingsText(v);
     }
 }
 
@@ -159,7 +159,7 @@ TEST_F(MarkedPrograms, EveryEditIsRefused) {
       EXPECT_TRUE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
         return f.kind == plan::FindingKind::StatementMissing ||
                f.kind == plan::FindingKind::StatementChanged;
-      })) << told(v);
+      })) << findingsText(v);
     }
 }
 
@@ -195,7 +195,7 @@ TEST_F(MarkedPrograms, ThreeChannelsPassInEveryDialect) {
     EXPECT_TRUE(read.defects.empty())
         << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
     const Verification v = verify(read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     // Statements of different channels, with each other's signals.
     const std::vector<std::size_t> marks = marksIn(read);
     const auto signalOf = [&](std::size_t m) {
@@ -358,8 +358,8 @@ TEST(AnyStart, EveryStateOfTwoMachinesIsTried) {
   EXPECT_EQ(states.size(), 16u);
   EXPECT_EQ(*delays.begin(), -600.0);
   EXPECT_EQ(*delays.rbegin(), 600.0);
-  for (std::size_t machines = 3; machines <= plan::kMostMachines; ++machines)
-    EXPECT_GE(startsOf(machines).size(), kMostStates * machines);
+  for (std::size_t machines = 3; machines <= plan::kMaxMachines; ++machines)
+    EXPECT_GE(startsOf(machines).size(), kMaxStates * machines);
 }
 
 TEST(AnyStart, OfWholeProgramsIsSafe) {

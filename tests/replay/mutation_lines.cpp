@@ -4,7 +4,7 @@
 
 namespace voluta::test {
 
-std::vector<std::string> linesAmid(const std::string& format) {
+std::vector<std::string> linesDuringPrint(const std::string& format) {
   static const std::map<std::string, std::vector<std::string>> kTable = {
       {"urscript",
        {"  sleep(600)",

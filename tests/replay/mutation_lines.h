@@ -6,6 +6,6 @@
 
 namespace voluta::test {
 
-std::vector<std::string> linesAmid(const std::string& format);
+std::vector<std::string> linesDuringPrint(const std::string& format);
 
 } // namespace voluta::test

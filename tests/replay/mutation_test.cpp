@@ -30,7 +30,7 @@ protected:
         GetParam(), {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
     read_ = test::read(whole_, s.process);
     const Verification sound = verify(whole_);
-    ASSERT_TRUE(sound.passed) << told(sound);
+    ASSERT_TRUE(sound.passed) << findingsText(sound);
   }
   test::Subject subject() const { return {whole_, read_, scene().process}; }
 
@@ -97,8 +97,8 @@ TEST_P(Mutants, HarmIsFoundAtItsLine) {
       const bool here = named(v, *line, now);
       found += here ? 1 : 0;
       if (!here)
-        missed += mutation.kind + " (line " + std::to_string(*line) +
-                  "): " + (v.passed ? "passed\n" : "elsewhere: " + told(v).substr(0, 160) + "\n");
+        missed += mutation.kind + " (line " + std::to_string(*line) + "): " +
+                  (v.passed ? "passed\n" : "elsewhere: " + findingsText(v).substr(0, 160) + "\n");
     }
     kinds += applied > 0 ? 1 : 0;
     tried += applied;
@@ -115,7 +115,7 @@ TEST_P(Mutants, HarmlessEditsRaiseNoAlarm) {
   std::mt19937_64 random(81);
   const std::vector<test::Mutation> all = test::harmlessMutations(GetParam());
   int alarms = 0, applied = 0;
-  std::string told;
+  std::string reported;
   for (int i = 0; applied < edits && i < 3 * edits; ++i) {
     const test::Mutation& mutation = all[static_cast<std::size_t>(i) % all.size()];
     test::Subject s = subject();
@@ -127,10 +127,10 @@ TEST_P(Mutants, HarmlessEditsRaiseNoAlarm) {
     if (v.passed && v.findings.empty())
       continue;
     if (++alarms < 5)
-      told += mutation.kind + ": " + s.text.lines[*line - 1] + "\n" + replay::told(v);
+      reported += mutation.kind + ": " + s.text.lines[*line - 1] + "\n" + replay::findingsText(v);
   }
   EXPECT_EQ(applied, edits);
-  EXPECT_EQ(alarms, 0) << told;
+  EXPECT_EQ(alarms, 0) << reported;
 }
 
 std::vector<std::string> dialectIds() {

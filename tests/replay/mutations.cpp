@@ -229,7 +229,7 @@ void targets(std::vector<Mutation>& all, std::size_t numbers) {
 }
 
 void words(std::vector<Mutation>& all, const std::string& format) {
-  for (const std::string& line : linesAmid(format))
+  for (const std::string& line : linesDuringPrint(format))
     all.push_back(inserted(line));
   if (format == "urscript") {
     all.push_back(replaced("time ten times", ",t=([0-9])", ",t=9$1"));
@@ -373,9 +373,9 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(erased("the prime is missing", ",-0\\.2,", true));
     all.push_back(replaced("ten times the prime", ",-0\\.2,", ",-2,", true));
     if (turns) {
-      const std::string turn = "^((?:[^,]*,){7})";
-      all.push_back(replaced("no turn", turn + "[0-9.]+", "$010"));
-      all.push_back(replaced("a turn back", turn, "$01-"));
+      const std::string rotation = "^((?:[^,]*,){7})";
+      all.push_back(replaced("no turn", rotation + "[0-9.]+", "$010"));
+      all.push_back(replaced("a turn back", rotation, "$01-"));
       all.push_back(erased("the nozzle is missing", "^nozzle", true));
       all.push_back(erased("the load is missing", "^load", true));
       all.push_back(replaced("load of 20 kg", "^load,[0-9.]+", "load,20", true));

@@ -41,7 +41,7 @@ protected:
     parts_.assign(files.begin(), files.end());
     ASSERT_GE(parts_.size(), 4u);
     const Verification sound = verify(whole_.files);
-    ASSERT_TRUE(sound.passed) << told(sound);
+    ASSERT_TRUE(sound.passed) << findingsText(sound);
   }
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
@@ -63,7 +63,7 @@ protected:
                      std::vector<std::size_t> places) const {
     const Verification v = verify(files);
     EXPECT_FALSE(v.passed) << kind;
-    EXPECT_TRUE(named(v, places)) << kind << "\n" << told(v).substr(0, 400);
+    EXPECT_TRUE(named(v, places)) << kind << "\n" << findingsText(v).substr(0, 400);
   }
 
   plan::Program whole_;

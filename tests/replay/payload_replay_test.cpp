@@ -45,13 +45,13 @@ TEST_F(Payload, IsNeededWhereALanguageStatesIt) {
     const test::ProgramText whole = textFor(std::string(dialect.id));
     const plan::ReadProgram program = read(whole);
     ASSERT_TRUE(program.load);
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
     test::ProgramText lost = whole;
     lost.lines.erase(lost.lines.begin() + static_cast<std::ptrdiff_t>(program.load->line) - 1);
     const Verification v = verify(lost);
     EXPECT_FALSE(v.passed);
     // In RAPID and TMscript the line states the tool as well.
-    EXPECT_TRUE(isAt(v, program.motions.front().line - 1)) << told(v);
+    EXPECT_TRUE(isAt(v, program.motions.front().line - 1)) << findingsText(v);
   }
   EXPECT_EQ(formats, 5u);
   test::ProgramText light = textFor("tmscript"); // the tool alone
@@ -74,7 +74,7 @@ TEST_F(Payload, IsNeededInEachFileForAPort) {
                           process::Tooling(scene_.process), scene_.part, scene_.platform},
                          ReplayThresholds{}, {});
   };
-  EXPECT_TRUE(verified(files).passed) << told(verified(files));
+  EXPECT_TRUE(verified(files).passed) << findingsText(verified(files));
   for (const std::string statement : {"set_payload(", "set_analog_outputdomain("})
     for (const std::size_t file : {std::size_t{1}, files.size() - 1}) {
       std::vector<plan::ProgramFile> lost = files;
@@ -84,7 +84,7 @@ TEST_F(Payload, IsNeededInEachFileForAPort) {
       EXPECT_FALSE(v.passed) << statement << file;
       EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
         return place.file == file + 1;
-      })) << told(v);
+      })) << findingsText(v);
     }
 }
 
@@ -111,7 +111,7 @@ TEST_F(Payload, HasItsCentreWhereItIsPlanned) {
       *line = std::regex_replace(*line, z, by);
       const Verification v = verify(text);
       EXPECT_EQ(v.passed, passes) << *line;
-      EXPECT_TRUE(isAt(v, program.load->line)) << told(v);
+      EXPECT_TRUE(isAt(v, program.load->line)) << findingsText(v);
     }
   }
 }

@@ -56,7 +56,7 @@ protected:
 
 TEST_F(PlannedEvents, AreFoundWhereTheyWerePlanned) {
   const Verification v = verify();
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
 }
 
 TEST_F(PlannedEvents, AMissingOneIsFound) {
@@ -65,7 +65,7 @@ TEST_F(PlannedEvents, AMissingOneIsFound) {
   EXPECT_FALSE(v.passed);
   EXPECT_TRUE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::StatementMissing;
-  })) << told(v);
+  })) << findingsText(v);
 }
 
 TEST_F(PlannedEvents, AnAddedOneIsFoundAtItsLine) {
@@ -74,14 +74,14 @@ TEST_F(PlannedEvents, AnAddedOneIsFoundAtItsLine) {
   text_.lines.insert(text_.lines.begin() + static_cast<std::ptrdiff_t>(pause_) + 2, line);
   const Verification v = verify();
   EXPECT_FALSE(v.passed);
-  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, pause_ + 3)) << told(v);
+  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, pause_ + 3)) << findingsText(v);
 }
 
 TEST_F(PlannedEvents, ATrajectoryWithoutEventsTakesNoPause) {
   scene_.trajectory.events.clear();
   const Verification v = verify();
   EXPECT_FALSE(v.passed);
-  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, pause_ + 1)) << told(v);
+  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, pause_ + 1)) << findingsText(v);
 }
 
 // Before the first motion, only the last selection counts.
@@ -101,8 +101,8 @@ TEST_F(PlannedEvents, AToolSelectedAtTheStartIsFound) {
   };
   const Verification v = replayed({1});
   EXPECT_FALSE(v.passed);
-  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, 7)) << told(v);
-  EXPECT_TRUE(replayed({0}).passed) << told(replayed({0}));
+  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, 7)) << findingsText(v);
+  EXPECT_TRUE(replayed({0}).passed) << findingsText(replayed({0}));
   EXPECT_TRUE(replayed({1, 0}).passed);
 }
 
@@ -166,8 +166,8 @@ protected:
 
 TEST_F(PlannedCuts, AreFoundAndTapeIsCountedApart) {
   const Verification v = verify(textOf("urscript"));
-  EXPECT_EQ(events(v), 0u) << told(v);
-  EXPECT_EQ(v.deviations, 0u) << told(v);
+  EXPECT_EQ(events(v), 0u) << findingsText(v);
+  EXPECT_EQ(v.deviations, 0u) << findingsText(v);
   EXPECT_NEAR(v.tapeMm3, planned_, 0.002 * planned_);
   EXPECT_EQ(v.supportMm3, 0.0);
 }

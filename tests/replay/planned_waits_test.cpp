@@ -44,7 +44,7 @@ protected:
         program::writeProgram(dialect.id, {scene_.plan, scene_.trajectory, scene_.cell,
                                            process::Tooling(scene_.process), "box"}));
   }
-  Verification verify(const plan::ReadProgram& program, double leastS = 0.0) const {
+  Verification verify(const plan::ReadProgram& program, double minS = 0.0) const {
     ReplayInput input{program,
                       scene_.plan,
                       scene_.trajectory,
@@ -52,11 +52,11 @@ protected:
                       process::Tooling(scene_.process),
                       scene_.part,
                       scene_.platform};
-    input.layerTimes.leastS = leastS;
+    input.layerTimes.minS = minS;
     return replayProgram(std::move(input), ReplayThresholds{}, {});
   }
-  Verification verify(const test::ProgramText& text, double leastS = 0.0) const {
-    return verify(test::read(text, scene_.process), leastS);
+  Verification verify(const test::ProgramText& text, double minS = 0.0) const {
+    return verify(test::read(text, scene_.process), minS);
   }
 
   test::Scene scene_ = test::boxScene();
@@ -84,11 +84,11 @@ TEST_F(PlannedWaits, AreReadBackByEveryDialect) {
 TEST_F(PlannedWaits, TheClockCountsThem) {
   const test::ProgramText text = textFor(program::findDialect("urscript"));
   const Verification v = verify(text, kWaitS);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_GE(v.layerTimes.shortestS, kWaitS);
   EXPECT_FALSE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::CoolingTime;
-  })) << told(v);
+  })) << findingsText(v);
   plan::ReadProgram read = test::read(text, scene_.process);
   double waits = 0.0;
   std::erase_if(read.pauses, [&](const plan::ProgramPause& p) {
@@ -101,7 +101,7 @@ TEST_F(PlannedWaits, TheClockCountsThem) {
   EXPECT_LT(hasty.layerTimes.shortestS, kWaitS);
   EXPECT_TRUE(std::ranges::any_of(hasty.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::CoolingTime;
-  })) << told(hasty);
+  })) << findingsText(hasty);
 }
 
 TEST_F(PlannedWaits, OldNeighboursGiveAFinding) {
@@ -112,12 +112,12 @@ TEST_F(PlannedWaits, OldNeighboursGiveAFinding) {
                     process::Tooling(scene_.process),
                     scene_.part,
                     scene_.platform};
-  input.layerTimes.greatestS = kWaitS;
+  input.layerTimes.maxS = kWaitS;
   const Verification v = replayProgram(std::move(input), ReplayThresholds{}, {});
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_TRUE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
     return f.kind == plan::FindingKind::BondTime && !f.blocking && f.where;
-  })) << told(v);
+  })) << findingsText(v);
 }
 
 // Forty edits: a wait deleted, shortened, lengthened or doubled, in a dialect chosen at random.
@@ -152,7 +152,7 @@ TEST_F(PlannedWaits, EveryEditIsRefused) {
     EXPECT_TRUE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
       return f.kind == plan::FindingKind::StatementMissing ||
              f.kind == plan::FindingKind::StatementChanged;
-    })) << told(v);
+    })) << findingsText(v);
   }
 }
 

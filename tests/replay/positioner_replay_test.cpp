@@ -65,7 +65,7 @@ plan::ReadProgram programOf(const test::Scene& s, const std::string& format) {
 TEST(Positioner, ABoxPrintedOnAMovingPlatePasses) {
   for (const char* format : {"rapid", "csv"}) {
     const Verification v = replayed(scene(), programOf(scene(), format));
-    EXPECT_TRUE(v.passed) << format << told(v);
+    EXPECT_TRUE(v.passed) << format << findingsText(v);
     EXPECT_TRUE(v.armChecked) << format;
     EXPECT_LE(v.maxDeviationMm, 0.02) << format;
     EXPECT_EQ(v.collisions, 0u) << format;
@@ -99,7 +99,7 @@ TEST(Positioner, AnAxisElsewhereIsFound) {
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
       return plan::reportId(f) == "externalAxisMoved";
-    })) << told(v);
+    })) << findingsText(v);
   }
 }
 
@@ -117,7 +117,7 @@ TEST(Positioner, APlateThatTiltsIntoTheArmIsFound) {
   t.extrudedMm3.push_back(t.extrudedMm3.back());
   const Verification v = replayed(s, programOf(s, "csv"));
   EXPECT_FALSE(v.passed);
-  EXPECT_GE(v.collisions, 1u) << told(v);
+  EXPECT_GE(v.collisions, 1u) << findingsText(v);
 }
 
 } // namespace

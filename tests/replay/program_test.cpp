@@ -69,7 +69,7 @@ protected:
     EXPECT_TRUE(std::any_of(v.places.begin(), v.places.end(),
                             [&](TextPlace p) { return p.line + 1 >= line && p.line <= line + 1; }))
         << "line " << line << "\n"
-        << told(v);
+        << findingsText(v);
   }
   // Streams of joints write some travels in pieces.
   static std::size_t motionTo(std::size_t point, const plan::ReadProgram& program) {
@@ -103,8 +103,8 @@ protected:
 TEST_P(EachDialect, TheUndamagedProgramPasses) {
   const test::ProgramText text = textOf(GetParam());
   const Verification v = verify(text);
-  EXPECT_TRUE(v.passed) << told(v);
-  EXPECT_TRUE(v.findings.empty()) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
+  EXPECT_TRUE(v.findings.empty()) << findingsText(v);
   EXPECT_GE(v.coveredFraction, 0.98);
   EXPECT_NEAR(v.massRatio, 1.0, 0.01); // ramps from and to rest take their time
   EXPECT_LT(v.maxDeviationMm, 0.03);
@@ -176,7 +176,7 @@ TEST_P(EachDialect, ThreadsDoNotMatter) {
   const test::ProgramText text = textOf(GetParam());
   const Verification a = verify(text);
   const Verification b = verify(text, base::RunContext({}, 2));
-  EXPECT_EQ(told(a), told(b));
+  EXPECT_EQ(findingsText(a), findingsText(b));
   EXPECT_EQ(a.coveredFraction, b.coveredFraction);
   EXPECT_EQ(a.maxDeviationMm, b.maxDeviationMm);
 }
@@ -209,11 +209,11 @@ TEST(Replay, AHeadDrivenIntoThePrintCollides) {
   test::addPath(s.plan, {{0, 0, 0.9}, {2, 0, 0.9}}, 1.2, 0.8, 20, 9);
   s.trajectory = test::walk(s.plan, s.cell, s.process, 6.0);
   const Verification v = replayPlan(s);
-  EXPECT_GE(v.collisions, 1u) << told(v);
+  EXPECT_GE(v.collisions, 1u) << findingsText(v);
   const auto it = std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
     return voluta::plan::englishReason(f).find("head and printed part") != std::string::npos;
   });
-  ASSERT_NE(it, v.findings.end()) << told(v);
+  ASSERT_NE(it, v.findings.end()) << findingsText(v);
   ASSERT_TRUE(it->where.has_value());
   EXPECT_LT((*it->where - Eigen::Vector3d(0, 0, 2)).norm(), 4.0);
 }
@@ -226,7 +226,7 @@ TEST(Replay, ATipBelowThePlateCollides) {
   EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
     return voluta::plan::reportId(f) == "collision" &&
            voluta::plan::englishReason(f).find("platform") != std::string::npos;
-  })) << told(v);
+  })) << findingsText(v);
 }
 
 TEST(Replay, TooFastAJointIsALimitViolation) {
@@ -250,7 +250,7 @@ TEST(Replay, AnotherConfigurationIsFound) {
   const Verification v = replayProgram(
       {read, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
       ReplayThresholds{}, base::RunContext());
-  EXPECT_TRUE(hasKind(v, "otherConfiguration")) << told(v);
+  EXPECT_TRUE(hasKind(v, "otherConfiguration")) << findingsText(v);
   EXPECT_FALSE(v.passed);
 }
 
@@ -319,7 +319,7 @@ protected:
 TEST_P(ThinLayers, ASolidBoxPasses) {
   const process::Process p = thinProcess();
   const Verification v = replayPlan(boxOf(p, 0.0));
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_LT(v.unsupportedFraction, 0.001);
   EXPECT_LE(v.pitchMm, 0.5 * p.layerHeightMm);
 }
@@ -336,7 +336,7 @@ TEST_P(ThinLayers, ALayerThatFloatsIsFound) {
   const process::Process p = thinProcess();
   const Verification v = replayPlan(boxOf(p, p.layerHeightMm));
   EXPECT_FALSE(v.passed);
-  EXPECT_TRUE(hasKind(v, "unsupported")) << told(v);
+  EXPECT_TRUE(hasKind(v, "unsupported")) << findingsText(v);
   EXPECT_NEAR(v.unsupportedFraction, p.layerHeightMm / kTall, 1e-3);
 }
 
@@ -358,7 +358,7 @@ TEST(Replay, AProgramWithoutMotionsIsOneFindingThatCountsThePoints) {
   EXPECT_FALSE(v.passed);
   const auto found =
       std::ranges::find(v.findings, plan::FindingKind::NoMotions, &plan::Finding::kind);
-  ASSERT_NE(found, v.findings.end()) << told(v);
+  ASSERT_NE(found, v.findings.end()) << findingsText(v);
   EXPECT_EQ(found->count, s.trajectory.pointCount());
   const TextPlace place = v.places[static_cast<std::size_t>(found - v.findings.begin())];
   EXPECT_EQ(place.file, 0u);

@@ -62,12 +62,12 @@ TEST_F(PurgeDrops, APrimeAbovePartIsRefused) {
   for (const char* format : {"urscript", "gcode-extended", "krl"}) {
     SCOPED_TRACE(format);
     const Verification beside = verify(read(test::textOf(programFor(format))));
-    EXPECT_TRUE(beside.passed) << told(beside);
+    EXPECT_TRUE(beside.passed) << findingsText(beside);
     EXPECT_EQ(count(beside, plan::FindingKind::PurgeOnPart), 0u);
     // The same on a large plate.
     const platform::PlatformSolid small = std::exchange(scene_.platform, test::squarePlatform(200));
     const Verification onPlate = verify(read(test::textOf(programFor(format))));
-    EXPECT_TRUE(onPlate.passed) << told(onPlate);
+    EXPECT_TRUE(onPlate.passed) << findingsText(onPlate);
     EXPECT_EQ(count(onPlate, plan::FindingKind::PurgeOnPlate), 1u);
     scene_.platform = small;
   }
@@ -79,7 +79,7 @@ TEST_F(PurgeDrops, APrimeAbovePartIsRefused) {
     const plan::ReadProgram program = read(test::textOf(programFor(format)));
     const Verification v = verify(program);
     EXPECT_FALSE(v.passed);
-    ASSERT_EQ(count(v, plan::FindingKind::PurgeOnPart), 1u) << told(v);
+    ASSERT_EQ(count(v, plan::FindingKind::PurgeOnPart), 1u) << findingsText(v);
     const auto at =
         std::ranges::find(v.findings, plan::FindingKind::PurgeOnPart, &plan::Finding::kind);
     const auto prime = std::ranges::find_if(
@@ -93,10 +93,10 @@ TEST_F(PurgeDrops, APlannedPurgeAbovePartIsRefused) {
       {.point = travel(), .kind = plan::EventKind::Purge, .seconds = 4.0, .volumeMm3 = 50.0}};
   const Verification above = verify(read(test::textOf(programFor("urscript"))));
   EXPECT_FALSE(above.passed);
-  EXPECT_EQ(count(above, plan::FindingKind::PurgeOnPart), 1u) << told(above);
-  test::moveAside(scene_.trajectory, scene_.cell, travel() - 1);
+  EXPECT_EQ(count(above, plan::FindingKind::PurgeOnPart), 1u) << findingsText(above);
+  test::moveSideways(scene_.trajectory, scene_.cell, travel() - 1);
   const Verification beside = verify(read(test::textOf(programFor("urscript"))));
-  EXPECT_EQ(count(beside, plan::FindingKind::PurgeOnPart), 0u) << told(beside);
+  EXPECT_EQ(count(beside, plan::FindingKind::PurgeOnPart), 0u) << findingsText(beside);
 }
 
 // A purge before the first bead replaces the prime, in every dialect that can state one.
@@ -111,7 +111,7 @@ TEST_F(PurgeDrops, PurgeReplacesThePrime) {
       continue;
     SCOPED_TRACE(dialect.id);
     const Verification v = verify(read(test::textOf(programFor(dialect.id))));
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
   }
 }
 

@@ -79,7 +79,7 @@ inline plan::ToolPlan boxPlan(double side, int lines, int layers, const process:
 inline double clearance(const robot::Cell& cell, const robot::JointVector& q) {
   std::vector<Eigen::Isometry3d> frames;
   cell.framePoses(q, frames);
-  double least = 1e9;
+  double minimum = 1e9;
   for (const auto& [a, b] : cell.checkedPairs()) {
     const robot::Body &x = cell.bodies()[static_cast<std::size_t>(a)],
                       &y = cell.bodies()[static_cast<std::size_t>(b)];
@@ -87,11 +87,11 @@ inline double clearance(const robot::Cell& cell, const robot::JointVector& q) {
     for (const robot::Shape& s : x.shapes)
       for (const robot::Shape& t : y.shapes)
         if (!nozzleOnPlate)
-          least = std::min(least,
-                           replay::distanceBetween(s, frames[static_cast<std::size_t>(x.frame)], t,
-                                                   frames[static_cast<std::size_t>(y.frame)]));
+          minimum = std::min(minimum,
+                             replay::distanceBetween(s, frames[static_cast<std::size_t>(x.frame)],
+                                                     t, frames[static_cast<std::size_t>(y.frame)]));
   }
-  return least;
+  return minimum;
 }
 
 // The cell's axes with a rod turned so that `direction` is up, at a whole number of its steps, the
@@ -100,34 +100,34 @@ inline robot::JointVector turnedUp(const robot::Cell& cell, const Eigen::Vector3
                                    robot::JointVector q) {
   if (!cell.rod())
     return q;
-  const double turn = 2.0 * base::kPi, step = cell.externalAxes().front().step;
+  const double rotation = 2.0 * base::kPi, step = cell.externalAxes().front().step;
   double& angle = q[cell.armDof()];
   const double up = std::atan2(direction.y(), direction.z());
-  angle = step * std::round((up + turn * std::round((angle - up) / turn)) / step);
+  angle = step * std::round((up + rotation * std::round((angle - up) / rotation)) / step);
   return q;
 }
 
 // A level shift of the nozzle on the part.
-inline Eigen::Vector3d aside(const Eigen::Vector3d& direction, double mm) {
+inline Eigen::Vector3d lateralOffset(const Eigen::Vector3d& direction, double mm) {
   return mm * direction.cross(Eigen::Vector3d::UnitX()).normalized();
 }
 // The same from the first waypoint, so far that drops fall beside the print.
 inline Eigen::Vector3d besidePrint(const plan::ToolPlan& plan) {
   constexpr double kSpareMm = 15.0;
-  const Eigen::Vector3d way = aside(plan.direction.front(), 1.0);
+  const Eigen::Vector3d offset = lateralOffset(plan.direction.front(), 1.0);
   double mm = 0.0;
   for (const Eigen::Vector3d& p : plan.position)
-    mm = std::max(mm, (p - plan.position.front()).dot(way));
-  return (mm + kSpareMm) * way;
+    mm = std::max(mm, (p - plan.position.front()).dot(offset));
+  return (mm + kSpareMm) * offset;
 }
 
 // Shifts the nozzle aside at a point; the motions there and from there take a second longer.
-inline void moveAside(plan::Trajectory& t, const robot::Cell& cell, std::size_t point) {
+inline void moveSideways(plan::Trajectory& t, const robot::Cell& cell, std::size_t point) {
   Eigen::Map<robot::JointVector> q(t.joints.data() + point * static_cast<std::size_t>(t.dof),
                                    t.dof);
   Eigen::Isometry3d pose = cell.work_T_tool(q);
-  constexpr double kAsideMm = 30.0; // beside a small print
-  pose.translation() += aside(-pose.linear().col(2), kAsideMm);
+  constexpr double kOffsetMm = 30.0; // beside a small print
+  pose.translation() += lateralOffset(-pose.linear().col(2), kOffsetMm);
   std::vector<robot::JointVector> solutions;
   cell.inverse(pose, q, solutions);
   base::require(!solutions.empty(), "scene: in reach");
@@ -151,15 +151,15 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
   double time = 0.0, extruded = 0.0;
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
   const auto poseAt = [](const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
-                         double turn) {
+                         double rotation) {
     Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
     const Eigen::Vector3d x = (Eigen::Vector3d::UnitX() - direction.x() * direction).normalized();
     work_T_tool.linear() << x, (-direction).cross(x), -direction;
     work_T_tool.translation() = tip;
-    work_T_tool.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    work_T_tool.rotate(Eigen::AngleAxisd(rotation, Eigen::Vector3d::UnitZ()));
     return work_T_tool;
   };
-  double turn = 0.0, best = -1.0;
+  double rotation = 0.0, best = -1.0;
   for (int k = 0; k < 12; ++k) {
     solutions.clear();
     cell.inverse(poseAt(plan.position.front(), plan.direction.front(), k * 0.5235987755982988),
@@ -167,14 +167,14 @@ inline plan::Trajectory walk(const plan::ToolPlan& plan, const robot::Cell& cell
     for (const robot::JointVector& s : solutions)
       if (const double c = clearance(cell, s); c > best) {
         best = c;
-        turn = k * 0.5235987755982988;
+        rotation = k * 0.5235987755982988;
         q = robot::JointVector(s);
       }
   }
   const auto put = [&](plan::MoveKind move, const Eigen::Vector3d& tip,
                        const Eigen::Vector3d& direction, std::size_t waypoint, double speed) {
     solutions.clear();
-    cell.inverse(poseAt(tip, direction, turn), turnedUp(cell, direction, q), solutions);
+    cell.inverse(poseAt(tip, direction, rotation), turnedUp(cell, direction, q), solutions);
     base::require(!solutions.empty(), "scene: in reach");
     const bool first = t.timeS.empty();
     const robot::JointVector* nearest = &solutions.front();

@@ -38,10 +38,10 @@ JudgedProgram inSteps(const KnownResults& known) {
 // Everything that judging `run` has found.
 KnownResults resultsOf(const JudgedRun& run) {
   const std::size_t motions = run.run.path.motionCount();
-  return {run.laid,
+  return {run.deposited,
           run.figures,
           run.beads,
-          firstPieceOfMotions(run.laid->pieces, motions),
+          firstPieceOfMotions(run.deposited->pieces, motions),
           std::vector<char>(motions, 1),
           std::vector<char>(motions, 1),
           run.head,
@@ -49,7 +49,7 @@ KnownResults resultsOf(const JudgedRun& run) {
 }
 
 void expectSame(const Verification& a, const Verification& b) {
-  EXPECT_EQ(told(a), told(b));
+  EXPECT_EQ(findingsText(a), findingsText(b));
   EXPECT_EQ(a.passed, b.passed);
   EXPECT_EQ(a.coveredFraction, b.coveredFraction);
   EXPECT_EQ(a.overfillFraction, b.overfillFraction);
@@ -62,14 +62,14 @@ void expectSame(const Verification& a, const Verification& b) {
 TEST(ReplaySteps, AreTheWholeReplayWithNothingKnown) {
   const JudgedProgram judged = inSteps({});
   expectSame(judged.verdict, replayProgram(input(), {}, {}));
-  EXPECT_TRUE(judged.verdict.passed) << told(judged.verdict);
+  EXPECT_TRUE(judged.verdict.passed) << findingsText(judged.verdict);
 }
 
 TEST(ReplaySteps, TakeKnownResultsAsTheyAre) {
   const JudgedProgram first = inSteps({});
   KnownResults known = resultsOf(first.run);
   const JudgedProgram second = inSteps(known);
-  EXPECT_EQ(second.run.laid, first.run.laid);
+  EXPECT_EQ(second.run.deposited, first.run.deposited);
   expectSame(second.verdict, first.verdict);
 
   Clash clash;

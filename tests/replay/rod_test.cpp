@@ -102,7 +102,7 @@ TEST(Rod, PosesInTheWorkFrameAndJointsAreTheSameMotion) {
 
 TEST(Rod, TheWindingPasses) {
   const Verification v = replayed(scene(), programOf(scene(), plan::TargetKind::WorkPose));
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_TRUE(v.armChecked);
   EXPECT_LE(v.maxDeviationMm, 1e-6);
   EXPECT_EQ(v.unsupportedFraction, 0.0);
@@ -116,7 +116,7 @@ TEST(Rod, AJointTablePasses) {
   EXPECT_NE(program.files[0].text.find("j7_deg"), std::string::npos);
   const Verification v =
       replayed(s, program::readProgram("csv", program.files, process::Tooling(s.process)));
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_TRUE(v.armChecked);
 }
 
@@ -143,7 +143,7 @@ TEST(Rod, RapidPasses) {
   std::size_t line = 0;
   const Verification v = replayedRapid(
       scene(), 5, [](std::string&) {}, line);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   EXPECT_TRUE(v.armChecked);
   EXPECT_LE(v.maxDeviationMm, 0.02); // rounding allowed to blends
 }
@@ -174,7 +174,7 @@ TEST(Rod, ATransferOfTheRodTakesItsTimeInEveryDialect) {
         program::readProgram(dialect.id, program.files, process::Tooling(s.process));
     ASSERT_TRUE(read.defects.empty()) << dialect.id;
     const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
-    const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+    const std::vector<double> seconds = controllerTimes(read, path, RotationLaw::Text);
     const double all = std::accumulate(seconds.begin(), seconds.end(), 0.0);
     EXPECT_NEAR(all, t.timeS.back(), 0.1 * t.timeS.back()) << dialect.id;
     ++tried;
@@ -201,7 +201,7 @@ TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
         std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& finding) {
           return voluta::plan::reportId(finding) == "externalAxisMoved";
         });
-    ASSERT_NE(found, v.findings.end()) << told(v);
+    ASSERT_NE(found, v.findings.end()) << findingsText(v);
     EXPECT_EQ(v.places[static_cast<std::size_t>(found - v.findings.begin())].line, line);
   }
 }
@@ -236,7 +236,7 @@ TEST(Rod, OneStepOffItsPlanIsFound) {
   program.motions[100].externals[0] += s.cell.externalAxes()[0].step;
   const Verification v = replayed(s, program);
   EXPECT_FALSE(v.passed);
-  ASSERT_EQ(v.deviations, 1u) << told(v);
+  ASSERT_EQ(v.deviations, 1u) << findingsText(v);
   EXPECT_EQ(voluta::plan::reportId(v.findings[0]), "externalAxisMoved");
   EXPECT_EQ(v.places[0].line, 101u);
 }
@@ -322,8 +322,8 @@ TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
     v.x() += 106.0;
   s.trajectory = test::walk(s.plan, s.cell, s.process);
   const Verification beside = replayed(s, programOf(s, plan::TargetKind::WorkPose));
-  EXPECT_TRUE(tells(beside, "collision", "head and")) << told(beside);
-  EXPECT_TRUE(tells(beside, "collision", "bearing and printed part")) << told(beside);
+  EXPECT_TRUE(tells(beside, "collision", "head and")) << findingsText(beside);
+  EXPECT_TRUE(tells(beside, "collision", "bearing and printed part")) << findingsText(beside);
 }
 
 TEST(Ground, RodSupportsPointsWithinIt) {
@@ -372,7 +372,7 @@ Verification replayedTable(const test::Scene& s) {
 TEST(Ground, ABodyCarriesBeads) {
   test::Scene s = onABlock();
   const Verification v = replayedTable(s);
-  EXPECT_TRUE(v.passed) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
   s.platform.mesh = nullptr;
   EXPECT_NEAR(replayedTable(s).unsupportedFraction, 0.5, 1e-6); // the first of two layers
   s = onABlock();
@@ -387,7 +387,7 @@ TEST(Ground, AHeadInABodyCollides) {
   test::addPath(s.plan, {{7.5, -7, 8.5}, {7.5, 7, 8.5}}, 1.2, 0.8, 20, 9);
   s.trajectory = test::walk(s.plan, s.cell, s.process, 12.0);
   const Verification v = replayedTable(s);
-  EXPECT_TRUE(tells(v, "collision", "head and platform")) << told(v);
+  EXPECT_TRUE(tells(v, "collision", "head and platform")) << findingsText(v);
 }
 
 } // namespace

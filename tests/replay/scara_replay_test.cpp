@@ -45,8 +45,8 @@ TEST_P(ScaraProgram, Passes) {
     ADD_FAILURE() << d.line << ": " << base::english(d.reason);
   ASSERT_GE(program.motions.size(), scene().trajectory.pointCount());
   const Verification v = verify(text);
-  EXPECT_TRUE(v.passed) << told(v);
-  EXPECT_TRUE(v.findings.empty()) << told(v);
+  EXPECT_TRUE(v.passed) << findingsText(v);
+  EXPECT_TRUE(v.findings.empty()) << findingsText(v);
   EXPECT_LT(v.maxDeviationMm, 0.03);
 }
 
@@ -64,8 +64,8 @@ std::size_t lineWith(const test::ProgramText& text, const std::string& word) {
   return 0;
 }
 
-std::string toldAfter(const std::string& format, const std::string& word,
-                      const std::function<std::string(const std::string&)>& damage) {
+std::string reportedAfter(const std::string& format, const std::string& word,
+                          const std::function<std::string(const std::string&)>& damage) {
   test::ProgramText text = textOf(format);
   const std::size_t i = lineWith(text, word);
   text.lines[i] = damage(text.lines[i]);
@@ -73,12 +73,12 @@ std::string toldAfter(const std::string& format, const std::string& word,
   EXPECT_FALSE(v.passed);
   EXPECT_TRUE(std::any_of(v.places.begin(), v.places.end(), [&](TextPlace p) {
     return p.line == i + 1 || p.line == i + 2;
-  })) << told(v);
-  return told(v);
+  })) << findingsText(v);
+  return findingsText(v);
 }
 
 TEST(ScaraReplay, TheOtherElbowIsFound) {
-  const std::string all = toldAfter("spel", "Move XY", [](std::string line) {
+  const std::string all = reportedAfter("spel", "Move XY", [](std::string line) {
     const std::size_t at =
         line.find(" /R") != std::string::npos ? line.find(" /R") : line.find(" /L");
     line[at + 2] = line[at + 2] == 'R' ? 'L' : 'R';
@@ -88,7 +88,7 @@ TEST(ScaraReplay, TheOtherElbowIsFound) {
 }
 
 TEST(ScaraReplay, ATurnOfJoint4IsNoOtherPath) {
-  const std::string all = toldAfter("spel", "Move XY", [](std::string line) {
+  const std::string all = reportedAfter("spel", "Move XY", [](std::string line) {
     const std::size_t end = line.find(')'), begin = line.rfind(',', end) + 1;
     const double u = std::stod(line.substr(begin, end - begin));
     return line.replace(begin, end - begin, std::to_string(u + 20.0));
@@ -109,7 +109,7 @@ TEST(ScaraReplay, SlideBeyondItsLimitIsGivenInMillimetres) {
   for (std::size_t k = 1; k < fields.size(); ++k)
     damaged += "," + fields[k];
   text.lines[i] = damaged;
-  const std::string all = told(verify(text));
+  const std::string all = findingsText(verify(text));
   EXPECT_NE(all.find("joint 3 at -152.5 mm, beyond its limit of -150.0"), std::string::npos) << all;
 }
 

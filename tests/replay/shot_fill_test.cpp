@@ -94,7 +94,7 @@ TEST(ShotFill, TheDepositorCountsIt) {
   const BeadPiece shot = shotOf(40.0, 3.0);
   const BeadGrid beads = depositBeads(gridOver({-9, -9, -3}, {9, 9, 1}, kPitch, 1'000'000), {shot},
                                       DepositOptions{}, base::RunContext());
-  EXPECT_NEAR(beads.laidMm3, 40.0, 1e-4);
+  EXPECT_NEAR(beads.depositedMm3, 40.0, 1e-4);
   EXPECT_NEAR(volumeOf(beads) + beads.excessMm3, 40.0, 1e-2);
   EXPECT_FLOAT_EQ(beads.pieceExcessMm3.at(0), static_cast<float>(beads.excessMm3));
 }

@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Cells, Slide, testing::Values("kr10-r1100-slide", "kr10
 TEST_P(Slide, ABoxPrintedOnItPasses) {
   for (const char* format : {"krl", "rapid", "csv"}) {
     const Verification v = replayed(programOf(format));
-    EXPECT_TRUE(v.passed) << format << told(v);
+    EXPECT_TRUE(v.passed) << format << findingsText(v);
     EXPECT_TRUE(v.armChecked) << format;
     EXPECT_LE(v.maxDeviationMm, 0.02) << format;
     EXPECT_EQ(v.collisions, 0u) << format;
@@ -90,14 +90,14 @@ TEST_P(Slide, PositionEqualsTheTextInMm) {
   for (const char* format : {"krl", "rapid", "csv"}) {
     const ExecutedPath path = executeProgram(programOf(format), slid().cell, base::RunContext());
     EXPECT_TRUE(path.violations.empty()) << format;
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t m = 0; m < path.motionCount(); ++m)
-      most = std::max(most, path.jointsAt(m)[6]);
-    EXPECT_NEAR(most, kFarMm, 0.5) << format;
+      maximum = std::max(maximum, path.jointsAt(m)[6]);
+    EXPECT_NEAR(maximum, kFarMm, 0.5) << format;
   }
 }
 
-TEST_P(Slide, AMillimetreAsideIsFound) {
+TEST_P(Slide, AnOffsetOfAMillimetreIsFound) {
   for (const char* format : {"krl", "rapid"}) {
     plan::ReadProgram program = programOf(format);
     program.motions.at(60).externals.at(0) += base::degreesToRadians(1.0); // as texts have mm
@@ -106,7 +106,7 @@ TEST_P(Slide, AMillimetreAsideIsFound) {
     EXPECT_TRUE(std::any_of(
         v.findings.begin(), v.findings.end(),
         [](const plan::Finding& f) { return plan::reportId(f) == "externalAxisMoved"; }))
-        << format << told(v);
+        << format << findingsText(v);
   }
 }
 

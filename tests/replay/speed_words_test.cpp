@@ -24,7 +24,7 @@ protected:
     for (int beads = 0; beads < 4; ++point)
       beads += t.move[point] != plan::MoveKind::Print && t.move[point + 1] == plan::MoveKind::Print;
     point -= 1;
-    test::moveAside(t, scene_.cell, point - 1);
+    test::moveSideways(t, scene_.cell, point - 1);
     t.events = {
         {.point = point, .kind = plan::EventKind::Purge, .seconds = 2.0, .volumeMm3 = 20.0}};
   }
@@ -49,7 +49,7 @@ TEST_F(SpeedWords, AreComparedWithThePlan) {
         test::textOf(program::writeProgram(format, {scene_.plan, scene_.trajectory, scene_.cell,
                                                     process::Tooling(scene_.process), "box"}));
     const plan::ReadProgram read = test::read(whole, scene_.process);
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
     const std::regex expression(word);
     std::size_t words = 0, wipes = 0;
     for (std::size_t l = read.motions.front().line; l <= whole.lines.size(); ++l) {
@@ -76,7 +76,7 @@ TEST_F(SpeedWords, AreComparedWithThePlan) {
         EXPECT_FALSE(v.passed);
         EXPECT_TRUE(std::ranges::any_of(v.places, [&](const TextPlace& place) {
           return place.line >= l && place.line <= motion->line;
-        })) << told(v);
+        })) << findingsText(v);
       }
       // One motion later the first one would go at the speed before it.
       test::ProgramText late = whole;

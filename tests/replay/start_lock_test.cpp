@@ -49,7 +49,7 @@ protected:
     EXPECT_TRUE(
         std::ranges::any_of(v.places, [&](const TextPlace& place) { return place.line == line; }))
         << "nothing is told at line " << line << "\n"
-        << told(v);
+        << findingsText(v);
   }
 };
 
@@ -60,7 +60,7 @@ TEST_F(StartLock, IsBehindTheQuestionAndBeforeTheFirstMotion) {
     const auto stop = std::ranges::find(whole.facts, FactKind::OperatorStop, &StatedFact::kind);
     ASSERT_NE(stop, whole.facts.end());
     EXPECT_LT(stop->line, whole.facts[lock].line);
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
     if (whole.format == "tmscript")
       return; // its waits are points of a motion
     ASSERT_FALSE(whole.pauses.empty());
@@ -136,7 +136,7 @@ TEST_F(StartLock, IsInEachFile) {
       const auto files = program::writeProgram(format, input).files;
       const plan::ReadProgram whole = program::readProgram(format, files, tooling_);
       EXPECT_TRUE(whole.defects.empty());
-      EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+      EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
       std::size_t locks = 0;
       for (std::size_t f = 0; f < whole.facts.size(); ++f) {
         const StatedFact& fact = whole.facts[f];

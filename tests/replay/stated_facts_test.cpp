@@ -51,7 +51,7 @@ void expectRefused(const Verification& v, const std::string& word, std::size_t l
   bool here = false;
   for (std::size_t i = 0; i < v.findings.size(); ++i)
     here = here || (voluta::plan::reportId(v.findings[i]) == word && v.places[i].line == line);
-  EXPECT_TRUE(here) << word << " at line " << line << "\n" << told(v);
+  EXPECT_TRUE(here) << word << " at line " << line << "\n" << findingsText(v);
 }
 
 TEST(StatedFacts, AUnitOfAnotherNameIsFound) {
@@ -65,7 +65,7 @@ TEST(StatedFacts, AUnitOfAnotherNameIsFound) {
     SCOPED_TRACE(c.by);
     test::ProgramText text = write(s, c.format);
     // KRL's ramps cost it the flow of these short rings; its text is the plan's.
-    ASSERT_EQ(verify(s, text).deviations, 0U) << told(verify(s, text));
+    ASSERT_EQ(verify(s, text).deviations, 0U) << findingsText(verify(s, text));
     ASSERT_GT(replace(text, c.pattern, c.by), 0U);
     std::size_t line = 0;
     for (std::size_t i = 0; i < text.lines.size() && line == 0; ++i)
@@ -91,14 +91,14 @@ TEST(StatedFacts, AnOutputWithoutItsTriggerIsFound) {
   const test::Scene s = changingFlow();
   for (const bool all : {false, true}) {
     test::ProgramText rapid = write(s, "rapid");
-    ASSERT_TRUE(verify(s, rapid).passed) << told(verify(s, rapid));
+    ASSERT_TRUE(verify(s, rapid).passed) << findingsText(verify(s, rapid));
     const std::size_t at = replace(rapid, "TriggEquip tFlow,0\\\\Start,0\\\\AOp:=aoFlow,([0-9.]+);",
                                    "SetAO aoFlow,$1;", all);
     replace(rapid, "TriggL (.*),tFlow,", "MoveL $1,", all);
     expectRefused(verify(s, rapid), "outputPasses", at);
 
     test::ProgramText krl = write(s, "krl");
-    ASSERT_TRUE(verify(s, krl).passed) << told(verify(s, krl));
+    ASSERT_TRUE(verify(s, krl).passed) << findingsText(verify(s, krl));
     const std::size_t line = replace(krl, "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "", all);
     expectRefused(verify(s, krl), "outputPasses", line);
   }
@@ -109,7 +109,7 @@ TEST(StatedFacts, AnExtruderByTextsHasToBeHeated) {
   for (const char* format : {"urscript", "spel"}) {
     SCOPED_TRACE(format);
     test::ProgramText text = write(s, format, program::kCastelliExtruder);
-    ASSERT_TRUE(verify(s, text).passed) << told(verify(s, text));
+    ASSERT_TRUE(verify(s, text).passed) << findingsText(verify(s, text));
     test::ProgramText cold = text;
     const std::size_t heat = replace(cold, "M210n", "M0n");
     expectRefused(verify(s, cold), "statementChanged", heat);
@@ -123,7 +123,7 @@ TEST(StatedFacts, FlagsAreThoseOfTheCellsOwnArm) {
   const test::Scene s = test::boxScene(1, "rv2f-moving");
   const test::ProgramText whole = write(s, "melfa");
   const Verification sound = verify(s, whole);
-  ASSERT_TRUE(sound.passed) << told(sound);
+  ASSERT_TRUE(sound.passed) << findingsText(sound);
   const std::size_t line = test::read(whole, s.process).motions[8].line;
   std::smatch flags;
   const std::regex pattern("\\((\\d+),(\\d+)\\)");
@@ -138,7 +138,7 @@ TEST(StatedFacts, FlagsAreThoseOfTheCellsOwnArm) {
 }
 
 // The same poses of the arm's other wrist.
-void turnWristOver(plan::Trajectory& t) {
+void flipWrist(plan::Trajectory& t) {
   const double* first = t.joints.data() + t.dof; // Behind the point beside the print
   const double first4 = first[3], first6 = first[5];
   for (std::size_t i = 0; i < t.pointCount(); ++i) {
@@ -155,9 +155,9 @@ TEST(StatedFacts, FlagsThatAreLeftOutAreThoseThatTheControllerTakes) {
   for (const bool turned : {false, true}) {
     test::Scene s = test::boxScene(1, "rv2f-moving");
     if (turned)
-      turnWristOver(s.trajectory);
+      flipWrist(s.trajectory);
     const test::ProgramText whole = write(s, "melfa");
-    ASSERT_TRUE(verify(s, whole).passed) << told(verify(s, whole));
+    ASSERT_TRUE(verify(s, whole).passed) << findingsText(verify(s, whole));
     const std::size_t line = test::read(whole, s.process).motions[8].line;
     const std::regex pattern("\\)\\((\\d+),(\\d+)\\)");
     std::smatch flags;
@@ -168,7 +168,7 @@ TEST(StatedFacts, FlagsThatAreLeftOutAreThoseThatTheControllerTakes) {
       test::ProgramText text = whole;
       text.lines[line - 1] = std::regex_replace(text.lines[line - 1], pattern, ")" + some);
       if (noTurns && (some.empty() ? "7" : some.substr(1, 1)) == flags[1].str())
-        EXPECT_TRUE(verify(s, text).passed) << some << told(verify(s, text));
+        EXPECT_TRUE(verify(s, text).passed) << some << findingsText(verify(s, text));
       else
         expectRefused(verify(s, text), "postureChanged", line);
     }
@@ -214,7 +214,7 @@ TEST(StatedFacts, ARangeIsNeededWhereTheOutputCarriesTheFlow) {
   ASSERT_GT(line, 0U);
   expectRefused(verify(s, text), "statementMissing", test::read(text, s.process).motions[0].line);
   const test::ProgramText sent = write(s, "urscript", program::kCastelliExtruder);
-  EXPECT_TRUE(verify(s, sent).passed) << told(verify(s, sent));
+  EXPECT_TRUE(verify(s, sent).passed) << findingsText(verify(s, sent));
 }
 
 TEST(StatedFacts, WaitsThatThePlanHasAreNone) {
@@ -224,7 +224,7 @@ TEST(StatedFacts, WaitsThatThePlanHasAreNone) {
     SCOPED_TRACE(format);
     test::ProgramText text = write(s, format);
     const Verification sound = verify(s, text);
-    ASSERT_TRUE(sound.passed) << told(sound);
+    ASSERT_TRUE(sound.passed) << findingsText(sound);
     const bool perMinute = std::string(format) == "gcode-extended";
     const std::size_t line =
         replace(text, "^(G1 E[-0-9.]+ F)" + std::string(perMinute ? "1800" : "900") + "$",

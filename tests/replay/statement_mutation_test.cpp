@@ -63,7 +63,7 @@ private:
   // The second tool is fitted by hand, the first one by a tool changer where there are words for
   // it.
   void change(std::size_t point, int tool) {
-    test::moveAside(scene.trajectory, scene.cell, point - 1);
+    test::moveSideways(scene.trajectory, scene.cell, point - 1);
     const bool byHand = tool != 0 || !has(EventKind::Lock);
     add({.point = point, .kind = byHand ? EventKind::Pause : EventKind::Release, .seconds = 0.0});
     if (!byHand)
@@ -84,11 +84,11 @@ private:
     if (bead == 7)
       add({.point = point, .kind = EventKind::Pause});
     if (bead == 9 && has(EventKind::Shot)) {
-      test::moveAside(scene.trajectory, scene.cell, point - 1);
+      test::moveSideways(scene.trajectory, scene.cell, point - 1);
       add({.point = point, .kind = EventKind::Shot, .seconds = 1.0, .volumeMm3 = 0.6});
     }
     if (bead == 2 && !has(EventKind::ToolChange) && has(EventKind::Purge)) {
-      test::moveAside(scene.trajectory, scene.cell, point - 1);
+      test::moveSideways(scene.trajectory, scene.cell, point - 1);
       add({.point = point, .kind = EventKind::Purge, .seconds = 4.0, .volumeMm3 = 50.0});
     }
   }
@@ -104,7 +104,7 @@ protected:
         program::writeProgram(GetParam(), {s.plan, s.trajectory, s.cell, made_.tooling, "box"}));
     read_ = test::read(whole_, made_.tooling);
     const Verification sound = verify(read_);
-    ASSERT_TRUE(sound.passed) << told(sound);
+    ASSERT_TRUE(sound.passed) << findingsText(sound);
     remarks_ = sound.findings.size();
   }
   Verification verify(plan::ReadProgram program) const {
@@ -114,8 +114,8 @@ protected:
         ReplayThresholds{}, {});
   }
   // At one of its lines, or at the first motion behind.
-  static bool isTold(const Verification& v, const test::StatementEdit& edit,
-                     const std::vector<std::size_t>& motionLines) {
+  static bool isReported(const Verification& v, const test::StatementEdit& edit,
+                         const std::vector<std::size_t>& motionLines) {
     std::size_t next = edit.text.lines.size();
     for (const std::size_t line : motionLines)
       if (line >= edit.last && line < next)
@@ -133,7 +133,7 @@ protected:
 
 TEST_P(StatementMutants, HarmIsFoundAtItsLine) {
   struct Count {
-    int tried = 0, refused = 0, told = 0;
+    int tried = 0, refused = 0, reported = 0;
   };
   std::map<std::string, Count> table;
   std::string missed;
@@ -149,21 +149,21 @@ TEST_P(StatementMutants, HarmIsFoundAtItsLine) {
     for (const plan::ProgramMotion& motion : now.motions)
       motionLines.push_back(motion.line);
     const Verification v = verify(std::move(now));
-    const bool isHere = isTold(v, edit, motionLines);
+    const bool isHere = isReported(v, edit, motionLines);
     Count& count = table[edit.kind];
     ++count.tried;
     count.refused += v.passed ? 0 : 1;
-    count.told += isHere ? 1 : 0;
+    count.reported += isHere ? 1 : 0;
     if (v.passed || !isHere)
       missed += edit.kind + " (line " + std::to_string(edit.first) + " to " +
-                std::to_string(edit.last) + ", " + edit.text.lines[edit.first - 1] +
-                "): " + (v.passed ? "passed\n" : "elsewhere: " + told(v).substr(0, 160) + "\n");
+                std::to_string(edit.last) + ", " + edit.text.lines[edit.first - 1] + "): " +
+                (v.passed ? "passed\n" : "elsewhere: " + findingsText(v).substr(0, 160) + "\n");
   }
   int tried = 0;
   for (const auto& [kind, count] : table) {
     tried += count.tried;
     std::cout << GetParam() << " | " << kind << " | " << count.tried << " | " << count.refused
-              << " | " << count.told << "\n";
+              << " | " << count.reported << "\n";
   }
   EXPECT_GT(tried, 0);
   EXPECT_EQ(missed, "");
@@ -174,7 +174,7 @@ TEST_P(StatementMutants, HarmlessEditsRaiseNoAlarm) {
   std::mt19937_64 random(81);
   const std::vector<test::Mutation> all = test::harmlessMutations(GetParam());
   int alarms = 0, applied = 0;
-  std::string told;
+  std::string reported;
   for (int i = 0; applied < edits && i < 3 * edits; ++i) {
     const test::Mutation& mutation = all[static_cast<std::size_t>(i) % all.size()];
     test::Subject s{whole_, read_, made_.scene.process};
@@ -186,10 +186,10 @@ TEST_P(StatementMutants, HarmlessEditsRaiseNoAlarm) {
     if (v.passed && v.findings.size() == remarks_)
       continue;
     ++alarms;
-    told += mutation.kind + ": " + s.text.lines[*line - 1] + "\n" + replay::told(v);
+    reported += mutation.kind + ": " + s.text.lines[*line - 1] + "\n" + replay::findingsText(v);
   }
   EXPECT_EQ(applied, edits);
-  EXPECT_EQ(alarms, 0) << told;
+  EXPECT_EQ(alarms, 0) << reported;
 }
 
 std::vector<std::string> statingIds() {

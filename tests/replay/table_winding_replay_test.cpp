@@ -19,7 +19,7 @@ protected:
     std::vector<TextFinding> findings;
     PathDeviation off;
     double seconds = 0.0;
-    std::size_t aside = 0;
+    std::size_t detours = 0;
   };
   Compared compare(const std::vector<plan::ProgramFile>& files) const {
     const base::RunContext ctx;
@@ -36,8 +36,8 @@ protected:
     c.off = pathDeviation(path, planned, trajectory_, program, alignment, ctx);
     c.seconds = path.totalS();
     for (std::size_t m = 0; m < program.motions.size(); ++m)
-      if (program.motions[m].aside) {
-        ++c.aside;
+      if (program.motions[m].detour) {
+        ++c.detours;
         EXPECT_EQ(alignment.pointOf[m], kUnmatched);
       }
     return c;
@@ -57,9 +57,9 @@ TEST_F(TableWinding, IsNoDeviation) {
   const Compared c = compare(program.files);
   for (const TextFinding& f : c.findings)
     ADD_FAILURE() << f.place.line << ": " << plan::englishReason(f.finding);
-  EXPECT_GE(c.aside, 6u);
+  EXPECT_GE(c.detours, 6u);
   EXPECT_LT(c.off.mm, 0.05);
-  EXPECT_GT(c.seconds, trajectory_.timeS.back() + 2.0 * static_cast<double>(c.aside / 3));
+  EXPECT_GT(c.seconds, trajectory_.timeS.back() + 2.0 * static_cast<double>(c.detours / 3));
 
   // A winding that is not whole is motions that nobody has planned.
   std::vector<std::string> lines;

@@ -8,7 +8,7 @@
 
 namespace voluta::replay {
 
-inline std::string told(const Verification& v) {
+inline std::string findingsText(const Verification& v) {
   std::string all;
   for (const auto& f : v.findings)
     all += plan::reportId(f) + ": " + voluta::plan::englishReason(f) + "\n";

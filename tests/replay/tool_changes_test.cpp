@@ -39,7 +39,7 @@ protected:
       const plan::ToolPath* path = plan::pathOf(scene_.plan, t.waypoint[i]);
       if (std::exchange(tool, path->tool) == path->tool)
         continue;
-      test::moveAside(t, scene_.cell, i - 1);
+      test::moveSideways(t, scene_.cell, i - 1);
       t.events.push_back({.point = i, .kind = plan::EventKind::Pause});
       t.events.push_back({.point = i, .kind = plan::EventKind::ToolChange, .tool = tool});
       t.events.push_back(
@@ -93,7 +93,7 @@ protected:
     EXPECT_TRUE(
         std::ranges::any_of(v.places, [&](const TextPlace& place) { return place.line == line; }))
         << "nothing is told at line " << line << "\n"
-        << told(v);
+        << findingsText(v);
   }
 
   // Selects the other tool right after a change.
@@ -123,7 +123,7 @@ TEST_F(ToolChanges, AreReadBackAndReplayedInEveryDialect) {
                                     }),
               2);
     const Verification v = verify(read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     EXPECT_NEAR(v.massRatio, 1.0, 0.02);
   }
 }
@@ -149,7 +149,7 @@ TEST_F(ToolChanges, AStopThatEndsByItselfIsRefused) {
   ASSERT_EQ(changed, 1u);
   const Verification v = verify(this->read(text));
   EXPECT_FALSE(v.passed);
-  EXPECT_NE(told(v).find("ends by itself"), std::string::npos) << told(v);
+  EXPECT_NE(findingsText(v).find("ends by itself"), std::string::npos) << findingsText(v);
 }
 
 TEST_F(ToolChanges, TheOperatorReadsWhichToolToFit) {
@@ -217,7 +217,7 @@ TEST_F(ToolChanges, AProgramBeginsWithItsOwnTool) {
   for (const std::string_view format : formats()) {
     SCOPED_TRACE(format);
     const plan::ReadProgram program = read(test::textOf(programFor(format)));
-    EXPECT_TRUE(verify(program).passed) << told(verify(program));
+    EXPECT_TRUE(verify(program).passed) << findingsText(verify(program));
     EXPECT_TRUE(std::ranges::all_of(program.motions,
                                     [](const plan::ProgramMotion& m) { return m.tool == 1; }));
     const auto selected =
@@ -286,7 +286,7 @@ TEST_F(ToolChanges, AToolThatIsFittedByHandIsHeatedWhenItIsFitted) {
   for (const char* const format : {"gcode-extended", "gcode"}) {
     SCOPED_TRACE(format);
     const test::ProgramText whole = test::textOf(programFor(format));
-    EXPECT_TRUE(verify(read(whole)).passed) << told(verify(read(whole)));
+    EXPECT_TRUE(verify(read(whole)).passed) << findingsText(verify(read(whole)));
     const auto lineOf = [](const test::ProgramText& text, const std::string& begin) {
       const auto at = std::ranges::find_if(
           text.lines, [&](const std::string& line) { return line.starts_with(begin); });
@@ -329,7 +329,7 @@ TEST_F(ToolChanges, AToolThatIsFittedByHandIsHeatedWhenItIsFitted) {
     return event.kind == plan::EventKind::Pause;
   });
   const test::ProgramText fed = test::textOf(programFor("gcode-extended"));
-  EXPECT_TRUE(verify(read(fed)).passed) << told(verify(read(fed)));
+  EXPECT_TRUE(verify(read(fed)).passed) << findingsText(verify(read(fed)));
   const auto hot = std::ranges::find(fed.lines, "M109 T1 S235");
   ASSERT_NE(hot, fed.lines.end());
   EXPECT_LT(static_cast<std::size_t>(hot - fed.lines.begin()), read(fed).motions.front().line);
@@ -446,7 +446,7 @@ TEST_F(ToolChanges, EveryEditIsRefused) {
     EXPECT_TRUE(std::ranges::any_of(v.findings, [](const plan::Finding& f) {
       return f.kind == plan::FindingKind::StatementMissing ||
              f.kind == plan::FindingKind::StatementChanged;
-    })) << told(v);
+    })) << findingsText(v);
   }
 }
 
@@ -459,7 +459,7 @@ TEST_F(ToolChanges, TheHeatOfARemovedToolIsOffBeforeTheStop) {
       continue;
     SCOPED_TRACE(format);
     ++languages;
-    EXPECT_TRUE(verify(read(text)).passed) << told(verify(read(text)));
+    EXPECT_TRUE(verify(read(text)).passed) << findingsText(verify(read(text)));
     for (const auto& [stop, off] :
          {std::pair("M0 Fit tool 2", "M104 T0 S0"), std::pair("M0 Fit tool 1", "M104 T1 S0")}) {
       const auto at = std::ranges::find_if(
@@ -529,7 +529,7 @@ TEST_F(ToolChanges, AChangerReleasesAndLocksWhereItIsPlanned) {
     SCOPED_TRACE(format);
     const test::ProgramText text = test::textOf(programFor(format));
     const plan::ReadProgram whole = read(text);
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
     for (const plan::StatedFact& fact : whole.facts) {
       if (fact.kind != plan::FactKind::ToolLocked)
         continue;
@@ -553,7 +553,7 @@ TEST_F(ToolChanges, TheTimeOfAChangerPassesBeforeTheNextStep) {
   for (const char* const format : {"urscript", "rapid", "krl", "spel", "melfa", "tmscript"}) {
     SCOPED_TRACE(format);
     const plan::ReadProgram whole = read(test::textOf(programFor(format)));
-    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
     for (std::size_t f = 0; f < whole.facts.size(); ++f) {
       const plan::StatedFact& fact = whole.facts[f];
       if (fact.kind != plan::FactKind::ToolLocked || fact.before <= whole.firstMotion)

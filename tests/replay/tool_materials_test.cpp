@@ -37,7 +37,7 @@ protected:
       ++point;
     for (plan::ToolPath& path : scene_.plan.paths)
       path.tool = path.layer > 0 ? 1 : 0;
-    test::moveAside(t, scene_.cell, point - 1);
+    test::moveSideways(t, scene_.cell, point - 1);
     t.events = {{.point = point, .kind = plan::EventKind::Pause},
                 {.point = point, .kind = plan::EventKind::ToolChange, .tool = 1},
                 {.point = point,
@@ -74,7 +74,7 @@ TEST_F(ToolMaterials, TheHeatOfAnotherMaterialIsRefused) {
   changeTool();
   for (const std::string format : {"gcode-extended", "gcode"}) {
     const test::ProgramText whole = test::textOf(programFor(format));
-    EXPECT_TRUE(verify(read(whole)).passed) << told(verify(read(whole)));
+    EXPECT_TRUE(verify(read(whole)).passed) << findingsText(verify(read(whole)));
     const struct {
       const char *first, *second;
     } edits[] = {{"240", "210"}, {"240", "240"}, {"210", "210"}, {"210", "230"}, {"218", "240"}};
@@ -89,17 +89,17 @@ TEST_F(ToolMaterials, TheHeatOfAnotherMaterialIsRefused) {
       const bool isEdited[] = {edit.first != std::string("210"), edit.second != std::string("240")};
       EXPECT_EQ(v.passed, !isEdited[0] && !isEdited[1]);
       if (isEdited[0]) {
-        EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, first)) << told(v);
+        EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, first)) << findingsText(v);
       }
       if (isEdited[1]) {
-        EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, second)) << told(v);
+        EXPECT_TRUE(isAt(v, plan::FindingKind::StatementChanged, second)) << findingsText(v);
       }
     }
     // A few degrees are the operator's own matter.
     test::ProgramText tuned = whole;
     replace(tuned, "T0 S210", "T0 S214");
     replace(tuned, "T1 S240", "T1 S236");
-    EXPECT_TRUE(verify(read(tuned)).passed) << told(verify(read(tuned)));
+    EXPECT_TRUE(verify(read(tuned)).passed) << findingsText(verify(read(tuned)));
   }
 }
 
@@ -115,8 +115,8 @@ TEST_F(ToolMaterials, APurgeAboveTheGreatestFlowIsRefusedAtItsLine) {
     SCOPED_TRACE(format);
     const plan::ReadProgram whole = read(test::textOf(programFor(format)));
     // The shot has no pocket to fill.
-    EXPECT_EQ(verify(whole).deviations, 0u) << told(verify(whole));
-    const double most = process::flowLimit(tooling_.at(1).process);
+    EXPECT_EQ(verify(whole).deviations, 0u) << findingsText(verify(whole));
+    const double maximum = process::flowLimit(tooling_.at(1).process);
     std::size_t edited = 0;
     for (std::size_t p = 0; p < whole.pauses.size(); ++p) {
       if (whole.pauses[p].volumeMm3 < 5.0)
@@ -124,10 +124,10 @@ TEST_F(ToolMaterials, APurgeAboveTheGreatestFlowIsRefusedAtItsLine) {
       ++edited;
       for (const double times : {1.2, 1000.0}) {
         plan::ReadProgram program = whole;
-        program.pauses[p].durationS = program.pauses[p].volumeMm3 / (times * most);
+        program.pauses[p].durationS = program.pauses[p].volumeMm3 / (times * maximum);
         const Verification v = verify(program);
         EXPECT_FALSE(v.passed);
-        EXPECT_TRUE(isAt(v, plan::FindingKind::Flow, program.pauses[p].line)) << told(v);
+        EXPECT_TRUE(isAt(v, plan::FindingKind::Flow, program.pauses[p].line)) << findingsText(v);
       }
     }
     EXPECT_GE(edited, 2u);

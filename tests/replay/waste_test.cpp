@@ -62,7 +62,7 @@ TEST(Waste, IsNotThePartAndNeedsNoSupport) {
       standing += pause.volumeMm3;
     EXPECT_EQ(standing, 0.0);
     const Verification v = verify(s, read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     EXPECT_NEAR(v.massRatio, 1.0, 0.01);
     EXPECT_NEAR(v.supportMm3, waste, 0.01 * waste);
     EXPECT_EQ(v.unsupportedFraction, 0.0);
@@ -128,7 +128,7 @@ TEST(DrawnBack, GivesTheSamePrint) {
       const plan::ReadProgram read =
           program::readProgram(d.id, program.files, process::Tooling(s.process));
       const Verification v = verify(s, read);
-      EXPECT_TRUE(v.passed) << told(v);
+      EXPECT_TRUE(v.passed) << findingsText(v);
       EXPECT_NEAR(v.massRatio, 1.0, 0.01);
 
       // A return that is lost is found; an amount that runs on (E) brings it with the next bead.
@@ -167,7 +167,7 @@ TEST(Wipe, IsAMotionThatLaysNothing) {
     const plan::ReadProgram read =
         program::readProgram(d.id, program.files, process::Tooling(s.process));
     const Verification v = verify(s, read);
-    EXPECT_TRUE(v.passed) << told(v);
+    EXPECT_TRUE(v.passed) << findingsText(v);
     EXPECT_NEAR(v.massRatio, 1.0, 0.01);
     std::size_t motion = 0;
     while (motion < v.pointOf.size() && v.pointOf[motion] != first + 1)
@@ -192,7 +192,7 @@ TEST(Wipe, IsAMotionThatLaysNothing) {
     EXPECT_FALSE(without.passed);
     EXPECT_TRUE(std::ranges::any_of(without.places, [&](const TextPlace& p) {
       return p.line + 1 >= line && p.line <= line + 1;
-    })) << told(without);
+    })) << findingsText(without);
   }
 }
 

@@ -63,11 +63,11 @@ double worstNormal(const LoftMesh& loft) {
   return worst;
 }
 
-double leastArea(const geometry::TriangleMesh& mesh) {
-  double least = std::numeric_limits<double>::infinity();
+double minArea(const geometry::TriangleMesh& mesh) {
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    least = std::min(least, geometry::triangleArea(mesh, i));
-  return least;
+    minimum = std::min(minimum, geometry::triangleArea(mesh, i));
+  return minimum;
 }
 
 TEST(Loft, IsACylinderOfItsSize) {
@@ -122,7 +122,7 @@ protected:
       ASSERT_FALSE(loft.mesh.empty()) << which;
       EXPECT_TRUE(isClosed(loft.mesh)) << which;
       EXPECT_GT(geometry::volume(loft.mesh), 0.0) << which;
-      EXPECT_GT(leastArea(loft.mesh), 1e-7) << which;
+      EXPECT_GT(minArea(loft.mesh), 1e-7) << which;
       // Shaded by its geometry: no facet beside a right-angled edge takes part in both of its
       // faces.
       EXPECT_LT(worstNormal(loft), kPi / 4.0) << which;
@@ -218,7 +218,7 @@ TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
 
 // Faces of two solids in one place, facing the same way: they would flicker.
 TEST_F(Shapes, NoTwoFacesCoincide) {
-  constexpr double kApartMm = 0.15, kSameWay = 0.995, kSpotMm2 = 12.0;
+  constexpr double kApartMm = 0.15, kSameDirection = 0.995, kSpotMm2 = 12.0;
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::vector<Isometry3d> poses;
@@ -244,7 +244,7 @@ TEST_F(Shapes, NoTwoFacesCoincide) {
           if (there.triangle >= 0 &&
               geometry::triangleNormal(meshes[a], t)
                       .dot(geometry::triangleNormal(
-                          meshes[b], static_cast<std::size_t>(there.triangle))) > kSameWay)
+                          meshes[b], static_cast<std::size_t>(there.triangle))) > kSameDirection)
             area += geometry::triangleArea(meshes[a], t);
         }
         EXPECT_LT(area, kSpotMm2) << id << ": solids " << a << " and " << b;

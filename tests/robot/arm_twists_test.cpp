@@ -43,10 +43,10 @@ TEST_F(EveryArm, JacobianIsTheDerivativeOfTheFlange) {
         less[j] -= kStep;
         const Eigen::Isometry3d a = robot.kinematics->flange(less),
                                 b = robot.kinematics->flange(more);
-        const Eigen::Vector3d way = (b.translation() - a.translation()) / (2.0 * kStep);
-        const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
-        const Eigen::Vector3d spin = turn.angle() * turn.axis() / (2.0 * kStep);
-        EXPECT_LT((jacobian.col(j).head<3>() - way).norm(), 1e-3) << id << " joint " << j;
+        const Eigen::Vector3d velocity = (b.translation() - a.translation()) / (2.0 * kStep);
+        const Eigen::AngleAxisd rotation(b.linear() * a.linear().transpose());
+        const Eigen::Vector3d spin = rotation.angle() * rotation.axis() / (2.0 * kStep);
+        EXPECT_LT((jacobian.col(j).head<3>() - velocity).norm(), 1e-3) << id << " joint " << j;
         EXPECT_LT((jacobian.col(j).tail<3>() - spin).norm(), 1e-5) << id << " joint " << j;
       }
     }
@@ -65,7 +65,7 @@ TEST_F(EveryArm, FollowsToPosesNearBy) {
       const JointVector q = randomJoints(robot, random);
       JointVector near = q;
       for (Eigen::Index j = 0; j < q.size(); ++j)
-        near[j] += fromTurn(robot.kinematics->kindOf(static_cast<int>(j)), step(random));
+        near[j] += fromAngle(robot.kinematics->kindOf(static_cast<int>(j)), step(random));
       ArmJacobian jacobian;
       const Eigen::Isometry3d wanted = robot.kinematics->flange(q);
       if (!twists.follow(wanted, 0.5, near, jacobian, links))
@@ -121,8 +121,9 @@ TEST_F(EveryArm, SidesAreThoseOfTheDeterminant) {
         less[j] -= kStep;
         const Eigen::Isometry3d a = robot.kinematics->flange(less),
                                 b = robot.kinematics->flange(more);
-        const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
-        change.col(j) << (b.translation() - a.translation()) / 1000.0, turn.angle() * turn.axis();
+        const Eigen::AngleAxisd rotation(b.linear() * a.linear().transpose());
+        change.col(j) << (b.translation() - a.translation()) / 1000.0,
+            rotation.angle() * rotation.axis();
       }
       const double determinant = (change / 2e-5).determinant();
       if (std::abs(determinant) > 1e-4) {

@@ -26,7 +26,7 @@ protected:
     const std::vector<DraftBody> bodies = draft.bodies();
     return *std::ranges::find(bodies, kind, &DraftBody::kind);
   }
-  static Eigen::Isometry3d someTurn() {
+  static Eigen::Isometry3d someRotation() {
     Eigen::Isometry3d pose(Eigen::Translation3d(11, -7, 23));
     pose.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()));
     return pose;
@@ -39,12 +39,12 @@ TEST_F(Drafts, everyBodyOfEveryCellMovesWhereItIsPut) {
     const std::vector<DraftBody> bodies = draft.bodies();
     for (const DraftBody& body : bodies) {
       const CellDraft same = draft.withPose(body, body.pose);
-      const CellDraft moved = draft.withPose(body, someTurn() * body.pose);
+      const CellDraft moved = draft.withPose(body, someRotation() * body.pose);
       for (const DraftBody& after : moved.bodies()) {
         const auto before = std::ranges::find_if(
             bodies, [&](const DraftBody& other) { return other.sameAs(after); });
         const Eigen::Isometry3d expected =
-            after.sameAs(body) ? someTurn() * body.pose : before->pose;
+            after.sameAs(body) ? someRotation() * body.pose : before->pose;
         // Frusta and capsules have a place and no turn of their own.
         EXPECT_LT((after.pose.translation() - expected.translation()).norm(), 1e-9) << id;
         if (body.kind != Kind::Obstacle || body.sizeMm) {
@@ -64,20 +64,20 @@ TEST_F(Drafts, aMovedPlateIsTheCellsWorkFrame) {
   DraftBody plate = body(draft, Kind::Platform);
   EXPECT_FALSE(plate.onFlange);
   EXPECT_TRUE(body(draft, Kind::Nozzle).onFlange);
-  const Eigen::Isometry3d there = someTurn() * plate.pose;
+  const Eigen::Isometry3d there = someRotation() * plate.pose;
   EXPECT_TRUE(read(draft.withPose(plate, there)).base_T_fixed().isApprox(there, 1e-9));
 }
 
 TEST_F(Drafts, boxesAreAddedAndRemovedWithTheirPairs) {
   const CellDraft draft = draftOfCell("ur5-fixed");
   const std::size_t before = read(draft).bodies().size();
-  const CellDraft one = draft.withBox("post", someTurn(), {10, 20, 30});
-  const CellDraft two = one.withBox("post", someTurn(), {10, 20, 30});
+  const CellDraft one = draft.withBox("post", someRotation(), {10, 20, 30});
+  const CellDraft two = one.withBox("post", someRotation(), {10, 20, 30});
   ASSERT_EQ(read(two).bodies().size(), before + 2);
   EXPECT_EQ(read(two).bodies().back().name, "post 2");
   const Box box = std::get<Box>(read(one).bodies().back().shapes.front());
   EXPECT_EQ(2.0 * box.half, Eigen::Vector3d(10, 20, 30));
-  EXPECT_TRUE(box.frame_T_box.isApprox(someTurn(), 1e-9));
+  EXPECT_TRUE(box.frame_T_box.isApprox(someRotation(), 1e-9));
   const DraftBody post = one.bodies().back();
   EXPECT_EQ(*one.withSize(post, {5, 6, 7}).bodies().back().sizeMm, Eigen::Vector3d(5, 6, 7));
   EXPECT_EQ(read(one.without(post)).bodies().size(), before);
@@ -85,7 +85,7 @@ TEST_F(Drafts, boxesAreAddedAndRemovedWithTheirPairs) {
   const CellDraft bare = draft.without(body(draft, Kind::Obstacle));
   EXPECT_EQ(read(bare).bodies().size(), before - 1);
   // A name that the arm has is not taken a second time.
-  EXPECT_EQ(draft.withBox("forearm", someTurn(), {1, 1, 1}).bodies().back().name, "forearm 2");
+  EXPECT_EQ(draft.withBox("forearm", someRotation(), {1, 1, 1}).bodies().back().name, "forearm 2");
 }
 
 TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
@@ -98,8 +98,8 @@ TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
   const DraftBody place = body(added, Kind::PurgePlace);
   EXPECT_EQ(place.pose.translation(), Eigen::Vector3d(400, -150, 25));
   EXPECT_FALSE(place.onFlange);
-  const CellDraft moved = added.withPose(place, someTurn());
-  EXPECT_EQ(*read(moved).purgePlaceMm(), someTurn().translation());
+  const CellDraft moved = added.withPose(place, someRotation());
+  EXPECT_EQ(*read(moved).purgePlaceMm(), someRotation().translation());
   EXPECT_TRUE(body(moved, Kind::PurgePlace).pose.linear().isIdentity());
   // Without it the file is as before, except for its layout.
   EXPECT_EQ(moved.without(place), draft.named(draft.id(), draft.label()));
@@ -112,24 +112,24 @@ TEST_F(Drafts, thePlaceForPurgesIsAddedMovedAndTakenAway) {
 TEST_F(Drafts, solidsFromAFileAreInTheirFrame) {
   const std::vector<Shape> solids{Frustum{{0, 0, 0}, {0, 0, 200}, 15, 15},
                                   Capsule{{0, 0, 200}, {80, 0, 200}, 12},
-                                  Box{someTurn(), {5, 6, 7}}};
-  const Eigen::Isometry3d there = someTurn() * someTurn();
-  const CellDraft draft = draftOfCell("ur5-fixed").withSolids("stand", someTurn(), solids);
+                                  Box{someRotation(), {5, 6, 7}}};
+  const Eigen::Isometry3d there = someRotation() * someRotation();
+  const CellDraft draft = draftOfCell("ur5-fixed").withSolids("stand", someRotation(), solids);
   const DraftBody stand = draft.bodies().back();
   EXPECT_EQ(stand.name, "stand");
-  EXPECT_TRUE(stand.pose.isApprox(someTurn(), 1e-9));
+  EXPECT_TRUE(stand.pose.isApprox(someRotation(), 1e-9));
   EXPECT_FALSE(stand.sizeMm);
-  for (const auto& [cell, pose] :
-       {std::pair(read(draft), someTurn()), std::pair(read(draft.withPose(stand, there)), there)}) {
+  for (const auto& [cell, pose] : {std::pair(read(draft), someRotation()),
+                                   std::pair(read(draft.withPose(stand, there)), there)}) {
     const Body& body = cell.bodies().back();
     ASSERT_EQ(body.shapes.size(), 3u);
     EXPECT_TRUE(std::get<Frustum>(body.shapes[0]).p1.isApprox(pose * Eigen::Vector3d(0, 0, 200)));
     EXPECT_EQ(std::get<Frustum>(body.shapes[0]).r1, 15.0);
     EXPECT_TRUE(std::get<Capsule>(body.shapes[1]).p1.isApprox(pose * Eigen::Vector3d(80, 0, 200)));
-    EXPECT_TRUE(std::get<Box>(body.shapes[2]).frame_T_box.isApprox(pose * someTurn(), 1e-9));
+    EXPECT_TRUE(std::get<Box>(body.shapes[2]).frame_T_box.isApprox(pose * someRotation(), 1e-9));
   }
   // One box in such a frame has no edges of the obstacle's own, and moves all the same.
-  const CellDraft one = draft.withSolids("crate", someTurn(), {Box{someTurn(), {5, 6, 7}}});
+  const CellDraft one = draft.withSolids("crate", someRotation(), {Box{someRotation(), {5, 6, 7}}});
   const DraftBody crate = one.bodies().back();
   EXPECT_FALSE(crate.sizeMm);
   EXPECT_TRUE(one.withPose(crate, there).bodies().back().pose.isApprox(there, 1e-9));

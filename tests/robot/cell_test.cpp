@@ -194,20 +194,21 @@ TEST_F(Cells, workFrameOfTheLatheTurnsAboutItsX) {
     JointVector q = cell.home();
     q[6] = angle;
     const double c = std::cos(angle), s = std::sin(angle);
-    Eigen::Matrix3d turn;
-    turn << 1, 0, 0, 0, c, -s, 0, s, c;
+    Eigen::Matrix3d rotation;
+    rotation << 1, 0, 0, 0, c, -s, 0, s, c;
     cell.framePoses(q, frames);
     for (int f = 0; f < static_cast<int>(frames.size()); ++f) {
       Eigen::Isometry3d expected = at(still, f);
       if (f == cell.workFrame() || f == cell.axisFrame(0))
-        expected.linear() *= turn;
+        expected.linear() *= rotation;
       EXPECT_TRUE(at(frames, f).isApprox(expected, 1e-12)) << f;
     }
-    EXPECT_TRUE(cell.base_T_work(q).linear().isApprox(cell.base_T_fixed().linear() * turn, 1e-12));
+    EXPECT_TRUE(
+        cell.base_T_work(q).linear().isApprox(cell.base_T_fixed().linear() * rotation, 1e-12));
     // The tip as seen from the rod, by hand.
     const Eigen::Vector3d tip = at(still, cell.toolFrame()).translation();
     EXPECT_TRUE(cell.work_T_tool(q).translation().isApprox(
-        turn.transpose() * (cell.base_T_fixed().inverse() * tip), 1e-12));
+        rotation.transpose() * (cell.base_T_fixed().inverse() * tip), 1e-12));
     std::vector<JointVector> solutions;
     cell.inverse(cell.work_T_tool(q), q, solutions);
     ASSERT_FALSE(solutions.empty());
@@ -237,9 +238,9 @@ TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
   ASSERT_EQ(cell.externalAxes().size(), 2u);
   EXPECT_EQ(cell.externalUnit(), "STN1");
   const Eigen::Isometry3d base_T_stand(Eigen::Translation3d(500, 0, 240 - 1020));
-  const auto standing = [&](double tilt, double turn) {
+  const auto standing = [&](double tilt, double rotation) {
     JointVector q = cell.home();
-    q.tail(2) << base::degreesToRadians(tilt), base::degreesToRadians(turn);
+    q.tail(2) << base::degreesToRadians(tilt), base::degreesToRadians(rotation);
     return Eigen::Isometry3d(base_T_stand.inverse() * cell.base_T_work(q));
   };
   const Eigen::Isometry3d checked = standing(90, 0);
@@ -250,13 +251,13 @@ TEST_F(Cells, thePositionerTiltsAndTurnsItsPlate) {
   EXPECT_NEAR(quaternion.y(), 0.0, 1e-12);
   EXPECT_NEAR(quaternion.z(), 0.0, 1e-12);
   for (const double tilt : {-130.0, -20.0, 45.0})
-    for (const double turn : {-600.0, 30.0, 410.0}) {
+    for (const double rotation : {-600.0, 30.0, 410.0}) {
       const Eigen::Isometry3d expected =
           Eigen::Translation3d(0, 0, 1020) *
           Eigen::AngleAxisd(base::degreesToRadians(tilt), Eigen::Vector3d::UnitX()) *
           Eigen::Translation3d(0, 0, -120) *
-          Eigen::AngleAxisd(base::degreesToRadians(turn), Eigen::Vector3d::UnitZ());
-      EXPECT_TRUE(standing(tilt, turn).isApprox(expected, 1e-12));
+          Eigen::AngleAxisd(base::degreesToRadians(rotation), Eigen::Vector3d::UnitZ());
+      EXPECT_TRUE(standing(tilt, rotation).isApprox(expected, 1e-12));
     }
   // Controllers count from the plate's frame: its z is the last axis.
   EXPECT_TRUE(cell.work_T_unit().isApprox(Eigen::Isometry3d::Identity(), 1e-12));

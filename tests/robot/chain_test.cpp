@@ -20,17 +20,17 @@ using test::MadeArms;
 class Chains : public test::WithResources {};
 
 double apart(const JointVector& a, const JointVector& b) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 0; i < 6; ++i)
-    most = std::max(most, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
-  return most;
+    maximum = std::max(maximum, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
+  return maximum;
 }
 
 double nearest(const JointVector& q, const std::vector<JointVector>& among) {
-  double least = 10.0;
+  double minimum = 10.0;
   for (const JointVector& other : among)
-    least = std::min(least, apart(q, other));
-  return least;
+    minimum = std::min(minimum, apart(q, other));
+  return minimum;
 }
 
 // Newton's steps from many starts: slow, and finds all solutions.

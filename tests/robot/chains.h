@@ -91,10 +91,10 @@ public:
   robot::SerialChain chainOf(std::array<robot::AxisLine, 6> axes) {
     for (std::size_t i = 0; i < 6; ++i) {
       axes[i].direction *= sign();
-      const Eigen::AngleAxisd turn(between(-3, 3), axes[i].direction);
+      const Eigen::AngleAxisd rotation(between(-3, 3), axes[i].direction);
       for (std::size_t k = i + 1; k < 6; ++k) {
-        axes[k].point = axes[i].point + turn * (axes[k].point - axes[i].point);
-        axes[k].direction = turn * axes[k].direction;
+        axes[k].point = axes[i].point + rotation * (axes[k].point - axes[i].point);
+        axes[k].direction = rotation * axes[k].direction;
       }
     }
     const Eigen::Isometry3d base = anywhere(300);

@@ -51,7 +51,7 @@ private:
   std::mt19937_64 random_;
 };
 
-double turnBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+double angleBetweenFrames(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
 }
 
@@ -59,7 +59,7 @@ double turnBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
 std::vector<Vector3d> marks(std::size_t count) {
   std::vector<Vector3d> marks;
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = base::kTurn * static_cast<double>(i) / static_cast<double>(count);
+    const double angle = base::kTwoPi * static_cast<double>(i) / static_cast<double>(count);
     const Vector3d out(std::cos(angle), std::sin(angle), 0);
     marks.push_back(out / std::max(std::abs(out.x()) / 100.0, std::abs(out.y()) / 75.0));
   }
@@ -129,14 +129,14 @@ TEST(MeasuredFrames, noFrameNearbyFitsBetter) {
       return sum;
     };
     const MeasuredFrame found = frameFromPoints(points);
-    const double least = squares(found.base_T_frame);
-    EXPECT_NEAR(found.residual.rmsMm, std::sqrt(least / 6), 1e-9);
+    const double minimum = squares(found.base_T_frame);
+    EXPECT_NEAR(found.residual.rmsMm, std::sqrt(minimum / 6), 1e-9);
     for (int k = 0; k < 50; ++k) {
       Eigen::Isometry3d other = found.base_T_frame;
       other.translation() += measured.point(0.05);
       other.rotate(
           Eigen::AngleAxisd(measured.number(-1e-3, 1e-3), measured.pose(1).linear().col(0)));
-      EXPECT_GE(squares(other), least);
+      EXPECT_GE(squares(other), minimum);
     }
   }
 }
@@ -144,8 +144,8 @@ TEST(MeasuredFrames, noFrameNearbyFitsBetter) {
 // 0.1 mm on every coordinate, sixteen marks round the plate: within 0.1 mm and 0.1 degrees.
 TEST(MeasuredFrames, noiseOfATenthIsMeasuredAway) {
   int within = 0;
-  double noise = 0.0, place = 0.0, turn = 0.0;
-  double squaredPlace = 0.0, squaredTurn = 0.0;
+  double noise = 0.0, place = 0.0, rotation = 0.0;
+  double squaredPlace = 0.0, squaredRotation = 0.0;
   constexpr int kSeeds = 1000;
   for (int seed = 0; seed < kSeeds; ++seed) {
     Measured measured(static_cast<unsigned long>(seed));
@@ -155,20 +155,20 @@ TEST(MeasuredFrames, noiseOfATenthIsMeasuredAway) {
       points.push_back({p, measured.noisy(frame * p, 0.1)});
     const MeasuredFrame found = frameFromPoints(points);
     const double mm = (found.base_T_frame.translation() - frame.translation()).norm(),
-                 rad = turnBetween(found.base_T_frame, frame);
+                 rad = angleBetweenFrames(found.base_T_frame, frame);
     within += mm <= 0.1 && rad <= base::degreesToRadians(0.1);
     squaredPlace += mm * mm / 3.0 / kSeeds;
-    squaredTurn += rad * rad / 3.0 / kSeeds;
+    squaredRotation += rad * rad / 3.0 / kSeeds;
     noise += *found.residual.noiseMm / kSeeds;
     place += *found.residual.placeMm / kSeeds;
-    turn += *found.residual.turnRad / kSeeds;
+    rotation += *found.residual.angleRad / kSeeds;
   }
   EXPECT_GE(within, 990);
   // The noise and the accuracy estimated from the residual are right.
   EXPECT_NEAR(noise, 0.1, 0.002);
   EXPECT_NEAR(place / std::sqrt(squaredPlace), 1.0, 0.05);
-  EXPECT_GE(turn, std::sqrt(squaredTurn)); // of the worst direction
-  EXPECT_LE(turn, 2.0 * std::sqrt(squaredTurn));
+  EXPECT_GE(rotation, std::sqrt(squaredRotation)); // of the worst direction
+  EXPECT_LE(rotation, 2.0 * std::sqrt(squaredRotation));
 }
 
 TEST(MeasuredFrames, pointsWithoutAFrameAreRefused) {

@@ -14,9 +14,9 @@ using ::testing::HasSubstr;
 TEST(MeasuredWords, WhereAFrameIs) {
   Eigen::Isometry3d frame(Eigen::Translation3d(512.25, -20, 3));
   frame.rotate(Eigen::AngleAxisd(base::degreesToRadians(30), Vector3d::UnitZ()));
-  const std::string told = base::english(placeOf(frame));
-  EXPECT_THAT(told, HasSubstr("512.250, -20.000, 3.000 mm"));
-  EXPECT_THAT(told, HasSubstr("0.000, 0.000, 30.000"));
+  const std::string reported = base::english(placeOf(frame));
+  EXPECT_THAT(reported, HasSubstr("512.250, -20.000, 3.000 mm"));
+  EXPECT_THAT(reported, HasSubstr("0.000, 0.000, 30.000"));
 }
 
 TEST(MeasuredWords, HowWellTheRowsAgree) {
@@ -25,10 +25,10 @@ TEST(MeasuredWords, HowWellTheRowsAgree) {
   EXPECT_THAT(base::english(agreementOf(three.residual, 3)), HasSubstr("3 rows"));
   EXPECT_THAT(base::english(agreementOf(Residual{}, 3)), HasSubstr("cannot be estimated"));
   Residual known{0.123, 0.456, 0.2, 0.0789, base::degreesToRadians(0.05)};
-  const std::string told = base::english(agreementOf(known, 8));
+  const std::string reported = base::english(agreementOf(known, 8));
   for (const char* part : {"8 rows", "0.123 mm", "0.456 mm", "0.079 mm", "0.050"})
-    EXPECT_THAT(told, HasSubstr(part));
-  known.turnRad = 0.0; // of a tip
+    EXPECT_THAT(reported, HasSubstr(part));
+  known.angleRad = 0.0; // of a tip
   EXPECT_EQ(base::english(agreementOf(known, 8)).find("0.050"), std::string::npos);
 }
 

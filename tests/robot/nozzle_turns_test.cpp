@@ -74,20 +74,20 @@ TEST_F(NozzleTurning, IsTheSameAsAnInverseForEachTurn) {
   Eigen::Isometry3d down = Eigen::Isometry3d::Identity();
   down.linear() = Eigen::AngleAxisd(base::kPi, Vector3d::UnitX()).toRotationMatrix();
   down.translation() = Vector3d(10, -20, 30);
-  for (const double aside : {0.0, 1e-3, 30.0}) { // of the nozzle from the last joint's axis, mm
-    described.nozzlePose.translation().x() = aside;
+  for (const double offset : {0.0, 1e-3, 30.0}) { // of the nozzle from the last joint's axis, mm
+    described.nozzlePose.translation().x() = offset;
     const Cell cell = cellOf(described, robot);
-    EXPECT_EQ(cell.lastJointTurnsNozzle() != 0, aside < 1.0) << aside;
+    EXPECT_EQ(cell.lastJointTurnsNozzle() != 0, offset < 1.0) << offset;
     const NozzleTurns turns(cell, down, cell.home());
     std::vector<JointVector> at, each;
     std::size_t found = 0;
     for (int k = 0; k < 12; ++k) {
-      const double turn = base::kTurn * k / 12;
-      turns.at(turn, at);
+      const double rotation = base::kTwoPi * k / 12;
+      turns.at(rotation, at);
       Eigen::Isometry3d turned = down;
-      turned.linear() *= Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+      turned.linear() *= Eigen::AngleAxisd(rotation, Vector3d::UnitZ()).toRotationMatrix();
       cell.inverse(turned, cell.home(), each);
-      EXPECT_EQ(at.size(), each.size()) << aside << " " << k;
+      EXPECT_EQ(at.size(), each.size()) << offset << " " << k;
       for (const JointVector& q : at) {
         const Eigen::Isometry3d is = cell.work_T_tool(q);
         EXPECT_LT((is.translation() - turned.translation()).norm(), 1e-6);

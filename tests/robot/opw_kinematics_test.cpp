@@ -25,7 +25,7 @@ const OpwGeometry kRv2f{0, -50, 0, 295, 230, 270, 70, {}};
 const OpwGeometry kOdd{70, 30, 25, 300, 280, 310, 60, {0.3, -0.4, 1.1, 0.5, -0.2, 2.0}};
 const std::vector<OpwGeometry> kAll = {kIrb1200, kIrb2400, kRv2f, kOdd};
 
-double turnBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+double angleBetweenFrames(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return (a - b).norm() / std::sqrt(2.0);
 }
 double jointDistance(const JointVector& a, const JointVector& b) {
@@ -75,7 +75,7 @@ TEST_F(Opw, checkValues) {
     OpwGeometry geometry;
     JointVector q;
     Vector3d p;
-    Eigen::Quaterniond turn;
+    Eigen::Quaterniond rotation;
   };
   const JointVector zero = joints({0, 0, 0, 0, 0, 0}), bent = joints({0, 0, 0, 0, 90, 0});
   const Row rows[] = {
@@ -89,7 +89,7 @@ TEST_F(Opw, checkValues) {
   for (const Row& row : rows) {
     const Isometry3d flange = OpwKinematics(row.geometry).flange(row.q);
     EXPECT_LT((flange.translation() - row.p).norm(), 1e-3);
-    EXPECT_LT(turnBetween(flange.linear(), row.turn.matrix()), 1e-12);
+    EXPECT_LT(angleBetweenFrames(flange.linear(), row.rotation.matrix()), 1e-12);
   }
   const RobotModel irb1200 = loadRobot("irb1200");
   EXPECT_LT((irb1200.kinematics->flange(zero).translation() - rows[0].p).norm(), 1e-3);
@@ -152,7 +152,7 @@ TEST_F(Opw, inverseThenForwardOverRandomPoses) {
       for (const JointVector& s : solutions) {
         const Isometry3d back = kinematics.flange(s);
         worstMm = std::max(worstMm, (back.translation() - pose.translation()).norm());
-        worstRad = std::max(worstRad, turnBetween(back.linear(), pose.linear()));
+        worstRad = std::max(worstRad, angleBetweenFrames(back.linear(), pose.linear()));
         nearest = std::min(nearest, jointDistance(s, q));
         ASSERT_TRUE(s.maxCoeff() <= kPi && s.minCoeff() > -kPi);
       }
@@ -188,7 +188,7 @@ TEST_F(Opw, singularPosesAreReached) {
     struct Row {
       std::string what;
       JointVector q;
-      std::size_t most;
+      std::size_t maximum;
     };
     // With the shoulder off axis 1 the arm turned round is not stretched when this one is.
     const std::size_t straight = geometry.a1 == 0.0 ? 4 : 6;
@@ -219,11 +219,11 @@ TEST_F(Opw, singularPosesAreReached) {
       std::vector<JointVector> solutions;
       kinematics.inverse(pose, solutions);
       EXPECT_FALSE(solutions.empty()) << g << ' ' << row.what;
-      EXPECT_LE(solutions.size(), row.most) << g << ' ' << row.what;
+      EXPECT_LE(solutions.size(), row.maximum) << g << ' ' << row.what;
       for (const JointVector& s : solutions) {
         const Isometry3d back = kinematics.flange(s);
         EXPECT_LT((back.translation() - pose.translation()).norm(), 1e-8) << g << ' ' << row.what;
-        EXPECT_LT(turnBetween(back.linear(), pose.linear()), 1e-11) << g << ' ' << row.what;
+        EXPECT_LT(angleBetweenFrames(back.linear(), pose.linear()), 1e-11) << g << ' ' << row.what;
       }
     }
   }

@@ -220,7 +220,7 @@ TEST_F(Files, linksThatNeverMeetKeepTheirAxesApart) {
       std::vector<test::Sample> samples = test::samplesOf(first, 15.0);
       for (test::Sample& s : samples)
         s.radius = 0.0;
-      double least = 1e9;
+      double minimum = 1e9;
       for (int n = 0; n < test::ofSeeds(2000, 20000); ++n) {
         JointVector q(robot.dof());
         for (int i = 0; i < robot.dof(); ++i) {
@@ -228,11 +228,11 @@ TEST_F(Files, linksThatNeverMeetKeepTheirAxesApart) {
           q[i] = limit.min + unit(random) * (limit.max - limit.min);
         }
         robot.kinematics->linkPoses(q, poses);
-        least = std::min(least, test::sampledDistance(
-                                    samples, poses[static_cast<std::size_t>(first.frame)], axis,
-                                    poses[static_cast<std::size_t>(second.frame)], -1.0));
+        minimum = std::min(minimum, test::sampledDistance(
+                                        samples, poses[static_cast<std::size_t>(first.frame)], axis,
+                                        poses[static_cast<std::size_t>(second.frame)], -1.0));
       }
-      EXPECT_GT(least, 40.0) << id << ": " << first.name << " and " << second.name;
+      EXPECT_GT(minimum, 40.0) << id << ": " << first.name << " and " << second.name;
     }
   }
 }

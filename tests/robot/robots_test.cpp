@@ -23,7 +23,7 @@ using test::joints;
 
 const Vector3d kX = Vector3d::UnitX(), kY = Vector3d::UnitY(), kZ = Vector3d::UnitZ();
 
-double turnBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+double angleBetweenFrames(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return (a - b).norm() / std::sqrt(2.0);
 }
 
@@ -40,8 +40,8 @@ Isometry3d chainFlange(const std::array<Joint, 6>& chain, const Isometry3d& last
   return t * last;
 }
 
-Isometry3d asIsometry(const Eigen::AngleAxisd& turn) {
-  return Isometry3d(turn);
+Isometry3d asIsometry(const Eigen::AngleAxisd& rotation) {
+  return Isometry3d(rotation);
 }
 
 class Robots : public test::WithResources {
@@ -62,7 +62,7 @@ protected:
       const Isometry3d there = chainFlange(chain, last, ofChain(q));
       const Isometry3d here = robot.kinematics->flange(q);
       ASSERT_LT((here.translation() - there.translation()).norm(), 1e-6) << id;
-      ASSERT_LT(turnBetween(here.linear(), there.linear()), 1e-9) << id;
+      ASSERT_LT(angleBetweenFrames(here.linear(), there.linear()), 1e-9) << id;
     }
   }
 
@@ -84,7 +84,7 @@ TEST_F(Robots, InverseFindsTheJointsOfEachForwardPose) {
       for (const JointVector& s : solutions) {
         const Isometry3d back = robot.kinematics->flange(s);
         ASSERT_LT((back.translation() - flange.translation()).norm(), 1e-6) << id;
-        ASSERT_LT(turnBetween(back.linear(), flange.linear()), 1e-8) << id;
+        ASSERT_LT(angleBetweenFrames(back.linear(), flange.linear()), 1e-8) << id;
         nearest = std::min(nearest, (s - q).cwiseAbs().maxCoeff());
       }
       ASSERT_LT(nearest, 1e-5) << id << " at " << q.transpose();
@@ -112,10 +112,10 @@ TEST_F(Robots, TechmanAsItsDescriptionHasIt) {
   const RobotModel tm = loadRobot("tm5-700");
   const Isometry3d zero = tm.kinematics->flange(JointVector::Zero(6));
   EXPECT_LT((zero.translation() - Vector3d(0, -235.45, 891.7)).norm(), 1e-3);
-  EXPECT_LT(turnBetween(zero.linear(), Eigen::Quaterniond(h, h, 0, 0).matrix()), 1e-9);
+  EXPECT_LT(angleBetweenFrames(zero.linear(), Eigen::Quaterniond(h, h, 0, 0).matrix()), 1e-9);
   const Isometry3d bent = tm.kinematics->flange(joints({0, 0, 90, 0, 90, 0}));
   EXPECT_LT((bent.translation() - Vector3d(417.5, -122.3, 361.05)).norm(), 1e-3);
-  EXPECT_LT(turnBetween(bent.linear(), Eigen::Quaterniond(0, -h, -h, 0).matrix()), 1e-9);
+  EXPECT_LT(angleBetweenFrames(bent.linear(), Eigen::Quaterniond(0, -h, -h, 0).matrix()), 1e-9);
   // Denavit and Hartenberg's four numbers a joint.
   const double a[6] = {0, 329, 311.5, 0, 0, 0}, d[6] = {145.2, 0, 0, -122.3, 106, 113.15},
                alpha[6] = {-90, 0, 0, 90, 90, 0}, offset[6] = {0, -90, 0, 90, 0, 0};
@@ -127,7 +127,7 @@ TEST_F(Robots, TechmanAsItsDescriptionHasIt) {
           Eigen::Translation3d(a[i], 0, d[i]) * Eigen::AngleAxisd(degreesToRadians(alpha[i]), kX);
     const Isometry3d here = tm.kinematics->flange(q);
     ASSERT_LT((here.translation() - t.translation()).norm(), 1e-6);
-    ASSERT_LT(turnBetween(here.linear(), t.linear()), 1e-9);
+    ASSERT_LT(angleBetweenFrames(here.linear(), t.linear()), 1e-9);
   }
 }
 
@@ -162,7 +162,7 @@ TEST_F(Robots, Irb2400TellsItsThirdAxisFromTheBase) {
     robot.kinematics->linkPoses(joints({0, second, 10, 0, 0, 0}), links);
     return Eigen::Matrix3d(links[3].linear());
   };
-  EXPECT_LT(turnBetween(forearm(-20), forearm(40)), 1e-12);
+  EXPECT_LT(angleBetweenFrames(forearm(-20), forearm(40)), 1e-12);
 }
 
 TEST_F(Robots, KukaTurnsThreeAxesTheOtherWay) {

@@ -124,16 +124,16 @@ std::vector<Sample> samplesOf(const robot::Body& body, double spacingMm) {
 
 double sampledDistance(const std::vector<Sample>& samples, const Eigen::Isometry3d& samplesPose,
                        const robot::Body& body, const Eigen::Isometry3d& bodyPose, double floorMm) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   const Eigen::Isometry3d body_T_samples = bodyPose.inverse() * samplesPose;
   for (const Sample& sample : samples) {
     const Vector3d p = body_T_samples * sample.point;
     for (const robot::Shape& shape : body.shapes)
-      least = std::min(least, signedDistance(p, shape) - sample.radius);
-    if (least <= floorMm)
-      return least;
+      minimum = std::min(minimum, signedDistance(p, shape) - sample.radius);
+    if (minimum <= floorMm)
+      return minimum;
   }
-  return least;
+  return minimum;
 }
 
 } // namespace voluta::test

@@ -91,7 +91,7 @@ TEST_F(Scara, LinksFollowEachOther) {
 TEST_F(Scara, InverseFindsTheJointsOfEachForwardPose) {
   const RobotModel t3 = loadRobot("t3-401s");
   std::vector<JointVector> solutions;
-  double worstMm = 0.0, worstTurn = 0.0, worstBack = 0.0;
+  double worstMm = 0.0, worstRotation = 0.0, worstBack = 0.0;
   for (int n = 0; n < 100000; ++n) {
     const JointVector q = randomJoints(t3);
     const Isometry3d flange = t3.kinematics->flange(q);
@@ -103,14 +103,15 @@ TEST_F(Scara, InverseFindsTheJointsOfEachForwardPose) {
     for (const JointVector& s : solutions) {
       const Isometry3d there = t3.kinematics->flange(s);
       worstMm = std::max(worstMm, (there.translation() - flange.translation()).norm());
-      worstTurn = std::max(worstTurn, (there.linear() - flange.linear()).cwiseAbs().maxCoeff());
+      worstRotation =
+          std::max(worstRotation, (there.linear() - flange.linear()).cwiseAbs().maxCoeff());
       back = std::min(back, std::max({apart(s[0], q[0]), apart(s[1], q[1]), std::abs(s[2] - q[2]),
                                       apart(s[3], q[3])}));
     }
     worstBack = std::max(worstBack, back);
   }
   EXPECT_LT(worstMm, 1e-8);
-  EXPECT_LT(worstTurn, 1e-8);
+  EXPECT_LT(worstRotation, 1e-8);
   EXPECT_LT(worstBack,
             1e-5); // next to the stretched arm joints depend on the root of the rounding error
   RecordProperty("worstMm", std::to_string(worstMm));
@@ -235,9 +236,9 @@ TEST_F(Scara, StepsOfJointsAreHeldAgainstEachOther) {
   const RobotModel t3 = loadRobot("t3-401s");
   JointVector step(4);
   step << 0.1, -0.2, 50.0, 0.05;
-  EXPECT_DOUBLE_EQ(largestTurn(step, t3.limits), 0.5);
-  EXPECT_DOUBLE_EQ(asTurns(step, t3.limits)[1], -0.2);
-  EXPECT_DOUBLE_EQ(fromTurn(JointKind::Sliding, asTurn(JointKind::Sliding, 7.0)), 7.0);
+  EXPECT_DOUBLE_EQ(largestRotation(step, t3.limits), 0.5);
+  EXPECT_DOUBLE_EQ(asAngles(step, t3.limits)[1], -0.2);
+  EXPECT_DOUBLE_EQ(fromAngle(JointKind::Sliding, asAngle(JointKind::Sliding, 7.0)), 7.0);
 }
 
 // The arm's shaft is upright, so the head in every pose.

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 
-std::vector<Shape> piecesOf(const TriangleMesh& mesh, int most = 16) {
-  return solidPieces(mesh, most, base::RunContext{});
+std::vector<Shape> piecesOf(const TriangleMesh& mesh, int maxPieces = 16) {
+  return solidPieces(mesh, maxPieces, base::RunContext{});
 }
 
 bool held(const std::vector<Shape>& pieces, const Vector3d& p) {
@@ -63,9 +63,9 @@ void expectHeld(const TriangleMesh& mesh, const std::vector<Shape>& pieces) {
 }
 
 TriangleMesh turned(TriangleMesh mesh) {
-  const Eigen::AngleAxisd turn(0.6, Vector3d(1, -2, 0.5).normalized());
+  const Eigen::AngleAxisd rotation(0.6, Vector3d(1, -2, 0.5).normalized());
   for (Vector3d& p : mesh.vertices)
-    p = turn * p + Vector3d(100, 20, -40);
+    p = rotation * p + Vector3d(100, 20, -40);
   return mesh;
 }
 
@@ -141,9 +141,9 @@ TEST(SolidPieces, NoMorePiecesThanTheLimit) {
   for (int i = 0; i < 10; ++i)
     test::append(balls, test::sphere({100.0 * i, 0, 0}, 10.0, 6));
   for (const TriangleMesh& mesh : {table(), angleIron(), balls})
-    for (const int most : {1, 3, 6}) {
-      const auto pieces = piecesOf(mesh, most);
-      EXPECT_LE(static_cast<int>(pieces.size()), most);
+    for (const int maxPieces : {1, 3, 6}) {
+      const auto pieces = piecesOf(mesh, maxPieces);
+      EXPECT_LE(static_cast<int>(pieces.size()), maxPieces);
       expectHeld(mesh, pieces);
     }
 }

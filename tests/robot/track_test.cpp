@@ -49,8 +49,8 @@ protected:
             {"maxMm", 500},          {"stepMm", 0},
             {"velocityMmPerS", 500}, {"accelerationMmPerS2", 1000}};
   }
-  static json turn(const char* name, const char* carries, const std::vector<double>& at,
-                   const std::vector<double>& about) {
+  static json rotary(const char* name, const char* carries, const std::vector<double>& at,
+                     const std::vector<double>& about) {
     return {{"name", name},          {"kind", "turning"},
             {"carries", carries},    {"pose", {{"xyzMm", at}}},
             {"axis", about},         {"minDeg", -180},
@@ -128,7 +128,7 @@ TEST_F(Track, fixedBodiesAreCheckedAgainstTheCarriage) {
 TEST_F(Track, aChainUnderTheRobotAndOneUnderThePlate) {
   json description = own();
   description["externalAxes"] = {slide("lift", "robot", {10, 20, -30}, {0, 0, 1}),
-                                 turn("table", "platform", {750, 40, 100}, {0, 0, 1})};
+                                 rotary("table", "platform", {750, 40, 100}, {0, 0, 1})};
   description["neverMeet"] = json::array();
   description["platform"]["pose"] = {{"xyzMm", {0, 15, 50}}};
   const Cell cell = read(description);
@@ -153,7 +153,7 @@ TEST_F(Track, aChainUnderTheRobotAndOneUnderThePlate) {
 // Two axes under the robot, the one right under it first: a rail carries a column that turns.
 TEST_F(Track, axisRightUnderTheRobotComesFirst) {
   json description = own();
-  description["externalAxes"] = {turn("column", "robot", {-200, 30, -100}, {0, 0, -2}),
+  description["externalAxes"] = {rotary("column", "robot", {-200, 30, -100}, {0, 0, -2}),
                                  slide("rail", "robot", {5, 5, -300}, {3, 4, 0})};
   description["externalAxes"][1]["bodies"] = {
       {{"name", "saddle"},
@@ -208,7 +208,7 @@ TEST_F(Track, tiltsNoMoreThanTheArm) {
         .tilts();
   };
   EXPECT_FALSE(tilts("t3", slide("rail", "robot", {0, 0, 0}, {0, 1, 0})));
-  EXPECT_TRUE(tilts("t3", turn("tilt", "platform", {0, 0, 0}, {1, 0, 0})));
+  EXPECT_TRUE(tilts("t3", rotary("tilt", "platform", {0, 0, 0}, {1, 0, 0})));
   EXPECT_TRUE(tilts(kId, slide("rail", "robot", {0, 0, 0}, {0, 1, 0})));
 }
 

@@ -26,7 +26,7 @@ Eigen::Isometry3d dhFlange(const UrGeometry& g, const JointVector& q) {
   return t;
 }
 
-double turnBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+double angleBetweenFrames(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   const Eigen::Matrix3d r = a.transpose() * b;
   return 0.5 * Eigen::Vector3d(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)).norm() +
          (r.trace() < 0 ? kPi : 0.0);
@@ -59,8 +59,9 @@ TEST_F(Ur, checkValuesOfAllFour) {
     const Eigen::Isometry3d bent = robot.kinematics->flange(joints({0, -90, 90, -90, -90, 0}));
     EXPECT_LT((zero.translation() - row.atZero).norm(), 1e-3) << row.id;
     EXPECT_LT((bent.translation() - row.atBent).norm(), 1e-3) << row.id;
-    EXPECT_LT(turnBetween(zero.linear(), Eigen::Quaterniond(h, h, 0, 0).matrix()), 1e-12) << row.id;
-    EXPECT_LT(turnBetween(bent.linear(), Eigen::Quaterniond(0, -h, -h, 0).matrix()), 1e-12)
+    EXPECT_LT(angleBetweenFrames(zero.linear(), Eigen::Quaterniond(h, h, 0, 0).matrix()), 1e-12)
+        << row.id;
+    EXPECT_LT(angleBetweenFrames(bent.linear(), Eigen::Quaterniond(0, -h, -h, 0).matrix()), 1e-12)
         << row.id;
   }
 }
@@ -102,7 +103,7 @@ TEST_F(Ur, inverseThenForwardOverRandomPoses) {
       for (const JointVector& s : solutions) {
         const Eigen::Isometry3d back = robot.kinematics->flange(s);
         worstMm = std::max(worstMm, (back.translation() - pose.translation()).norm());
-        worstRad = std::max(worstRad, turnBetween(back.linear(), pose.linear()));
+        worstRad = std::max(worstRad, angleBetweenFrames(back.linear(), pose.linear()));
         nearest = std::min(nearest, jointDistance(s, q));
         ASSERT_TRUE(s.maxCoeff() <= kPi && s.minCoeff() > -kPi);
       }
@@ -141,8 +142,8 @@ TEST_F(Ur, everyBranchADenseNumericSearchFinds) {
       const Eigen::Isometry3d t = dhFlange(kUr5, q);
       Eigen::Matrix<double, 12, 1> r;
       r.head<3>() = (t.translation() - pose.translation()) / 100.0;
-      const Eigen::Matrix3d turn = t.linear() - pose.linear();
-      r.tail<9>() = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(turn.data());
+      const Eigen::Matrix3d rotation = t.linear() - pose.linear();
+      r.tail<9>() = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(rotation.data());
       return r;
     };
     for (int start = 0; start < 250; ++start) {
@@ -213,7 +214,7 @@ TEST_F(Ur, singularPosesAreReachedOnceAWay) {
     for (std::size_t i = 0; i < solutions.size(); ++i) {
       const Eigen::Isometry3d back = dhFlange(kUr5, solutions[i]);
       EXPECT_LT((back.translation() - pose.translation()).norm(), 1e-8) << row.what;
-      EXPECT_LT(turnBetween(back.linear(), pose.linear()), 1e-9) << row.what;
+      EXPECT_LT(angleBetweenFrames(back.linear(), pose.linear()), 1e-9) << row.what;
     }
   }
 }

@@ -420,13 +420,13 @@ TEST_F(Urdf, CapsulesHoldEveryPoint) {
   std::normal_distribution<double> normal(0.0, 1.0);
   for (int n = 0; n < 50; ++n) {
     const Vector3d size(20.0 + n, 30, 300);
-    const Eigen::Matrix3d turn =
+    const Eigen::Matrix3d rotation =
         Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
             .normalized()
             .toRotationMatrix();
     std::vector<Vector3d> points;
     for (int i = 0; i < 500; ++i)
-      points.push_back(turn *
+      points.push_back(rotation *
                        size.cwiseProduct(Vector3d(normal(random), normal(random), normal(random))));
     const Capsule capsule = enclosingCapsule(points, Vector3d::UnitX());
     double closest = 1e9;

@@ -215,11 +215,11 @@ TEST(PathsDrawing, MovesAndPrintedWaypointsClampThePrintOrder) {
   const plan::ToolPlan plan = block(6, 8, 10);
   const auto drawing = scene::drawPaths(plan);
   const auto highest = [&](const scene::ViewState& view) {
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (const Stretch& s : scene::visibleBeads(*drawing, view))
       for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i)
-        most = std::max<std::size_t>(most, drawing->arrival[i]);
-    return most;
+        maximum = std::max<std::size_t>(maximum, drawing->arrival[i]);
+    return maximum;
   };
   scene::ViewState view;
   view.lastLayer = 3;

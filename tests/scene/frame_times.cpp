@@ -68,13 +68,13 @@ int main() {
   view.part = false;
   view.dragging = true;
   bench.scene.setPlatform(scene::drawPlatform(job.item().platform, 100.0));
-  const auto turn = [&](scene::ViewState&, double) {
+  const auto rotate = [&](scene::ViewState&, double) {
     bench.scene.renderer()->GetActiveCamera()->Azimuth(7);
   };
   if (job.item().part) {
     bench.scene.setPart(timed("drawPart", [&] { return scene::drawPart(*job.item().part); }));
     view.part = true;
-    bench.run("part, turning", view, turn);
+    bench.run("part, turning", view, rotate);
     view.part = false;
   }
   if (job.item().decomposition()) {
@@ -82,7 +82,7 @@ int main() {
         timed("drawVoxels", [&] { return scene::drawVoxels(*job.item().decomposition()); });
     bench.scene.setVoxels(d);
     view.voxels = true;
-    bench.run("voxels, turning", view, turn);
+    bench.run("voxels, turning", view, rotate);
     bench.run("voxels, last layer", view, [&](scene::ViewState& v, double t) {
       v.lastLayer = static_cast<int>(t * scene::layerCount(*d));
     });
@@ -92,7 +92,7 @@ int main() {
     const auto d = timed("drawLayers", [&] { return scene::drawLayers(*job.item().layers); });
     bench.scene.setLayers(d);
     view.layers = true;
-    bench.run("layers, turning", view, turn);
+    bench.run("layers, turning", view, rotate);
     bench.run("layers, last layer", view, [&](scene::ViewState& v, double t) {
       v.lastLayer = static_cast<int>(t * scene::layerCount(*d));
     });
@@ -105,7 +105,7 @@ int main() {
   std::printf("%zu waypoints\n", job.toolPlan->waypointCount());
   bench.scene.setPaths(d);
   view.paths = true;
-  bench.run("paths, turning", view, turn);
+  bench.run("paths, turning", view, rotate);
   bench.run("paths, last layer", view, [&](scene::ViewState& v, double t) {
     v.lastLayer = static_cast<int>(t * scene::layerCount(*d));
   });
@@ -123,9 +123,9 @@ int main() {
   });
   scene::ViewState still = view;
   still.dragging = false;
-  bench.run("paths, not dragging", still, turn);
+  bench.run("paths, not dragging", still, rotate);
   still.colourBy = scene::ColourBy::Speed;
-  bench.run("paths, another colour", still, turn);
+  bench.run("paths, another colour", still, rotate);
   if (!job.trajectory)
     return 0;
   const auto process = pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices));

@@ -162,8 +162,8 @@ TEST(LabelPlaces, AreInTheMiddleOfTheVisiblePartOfABody) {
 
 TEST(LabelPlaces, AreOnTheMovedBody) {
   const auto ball = test::sphere({0, 0, 0}, 20);
-  const Eigen::Isometry3d aside(Eigen::Translation3d(50, 0, 30));
-  const auto places = scene::labelPlaces({{&ball, aside}}, fromTheFront());
+  const Eigen::Isometry3d offset(Eigen::Translation3d(50, 0, 30));
+  const auto places = scene::labelPlaces({{&ball, offset}}, fromTheFront());
   ASSERT_TRUE(places[0]);
   EXPECT_LT((*places[0] - Vector3d(0, -20, 0)).norm(), 3.0) << places[0]->transpose();
 }
@@ -171,12 +171,12 @@ TEST(LabelPlaces, AreOnTheMovedBody) {
 TEST(LabelPlaces, AreLeftOutWhereThereIsNoRoom) {
   const auto chip = test::box({0, 0, 0}, {3, 5, 3});
   scene::LabelView view = fromTheFront();
-  view.leastRadius = 8.0;
+  view.minRadius = 8.0;
   EXPECT_FALSE(scene::labelPlaces({{&chip}}, view)[0]);
 
   const auto large = test::box({-20, 0, -20}, {0, 5, 20}),
              small = test::box({0, 0, -5}, {10, 5, 5});
-  view.leastRadius = 0.0;
+  view.minRadius = 0.0;
   auto places = scene::labelPlaces({{&small}, {&large}}, view);
   EXPECT_TRUE(places[0] && places[1]);
   view.apart = 80.0;

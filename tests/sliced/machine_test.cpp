@@ -154,7 +154,7 @@ TEST(GcodeMachine, BadLinesAreRefusedWithTheirPlaceAndHelp) {
 // Random beads on a table that tilts and turns come back as points and directions on the part.
 TEST(GcodeMachine, ATableThatTiltsGivesDirections) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> at(-40.0, 40.0), tilt(-1.2, 1.2), turn(-6.0, 6.0);
+  std::uniform_real_distribution<double> at(-40.0, 40.0), tilt(-1.2, 1.2), rotation(-6.0, 6.0);
   for (const double sense : {1.0, -1.0}) {
     const program::TableFrame frame{3.0, 12.5};
     std::string text = "; plate over the tilt axis, mm: X3.000 Z12.500\n";
@@ -164,13 +164,14 @@ TEST(GcodeMachine, ATableThatTiltsGivesDirections) {
     std::vector<plan::NozzlePoint> expected;
     for (int k = 0; k < 40; ++k) {
       const Eigen::Vector3d tip(at(random), at(random), std::abs(at(random)));
-      const program::TablePose pose = program::tablePose(frame, tip, {tilt(random), turn(random)});
+      const program::TablePose pose =
+          program::tablePose(frame, tip, {tilt(random), rotation(random)});
       expected.push_back(program::nozzleAt(frame, pose));
       char line[160];
       std::snprintf(line, sizeof line, "G1 X%.6f Y%.6f Z%.6f B%.7f C%.7f F12%s\n", pose.axesMm.x(),
                     pose.axesMm.y(), pose.axesMm.z(),
                     sense * base::radiansToDegrees(pose.angles.tilt),
-                    sense * base::radiansToDegrees(pose.angles.turn), k > 0 ? " E1" : "");
+                    sense * base::radiansToDegrees(pose.angles.rotation), k > 0 ? " E1" : "");
       text += line;
     }
     const sliced::SlicedFile file = followed(text);

@@ -84,13 +84,13 @@ plan::ToolPlan randomPaths(std::mt19937& random) {
   const int count = layers(random);
   for (int layer = 0; layer < count; ++layer)
     for (int p = paths(random); p > 0; --p) {
-      std::vector<Vector3d> way{{at(random), at(random), 0.2 * (layer + 1)}};
+      std::vector<Vector3d> distance{{at(random), at(random), 0.2 * (layer + 1)}};
       for (int k = points(random); k > 1; --k) {
-        Vector3d next = way.back() + Vector3d(step(random), step(random), 0.0);
-        way.push_back(next.cwiseMax(Vector3d::Constant(0.2)));
-        way.back().z() = way.front().z();
+        Vector3d next = distance.back() + Vector3d(step(random), step(random), 0.0);
+        distance.push_back(next.cwiseMax(Vector3d::Constant(0.2)));
+        distance.back().z() = distance.front().z();
       }
-      addPath(plan, kKinds[kind(random)], layer, way, width(random), 0.2);
+      addPath(plan, kKinds[kind(random)], layer, distance, width(random), 0.2);
     }
   return plan;
 }
@@ -116,8 +116,9 @@ TEST(SlicedReader, LengthAndVolumeAreTheFiles) {
       const std::size_t i = read.paths[p].first, j = plan.paths[p].first;
       EXPECT_NEAR(read.heightMm[i], 0.2, 1e-6);
       // Amounts have five decimals.
-      const double way = (plan.position[j + 1] - plan.position[j]).norm();
-      EXPECT_NEAR(read.widthMm[i], plan.widthMm[j], 0.002 + 1e-3 / std::max(way, 1e-3)) << round;
+      const double distance = (plan.position[j + 1] - plan.position[j]).norm();
+      EXPECT_NEAR(read.widthMm[i], plan.widthMm[j], 0.002 + 1e-3 / std::max(distance, 1e-3))
+          << round;
     }
   }
 }

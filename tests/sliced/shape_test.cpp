@@ -39,7 +39,7 @@ TEST(CurvedGround, HeightsAreDistancesFromTheGround) {
       fromCentre.x() = 0.0;
     EXPECT_NEAR(fromCentre.norm(), std::abs(ground.radiusMm + level.z()), 1e-9);
     // The nozzle is normal to the ground.
-    const Vector3d up = mapped.turn * Vector3d::UnitZ();
+    const Vector3d up = mapped.rotation * Vector3d::UnitZ();
     EXPECT_NEAR(up.dot(fromCentre.normalized()), ground.radiusMm > 0.0 ? 1.0 : -1.0, 1e-9);
     // Small steps grow as stated.
     constexpr double kStep = 1e-4;
@@ -124,16 +124,16 @@ TEST(PathShape, KeptAnglesGrowWithTheRadius) {
 TEST(PathShape, LayersTurnAndTurnBack) {
   const sliced::ReadSliced read = rows();
   sliced::PathShape shape;
-  shape.turnPerLayerRad = base::degreesToRadians(10.0);
-  shape.turnBackMm = 1.0;
+  shape.rotationPerLayerRad = base::degreesToRadians(10.0);
+  shape.reverseMm = 1.0;
   const sliced::ShapedPaths turned = sliced::shaped(read.plan, read.solid, shape, kCtx);
   std::vector<double> angles;
   int layer = -1;
   for (const plan::ToolPath& path : turned.plan.paths)
     if (path.layer != layer) {
       layer = path.layer;
-      const Vector3d way = turned.plan.position[path.first + 1] - turned.plan.position[path.first];
-      angles.push_back(base::radiansToDegrees(std::atan2(way.y(), way.x())));
+      const Vector3d step = turned.plan.position[path.first + 1] - turned.plan.position[path.first];
+      angles.push_back(base::radiansToDegrees(std::atan2(step.y(), step.x())));
     }
   ASSERT_EQ(angles.size(), 3u);
   EXPECT_NEAR(angles[0], 0.0, 1e-9);

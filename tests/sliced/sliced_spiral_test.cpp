@@ -55,8 +55,8 @@ double depthInWall(const Spiral& spiral, const Vector3d& p, double topMm) {
   const double half = 0.5 * process::hatchOf(spiral.widthMm, spiral.heightMm);
   const double radius = spiral.outline(0.0, 0.0).x();
   const double floor = spiral.bottomLayers * spiral.heightMm;
-  const double aside = half - std::abs(std::hypot(p.x(), p.y()) - radius);
-  return std::min({aside, p.z() - floor, topMm - p.z()});
+  const double offset = half - std::abs(std::hypot(p.x(), p.y()) - radius);
+  return std::min({offset, p.z() - floor, topMm - p.z()});
 }
 
 TEST(SpiralVase, TheSolidIsTheWallBetweenTwoHelices) {
@@ -66,10 +66,10 @@ TEST(SpiralVase, TheSolidIsTheWallBetweenTwoHelices) {
   for (const Manner manner : test::kManners) {
     const geometry::MeshQuery query(readOf(manner, spiral).solid);
     std::mt19937 random(11);
-    std::uniform_real_distribution<double> share(0.05, 0.95), aside(-1.0, 1.0),
+    std::uniform_real_distribution<double> share(0.05, 0.95), offset(-1.0, 1.0),
         height(floor + 1.5 * spiral.heightMm, floor + (spiral.turns + 0.5) * spiral.heightMm);
     for (int k = 0; k < 4000; ++k) {
-      const double s = share(random), angle = 2.0 * base::kPi * s, r = radius + aside(random);
+      const double s = share(random), angle = 2.0 * base::kPi * s, r = radius + offset(random);
       const Vector3d p(r * std::cos(angle), r * std::sin(angle), height(random));
       const double turns = manner == Manner::PrusaSlicer ? spiral.turns : spiral.turns - 1 + s;
       const double depth = depthInWall(spiral, p, floor + turns * spiral.heightMm);

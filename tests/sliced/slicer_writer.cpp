@@ -124,8 +124,8 @@ private:
 
   void bead(const plan::ToolPlan& plan, std::size_t i) {
     const Vector3d to = rounded(plan.position[i]);
-    const double way = (to - at_).norm();
-    if (way < 1e-6)
+    const double distance = (to - at_).norm();
+    if (distance < 1e-6)
       return;
     const double area = [&] {
       const auto of = [&](std::size_t k) {
@@ -133,10 +133,10 @@ private:
       };
       return 0.5 * (of(i - 1) + of(i));
     }();
-    const double length = std::round(1e5 * area * way / mm2_) / 1e5;
+    const double length = std::round(1e5 * area * distance / mm2_) / 1e5;
     e_ += length;
     line(fmt::format("G1 X{:.3f} Y{:.3f} E{:.5f}", to.x(), to.y(), isRelative() ? length : e_));
-    out_.lengthMm += way;
+    out_.lengthMm += distance;
     out_.volumeMm3 += length * mm2_;
     at_ = to;
   }

@@ -30,8 +30,8 @@ public:
       bottom(layer);
     const double floor = spiral_.bottomLayers * spiral_.heightMm;
     travel(at(0.0, floor));
-    for (int turn = 0; turn < spiral_.turns; ++turn)
-      wall(turn, floor);
+    for (int revolution = 0; revolution < spiral_.turns; ++revolution)
+      wall(revolution, floor);
     if (manner_ == Manner::PrusaSlicer)
       fadeOut(floor + spiral_.turns * spiral_.heightMm);
     return std::move(out_);
@@ -70,15 +70,16 @@ private:
     }
   }
 
-  void wall(int turn, double floor) {
-    layerHead(spiral_.bottomLayers + turn, floor + (turn + 1) * spiral_.heightMm);
+  void wall(int revolution, double floor) {
+    layerHead(spiral_.bottomLayers + revolution, floor + (revolution + 1) * spiral_.heightMm);
     for (int k = 1; k <= spiral_.facets; ++k) {
       const double share = static_cast<double>(k) / spiral_.facets;
       const double middle = share - 0.5 / spiral_.facets;
-      const double flow = turn > 0 || manner_ == Manner::Slic3r ? 1.0
-                          : manner_ == Manner::Cura             ? std::max(0.25, middle)
-                                                                : middle;
-      bead(at(k == spiral_.facets ? 0.0 : share, floor + (turn + share) * spiral_.heightMm), flow);
+      const double flow = revolution > 0 || manner_ == Manner::Slic3r ? 1.0
+                          : manner_ == Manner::Cura                   ? std::max(0.25, middle)
+                                                                      : middle;
+      bead(at(k == spiral_.facets ? 0.0 : share, floor + (revolution + share) * spiral_.heightMm),
+           flow);
     }
   }
 
@@ -98,12 +99,12 @@ private:
 
   void bead(const Vector3d& point, double flow) {
     const Vector3d to = rounded(point);
-    const double way = (to - at_).norm();
-    const double length = std::round(1e5 * flow * area() * way / kFilamentMm2) / 1e5;
+    const double distance = (to - at_).norm();
+    const double length = std::round(1e5 * flow * area() * distance / kFilamentMm2) / 1e5;
     e_ += length;
     line(fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f} E{:.5f}", to.x(), to.y(), to.z(),
                      isRelative() ? length : e_));
-    out_.lengthMm += way;
+    out_.lengthMm += distance;
     out_.volumeMm3 += length * kFilamentMm2;
     at_ = to;
   }
@@ -160,8 +161,8 @@ Spiral twistedSpiral() {
   const double height = spiral.turns * spiral.heightMm;
   spiral.outline = [height](double share, double z) {
     const double angle = 2.0 * base::kPi * share;
-    const double turn = base::kPi / 3.0 * z / height;
-    const double radius = 16.0 + 1.5 * std::cos(5.0 * (angle - turn));
+    const double twist = base::kPi / 3.0 * z / height;
+    const double radius = 16.0 + 1.5 * std::cos(5.0 * (angle - twist));
     return Vector2d(radius * std::cos(angle), radius * std::sin(angle));
   };
   return spiral;

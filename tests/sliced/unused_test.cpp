@@ -51,9 +51,9 @@ std::string twoTools(const std::string& head, bool returnsFirst) {
   std::string text = kHead + head + "T0\n";
   for (int k = 0; k < 6; ++k) {
     text += layer(k);
-    for (int turn = 0; turn < 2; ++turn) {
-      const int tool = (k + turn) % 2;
-      if (turn > 0)
+    for (int round = 0; round < 2; ++round) {
+      const int tool = (k + round) % 2;
+      if (round > 0)
         text += fmt::format("G1 E-20 F2100\nT{}\n", tool) +
                 (k > 0 || returnsFirst ? "G1 E20 F2100\n" : "");
       text += square(tool == 0 ? 60.0 : 110.0, 60.0, 0.8 * (k + 1));
@@ -295,7 +295,7 @@ TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
     // The material that leaves the nozzles is known here.
     const bool isAbsolute = seed % 2 == 0;
     std::string text = isAbsolute ? "M82\nG28\n" : "M83\nG28\n";
-    double e = 0.0, laid = 0.0;
+    double e = 0.0, deposited = 0.0;
     std::array<double, 3> owed{};
     std::size_t tool = 0;
     const auto feed = [&](double mm) {
@@ -323,7 +323,7 @@ TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
             fmt::format("G1 X{:.3f} Y{:.3f} E{:.6f}\n", uniform(0, 99), uniform(0, 99), feed(mm));
         const double out = std::max(0.0, mm - owed[tool]);
         owed[tool] = std::max(0.0, owed[tool] - mm);
-        laid += out;
+        deposited += out;
       }
     }
     const sliced::SlicedFile file = sliced::followGcode(text, "part.gcode", kCtx);
@@ -331,8 +331,8 @@ TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
     for (const sliced::SlicedPath& path : file.paths)
       for (const sliced::SlicedPoint& point : path.points)
         beads += point.extruded;
-    EXPECT_NEAR(beads, laid, 1e-3) << seed;
-    EXPECT_NEAR(sliced::statedAmount(text, file.header), laid, 1e-3) << seed;
+    EXPECT_NEAR(beads, deposited, 1e-3) << seed;
+    EXPECT_NEAR(sliced::statedAmount(text, file.header), deposited, 1e-3) << seed;
   }
 }
 

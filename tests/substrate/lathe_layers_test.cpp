@@ -24,8 +24,8 @@ using substrate::LatheOptions;
 
 const RodShape kRod = platform::straightRod(5, 200);
 
-LatheLayers laid(const TriangleMesh& part, const RodShape& rod, double volumeMm3,
-                 const LatheOptions& options = {}) {
+LatheLayers layersOf(const TriangleMesh& part, const RodShape& rod, double volumeMm3,
+                     const LatheOptions& options = {}) {
   const TriangleMesh left = substrate::partAroundRod(part, rod);
   EXPECT_TRUE(geometry::diagnose(left).watertight);
   LatheLayers made = substrate::latheLayers(left, rod, options, {});
@@ -65,7 +65,7 @@ double revolvedOnRod(const std::vector<Eigen::Vector2d>& section) {
 }
 
 TEST(LatheLayers, Tube) {
-  const auto made = laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())));
+  const auto made = layersOf(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())));
   EXPECT_EQ(made.stack.layerCount, 10);
   EXPECT_EQ(made.stack.patches.size(), 10u);
   EXPECT_NEAR(made.outerMm.front(), 2.75, 1e-6);
@@ -78,7 +78,8 @@ TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
   LatheOptions options;
   options.firstLayerMm = 0.3;
   options.layerHeightMm = 0.2;
-  const auto made = laid(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())), options);
+  const auto made =
+      layersOf(shortTube(), kRod, revolvedOnRod(shortened(test::tubeSection())), options);
   EXPECT_EQ(made.stack.layerCount, 12);
   EXPECT_NEAR(made.outerMm.front(), 2.8, 1e-6);
   EXPECT_NEAR(made.outerMm[1], 3.0, 1e-6);
@@ -86,7 +87,7 @@ TEST(LatheLayers, FirstLayerOfItsOwnHeight) {
 
 TEST(LatheLayers, ShouldersAreLayeredFromTheRodOutwards) {
   const auto section = shortened(test::shoulderSection());
-  const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+  const auto made = layersOf(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 10);
   // 1.5 mm at the seats are six layers of the whole length, the others are between them.
   for (const layers::Patch& p : made.stack.patches)
@@ -96,30 +97,31 @@ TEST(LatheLayers, ShouldersAreLayeredFromTheRodOutwards) {
 TEST(LatheLayers, ShouldersBetweenLevels) {
   const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 3.6}, {-4, 3.6}, {-4, 4.1},
                                                 {4, 4.1},   {4, 3.6},   {10, 3.6}, {10, 2.4}};
-  laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+  layersOf(test::revolved(section, 256), kRod, revolvedOnRod(section));
 }
 
 TEST(LatheLayers, TwoCollarsGrowTogether) {
   const std::vector<Eigen::Vector2d> section = {{-10, 2.4}, {-10, 4}, {-6, 4}, {-6, 3},
                                                 {6, 3},     {6, 4},   {10, 4}, {10, 2.4}};
-  const auto made = laid(test::revolved(section, 256), kRod, revolvedOnRod(section));
+  const auto made = layersOf(test::revolved(section, 256), kRod, revolvedOnRod(section));
   EXPECT_EQ(made.stack.layerCount, 6);
   EXPECT_EQ(made.stack.patches.size(), 2u + 2u * 4u);
 }
 
 TEST(LatheLayers, TaperedEnds) {
-  laid(test::revolved(test::taperedSection(), 256), kRod, revolvedOnRod(test::taperedSection()));
+  layersOf(test::revolved(test::taperedSection(), 256), kRod,
+           revolvedOnRod(test::taperedSection()));
 }
 
 TEST(LatheLayers, HalfTurnSector) {
-  const auto made = laid(test::halfTube(4.8, 10, 20), kRod, 0.5 * base::kPi * (25 - 6.25) * 20);
+  const auto made = layersOf(test::halfTube(4.8, 10, 20), kRod, 0.5 * base::kPi * (25 - 6.25) * 20);
   EXPECT_EQ(made.stack.layerCount, 10);
 }
 
 TEST(LatheLayers, HexagonalRod) {
   const RodShape hex = platform::straightRod(5, 200, 6);
   const auto made =
-      laid(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20));
+      layersOf(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20));
   EXPECT_GE(made.stack.layerCount, 10);
 }
 
@@ -127,12 +129,12 @@ TEST(LatheLayers, ThatFollowAHexagonalRod) {
   const RodShape hex = platform::straightRod(5, 200, 6);
   LatheOptions options;
   options.followsRod = true;
-  laid(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20), options);
+  layersOf(test::hexagonalTube(4.8, 10, 20), hex, test::hexagonalTubeVolume(5, 10, 20), options);
 }
 
 TEST(LatheLayers, SteppedRod) {
   const RodShape rod{{{-60, 2.5}, {0, 2.5}, {0, 3.5}, {60, 3.5}}, 0};
-  laid(shortTube(), rod, base::kPi * 10 * (2 * 25 - 6.25 - 12.25));
+  layersOf(shortTube(), rod, base::kPi * 10 * (2 * 25 - 6.25 - 12.25));
 }
 
 TEST(LatheLayers, OverhangGivesAFindingWithItsPlace) {

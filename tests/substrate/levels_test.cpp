@@ -43,20 +43,20 @@ std::size_t checkedRim(const LevelSurface& s) {
 }
 
 double farthest(const LevelSurface& s, const std::function<double(const Vector3d&)>& off) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Vector3d& p : s.surface.vertices)
-    most = std::max(most, std::abs(off(p)));
-  return most;
+    maximum = std::max(maximum, std::abs(off(p)));
+  return maximum;
 }
 
 double farthestMiddle(const LevelSurface& s, const std::function<double(const Vector3d&)>& off) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t t = 0; t < s.surface.triangles.size(); ++t)
-    most = std::max(
-        most,
+    maximum = std::max(
+        maximum,
         std::abs(
             off((s.surface.corner(t, 0) + s.surface.corner(t, 1) + s.surface.corner(t, 2)) / 3.0)));
-  return most;
+  return maximum;
 }
 
 TEST(Levels, CylinderIsClosedAroundWithoutASeam) {

@@ -30,13 +30,13 @@ Eigen::Isometry3d anywhere(unsigned seed) {
 }
 
 // Every vertex as far from the x axis as it was.
-double mostOff(const geometry::TriangleMesh& placed, const geometry::TriangleMesh& original,
-               double scale) {
-  double most = 0.0;
+double maxOff(const geometry::TriangleMesh& placed, const geometry::TriangleMesh& original,
+              double scale) {
+  double maximum = 0.0;
   for (std::size_t v = 0; v < placed.vertices.size(); ++v)
-    most = std::max(most, std::abs(placed.vertices[v].tail<2>().norm() -
-                                   scale * original.vertices[v].tail<2>().norm()));
-  return most;
+    maximum = std::max(maximum, std::abs(placed.vertices[v].tail<2>().norm() -
+                                         scale * original.vertices[v].tail<2>().norm()));
+  return maximum;
 }
 
 TEST(RodAxis, IsFoundInAnyPoseOfThePart) {
@@ -59,7 +59,7 @@ TEST(RodAxis, IsFoundInAnyPoseOfThePart) {
     for (const double scale : {1.0, 2.5}) {
       const auto placed =
           geometry::place(turned, scale, substrate::placementOnAxis(turned, scale, fit));
-      EXPECT_LT(mostOff(placed, part, scale), 1e-6);
+      EXPECT_LT(maxOff(placed, part, scale), 1e-6);
       const auto box = geometry::bounds(placed);
       EXPECT_NEAR(box.min().x() + box.max().x(), 0.0, 1e-9);
     }

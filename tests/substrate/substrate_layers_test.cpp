@@ -49,8 +49,8 @@ void expectExactBoundaries(const layers::LayerStack& stack, const TriangleMesh& 
   }
 }
 
-StackedLevels laid(const TriangleMesh& part, const GroundDistance& ground, double volumeMm3,
-                   const SubstrateOptions& o) {
+StackedLevels layersOf(const TriangleMesh& part, const GroundDistance& ground, double volumeMm3,
+                       const SubstrateOptions& o) {
   const substrate::LevelFamily family = substrate::substrateLevels(part, ground, o, {});
   StackedLevels made = substrate::stackLevels(part, family, o, {});
   EXPECT_NEAR(test::volumeOf(made.stack) / volumeMm3, 1.0, 1e-3);
@@ -86,20 +86,20 @@ TEST(SubstrateLayers, RibOverAGableRoof) {
   const TriangleMesh roof = test::gableRoof(40, 30);
   const TriangleMesh rib = substrate::partOnBody(test::gableRib(40, kWidth, kAll, 8), roof);
   const auto made =
-      laid(rib, substrate::distanceFrom(roof), test::gableRibVolume(40, kWidth, kAll, 8),
-           tableOptions(LevelShape::Offset));
+      layersOf(rib, substrate::distanceFrom(roof), test::gableRibVolume(40, kWidth, kAll, 8),
+               tableOptions(LevelShape::Offset));
   ASSERT_EQ(made.stack.layerCount, 10);
   ASSERT_EQ(made.stack.patches.size(), 10u);
   const double top = 20 * std::sqrt(3.0);
   std::size_t seen = 0;
   forEachInside(made.stack, [&](std::size_t k, const Vector3d& p, const Vector3d&, double thickness,
-                                double way) {
+                                double distance) {
     // Over the slopes; chords over the ridge are those of the grid.
     if (std::abs(p.y()) < 0.5 * (p.z() - top + std::abs(p.y()) * std::sqrt(3.0)) + 1.0)
       return;
     ++seen;
     EXPECT_NEAR(thickness / kHeight, 1.0, 5e-3);
-    EXPECT_NEAR(way / (k == 1 ? 0.5 * (kFirst + kHeight) : kHeight), 1.0, 5e-3);
+    EXPECT_NEAR(distance / (k == 1 ? 0.5 * (kFirst + kHeight) : kHeight), 1.0, 5e-3);
     const double over = 0.5 * (std::sqrt(3.0) * std::abs(p.y()) + p.z() - top);
     EXPECT_NEAR(over, kFirst + kHeight * (static_cast<double>(k) - 0.5), 1e-3);
   });
@@ -113,14 +113,14 @@ TEST_P(HalfCylinderRib, HasLayersOfTheTable) {
   const TriangleMesh rib =
       substrate::partOnBody(test::halfCylinderRib(40, kWidth, kAll, from, 361), body);
   const double volume = kWidth * angle * (std::pow(20 + kAll, 2) - 400) / 2;
-  const auto made = laid(rib, substrate::distanceFrom(body), volume, tableOptions(GetParam()));
+  const auto made = layersOf(rib, substrate::distanceFrom(body), volume, tableOptions(GetParam()));
   ASSERT_EQ(made.stack.patches.size(), 10u);
   std::size_t seen = 0;
   forEachInside(made.stack, [&](std::size_t k, const Vector3d& p, const Vector3d&, double thickness,
-                                double way) {
+                                double distance) {
     ++seen;
     EXPECT_NEAR(thickness / kHeight, 1.0, 5e-3);
-    EXPECT_NEAR(way / (k == 1 ? 0.5 * (kFirst + kHeight) : kHeight), 1.0, 2e-2);
+    EXPECT_NEAR(distance / (k == 1 ? 0.5 * (kFirst + kHeight) : kHeight), 1.0, 2e-2);
     EXPECT_NEAR(p.tail<2>().norm(), 20 + kFirst + kHeight * (static_cast<double>(k) - 0.5), 2e-3);
   });
   EXPECT_GT(seen, 1000u);
@@ -170,7 +170,7 @@ TEST(SubstrateLayers, PentagonOnAHalfCylinderFlattens) {
   const TriangleMesh part = substrate::partOnBody(pentagon(), body);
   SubstrateOptions o = tableOptions(LevelShape::Flatten);
   o.firstLayerMm = 0.0;
-  const auto made = laid(part, substrate::distanceFrom(body), pentagonVolume(), o);
+  const auto made = layersOf(part, substrate::distanceFrom(body), pentagonVolume(), o);
   EXPECT_EQ(made.statistics.withinLimitsFraction, 1.0);
   const int n = made.stack.layerCount;
   ASSERT_EQ(made.stack.patches.size(), static_cast<std::size_t>(n));
@@ -199,25 +199,25 @@ TEST(SubstrateLayers, PentagonOnAHalfCylinderFlattens) {
   };
   double thinnest = 1.0, thickest = 0.0;
   std::size_t seen = 0, farOff = 0;
-  forEachInside(made.stack,
-                [&](std::size_t k, const Vector3d& p, const Vector3d& d, double t, double way) {
-                  const int layer = static_cast<int>(k);
-                  const double r = radius(layer), centre = 20 + 3.0 * layer / n - r;
-                  const double alpha = std::atan2(p.z() - centre, p.y());
-                  const double h = thickness(layer, alpha);
-                  ++seen;
-                  EXPECT_NEAR(t / h, 1.0, 5e-3);
-                  EXPECT_NEAR(std::hypot(p.y(), p.z() - centre) - r, 0.5 * h, 2e-3);
-                  // Down to the middle of the layer below: half of either.
-                  const double lower = 20 + 3.0 * (layer - 1) / n - radius(layer - 1);
-                  const Vector3d foot = p - 0.5 * h * d;
-                  const double under = thickness(layer - 1, std::atan2(foot.z() - lower, foot.y()));
-                  const double off = std::abs(way / (0.5 * (h + under)) - 1.0);
-                  EXPECT_LT(off, 1e-2);
-                  farOff += off > 5e-3; // by the chords of triangles
-                  thinnest = std::min(thinnest, t);
-                  thickest = std::max(thickest, t);
-                });
+  forEachInside(made.stack, [&](std::size_t k, const Vector3d& p, const Vector3d& d, double t,
+                                double distance) {
+    const int layer = static_cast<int>(k);
+    const double r = radius(layer), centre = 20 + 3.0 * layer / n - r;
+    const double alpha = std::atan2(p.z() - centre, p.y());
+    const double h = thickness(layer, alpha);
+    ++seen;
+    EXPECT_NEAR(t / h, 1.0, 5e-3);
+    EXPECT_NEAR(std::hypot(p.y(), p.z() - centre) - r, 0.5 * h, 2e-3);
+    // Down to the middle of the layer below: half of either.
+    const double lower = 20 + 3.0 * (layer - 1) / n - radius(layer - 1);
+    const Vector3d foot = p - 0.5 * h * d;
+    const double under = thickness(layer - 1, std::atan2(foot.z() - lower, foot.y()));
+    const double off = std::abs(distance / (0.5 * (h + under)) - 1.0);
+    EXPECT_LT(off, 1e-2);
+    farOff += off > 5e-3; // by the chords of triangles
+    thinnest = std::min(thinnest, t);
+    thickest = std::max(thickest, t);
+  });
   EXPECT_GT(seen, 10000u);
   EXPECT_LT(static_cast<double>(farOff), 5e-3 * static_cast<double>(seen));
   EXPECT_GT(thickest / thinnest, 1.3); // they do vary
@@ -233,16 +233,16 @@ TEST(SubstrateLayers, BlendDividesTheWayToAnEndSurface) {
   SubstrateOptions o;
   o.shape = LevelShape::Flatten;
   o.end.mesh = std::make_shared<geometry::MeshQuery>(end);
-  const auto made = laid(part, substrate::distanceFrom(body), 16 * 10 * 3.75, o);
+  const auto made = layersOf(part, substrate::distanceFrom(body), 16 * 10 * 3.75, o);
   EXPECT_EQ(made.stack.layerCount, 15);
-  forEachInside(made.stack,
-                [&](std::size_t k, const Vector3d& p, const Vector3d& d, double t, double way) {
-                  const double h = (3.75 + 0.0375 * p.x()) / 15;
-                  EXPECT_NEAR(t / h, 1.0, 5e-3);
-                  EXPECT_NEAR(way / h, 1.0, 5e-3);
-                  EXPECT_NEAR(p.z(), 10 + (static_cast<double>(k) + 0.5) * h, 2e-3);
-                  EXPECT_NEAR(d.z(), 1.0, 1e-6);
-                });
+  forEachInside(made.stack, [&](std::size_t k, const Vector3d& p, const Vector3d& d, double t,
+                                double distance) {
+    const double h = (3.75 + 0.0375 * p.x()) / 15;
+    EXPECT_NEAR(t / h, 1.0, 5e-3);
+    EXPECT_NEAR(distance / h, 1.0, 5e-3);
+    EXPECT_NEAR(p.z(), 10 + (static_cast<double>(k) + 0.5) * h, 2e-3);
+    EXPECT_NEAR(d.z(), 1.0, 1e-6);
+  });
 }
 
 void expectRefusal(const TriangleMesh& part, const TriangleMesh& body, const SubstrateOptions& o,

@@ -30,7 +30,7 @@ TriangleMesh surfaceOver(double radius, int rings, int sides,
   add({0, 0});
   for (int r = 1; r <= rings; ++r)
     for (int k = 0; k < sides; ++k) {
-      const double angle = base::kTurn * k / sides, at = radius * r / rings;
+      const double angle = base::kTwoPi * k / sides, at = radius * r / rings;
       add({stretch.x() * at * std::cos(angle), stretch.y() * at * std::sin(angle)});
     }
   for (int k = 0; k < sides; ++k)
@@ -55,7 +55,7 @@ TEST(Seam, OfASphereIsACircle) {
   const double radius = 40.0, steep = base::degreesToRadians(35.0);
   const std::vector<SeamCurve> seam = seamCurves(cap(radius), {}, kOne);
   ASSERT_EQ(seam.size(), 1u);
-  const double length = base::kTurn * radius * std::sin(steep);
+  const double length = base::kTwoPi * radius * std::sin(steep);
   EXPECT_NEAR(seam[0].lengthMm(), length, 0.003 * length);
   for (std::size_t i = 0; i < seam[0].points.size(); ++i) {
     const Vector3d& p = seam[0].points[i];
@@ -117,7 +117,7 @@ TEST(Seam, SidePassesOfASphereAreCircles) {
   const std::vector<SeamCurve> sides = seamCurves(cap(radius), rule, kOne);
   ASSERT_EQ(sides.size(), 1u);
   const double z = radius * std::cos(rule.steepRad) - depth,
-               length = base::kTurn * std::sqrt(radius * radius - z * z);
+               length = base::kTwoPi * std::sqrt(radius * radius - z * z);
   EXPECT_NEAR(sides[0].lengthMm(), length, 0.005 * length);
   for (const Vector3d& p : sides[0].points)
     EXPECT_NEAR(p.z(), z, 0.1);
@@ -126,7 +126,7 @@ TEST(Seam, SidePassesOfASphereAreCircles) {
 // Inside the first curve of a box of 20 x 12 there are 14 x 6 mm; lines across it are 6 mm long.
 TEST(Seam, LinesFillBothEnds) {
   SeamRule rule;
-  rule.leastMm = 1.0;
+  rule.minMm = 1.0;
   rule.fillLines = 2;
   const TriangleMesh box = test::box({-10, -6, 0}, {10, 6, 5});
   const std::vector<SeamCurve> curves = seamCurves(box, rule, kOne);
@@ -203,12 +203,12 @@ TEST(BeadStrip, HasTheVolumeOfItsBead) {
     const double radius = 8.0 + 30.0 * share(random);
     const int n = 120;
     for (int i = 0; i < n; ++i) {
-      const double a = base::kTurn * i / n;
+      const double a = base::kTwoPi * i / n;
       circle.points.emplace_back(radius * std::cos(a), radius * std::sin(a), 3.0);
       circle.normals.emplace_back(0, 0, 1);
     }
     const StripSize size{1.0 + 4.0 * share(random), 0.3 + share(random)};
-    const double volume = base::kTurn * radius * size.widthMm * size.heightMm;
+    const double volume = base::kTwoPi * radius * size.widthMm * size.heightMm;
     EXPECT_NEAR(geometry::volume(stripSolid(circle, size)), volume, 0.003 * volume);
     const layers::Patch patch = stripPatch(circle, size);
     double area = 0.0;

@@ -126,7 +126,7 @@ TEST(Supports, ColumnSlantsToReachThePlatform) {
 
 // Steps aside without one down: no more than the limit where there is room, any number where not.
 TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
-  const auto longestArm = [](int height, int away, int mostAside) {
+  const auto longestArm = [](int height, int away, int maxLateralSteps) {
     voxel::VoxelGrid grid;
     grid.size = {away + 4, 5, height + 2};
     std::vector<support::Cell> cells(grid.cellCount(), support::Cell::Empty);
@@ -135,7 +135,7 @@ TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
     for (int i = 0; i < grid.size.x(); ++i)
       for (int j = 0; j < grid.size.y(); ++j)
         cells[grid.index(i, j, 0)] = i >= away + 1 ? support::Cell::Plate : support::Cell::Closed;
-    const auto column = support::cheapestColumn(grid, cells, {carried}, mostAside, kQuiet);
+    const auto column = support::cheapestColumn(grid, cells, {carried}, maxLateralSteps, kQuiet);
     if (!column)
       return -1;
     int arm = 0, longest = 0;
@@ -145,12 +145,12 @@ TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
     }
     return longest;
   };
-  for (const int most : {1, 2, 3})
+  for (const int maximum : {1, 2, 3})
     for (const int away : {2, 5, 9}) {
-      SCOPED_TRACE(testing::Message() << most << " " << away);
-      const int arm = longestArm(14, away, most);
+      SCOPED_TRACE(testing::Message() << maximum << " " << away);
+      const int arm = longestArm(14, away, maximum);
       EXPECT_GT(arm, 0);
-      EXPECT_LE(arm, most);
+      EXPECT_LE(arm, maximum);
     }
   EXPECT_EQ(longestArm(2, 9, 2), 9);
 }

@@ -12,7 +12,7 @@
 namespace voluta::timeline {
 namespace {
 
-TEST(CurvePyramid, IsTheLeastAndGreatestOfEveryStretch) {
+TEST(CurvePyramid, IsTheMinimumAndMaximumOfEveryStretch) {
   std::mt19937 random(7);
   for (const std::size_t count : {1u, 15u, 16u, 17u, 255u, 257u, 5000u}) {
     std::vector<float> values(count);

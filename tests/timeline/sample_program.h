@@ -51,9 +51,9 @@ inline SampleProgram sampleProgram(int layers, int perLayer, double stepS = 1.0,
 }
 
 inline std::vector<robot::JointLimits> sampleLimits(int dof = 6) {
-  const double turn = 2.0 * base::kPi;
+  const double angle = 2.0 * base::kPi;
   return std::vector<robot::JointLimits>(static_cast<std::size_t>(dof),
-                                         {-turn, turn, base::kPi, 10.0});
+                                         {-angle, angle, base::kPi, 10.0});
 }
 
 } // namespace voluta::test

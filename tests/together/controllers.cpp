@@ -6,7 +6,7 @@
 namespace voluta::test {
 
 namespace {
-constexpr double kMostLatencyS = 0.3;
+constexpr double kMaxLatencyS = 0.3;
 
 double durationOf(std::mt19937& random) {
   return std::uniform_real_distribution<double>(1.0, 20.0)(random);
@@ -14,7 +14,7 @@ double durationOf(std::mt19937& random) {
 
 // Every mark begins with the first statement behind the last one, and ends where the machine that
 // leads sees the other's first signal go off, or the one that follows withdraws its own.
-void tellMarks(Statements& statements) {
+void reportMarks(Statements& statements) {
   std::array<bool, plan::kMarkChannels> isAtMark{}, hasAwaited{}, leads{};
   std::array<std::size_t, plan::kMarkChannels> count{};
   for (std::size_t s = 0; s < statements.size(); ++s) {
@@ -66,7 +66,7 @@ Statements statementsOf(const plan::ReadProgram& program, std::mt19937& random) 
   }
   if (program.motions.size() > motion)
     statements.push_back({Statement::Kind::Move, durationOf(random)});
-  tellMarks(statements);
+  reportMarks(statements);
   return statements;
 }
 
@@ -185,7 +185,7 @@ bool Controllers::step(std::size_t k) {
     break;
   case Statement::Kind::Set: {
     Wire& wire = machine.outputs.at(static_cast<std::size_t>(statement.signal));
-    double atS = nowS_ + std::uniform_real_distribution<double>(0.0, kMostLatencyS)(random_);
+    double atS = nowS_ + std::uniform_real_distribution<double>(0.0, kMaxLatencyS)(random_);
     if (!wire.pending.empty())
       atS = std::max(atS, wire.pending.back().first);
     wire.pending.emplace_back(atS, statement.on);

@@ -29,8 +29,8 @@ TEST(Marks, CodesAndLinksHaveInverses) {
 }
 
 TEST(Marks, EachOfTheOthersHasAChannel) {
-  for (std::size_t own = 0; own < plan::kMostMachines; ++own)
-    for (std::size_t other = 0; other < plan::kMostMachines; ++other)
+  for (std::size_t own = 0; own < plan::kMaxMachines; ++own)
+    for (std::size_t other = 0; other < plan::kMaxMachines; ++other)
       if (own != other) {
         const int channel = plan::markChannel(own, other);
         EXPECT_GE(channel, 0);
@@ -147,21 +147,21 @@ private:
   }
 
   void explore(const State& state) {
-    bool goesOn = false;
+    bool continues = false;
     for (std::size_t k = 0; k < 2; ++k) {
-      goesOn = restart(state, k) || goesOn;
+      continues = restart(state, k) || continues;
       for (unsigned bit = 1; bit < 4; bit *= 2)
         if (((state.set[k] ^ state.seen[k]) & bit) != 0) {
           State next = state;
           next.seen[k] ^= bit;
           add(next);
-          goesOn = true;
+          continues = true;
         }
-      goesOn = step(state, k) || goesOn;
+      continues = step(state, k) || continues;
     }
     const bool bothEnded = state.at[0] == ends_[0].size() && state.at[1] == ends_[1].size();
     ended += bothEnded ? 1 : 0;
-    if (goesOn || bothEnded || state.at[0] < 0 || state.at[1] < 0)
+    if (continues || bothEnded || state.at[0] < 0 || state.at[1] < 0)
       return;
     // A machine within its old program waits until it is stopped.
     bool isOld = state.isLeft[0] || state.isLeft[1];

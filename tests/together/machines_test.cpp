@@ -57,13 +57,13 @@ struct Arm {
 
   plan::Trajectory randomMotion(unsigned seed) const {
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> turn(-0.6, 0.6), base(-1.2, 1.2);
+    std::uniform_real_distribution<double> angle(-0.6, 0.6), base(-1.2, 1.2);
     plan::Trajectory t;
     t.dof = cell->dof();
     for (int i = 0; i < 5; ++i) {
       robot::JointVector q = cell->home();
       for (Eigen::Index k = 0; k < q.size(); ++k)
-        q[k] += k == 0 ? base(random) : turn(random);
+        q[k] += k == 0 ? base(random) : angle(random);
       t.joints.insert(t.joints.end(), q.data(), q.data() + q.size());
       t.timeS.push_back(i);
       t.move.push_back(plan::MoveKind::Joint);
@@ -87,9 +87,9 @@ struct Arm {
   Rests rests;
 };
 
-double leastDistance(const Arm& a, const std::vector<Frames>& as, const Arm& b,
-                     const std::vector<Frames>& bs, double capMm) {
-  double least = capMm;
+double minDistance(const Arm& a, const std::vector<Frames>& as, const Arm& b,
+                   const std::vector<Frames>& bs, double capMm) {
+  double minimum = capMm;
   for (std::size_t i = 0; i < a.cell->bodies().size(); ++i)
     for (std::size_t j = 0; j < b.cell->bodies().size(); ++j) {
       const robot::Body &one = a.cell->bodies()[i], &other = b.cell->bodies()[j];
@@ -97,12 +97,13 @@ double leastDistance(const Arm& a, const std::vector<Frames>& as, const Arm& b,
         continue;
       for (const Frames& f : as)
         for (const Frames& g : bs)
-          least = std::min(least, a.machine.collision->distanceToOther(
-                                      static_cast<int>(i), f[static_cast<std::size_t>(one.frame)],
-                                      *b.machine.collision, static_cast<int>(j),
-                                      g[static_cast<std::size_t>(other.frame)], least));
+          minimum =
+              std::min(minimum, a.machine.collision->distanceToOther(
+                                    static_cast<int>(i), f[static_cast<std::size_t>(one.frame)],
+                                    *b.machine.collision, static_cast<int>(j),
+                                    g[static_cast<std::size_t>(other.frame)], minimum));
     }
-  return least;
+  return minimum;
 }
 
 Isometry3d opposite(double apartMm) {
@@ -123,7 +124,7 @@ TEST(Machines, CloseSegmentsConflict) {
         conflictsOf(a.machine, a.rests, b.machine, b.rests, {kClearanceMm, {}}, {});
     for (std::size_t i = 0; i < a.rests.segments(); ++i)
       for (std::size_t j = 0; j < b.rests.segments(); ++j) {
-        const double mm = leastDistance(a, a.samples(i), b, b.samples(j), 100.0);
+        const double mm = minDistance(a, a.samples(i), b, b.samples(j), 100.0);
         const bool conflict = found.table.moving.at(i, j);
         EXPECT_TRUE(conflict || mm >= kClearanceMm) << mm;
         EXPECT_TRUE(!conflict || mm < kClearanceMm + slackMm) << mm;

@@ -78,19 +78,19 @@ double sum(const std::vector<double>& seconds, std::size_t from, std::size_t to)
 class BruteForce {
 public:
   BruteForce(const Case& c, double markS) : c_(c), markS_(markS) {}
-  double leastFrom(std::size_t i, std::size_t j) {
+  double minimumFrom(std::size_t i, std::size_t j) {
     if (i == c_.conflicts.a && j == c_.conflicts.b)
       return 0.0;
     const auto known = known_.find({i, j});
     if (known != known_.end())
       return known->second;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t m = i; m <= c_.conflicts.a; ++m)
       for (std::size_t n = j; n <= c_.conflicts.b; ++n)
         if ((m > i || n > j) && haveNoConflict(c_.conflicts, {i, m, j, n}))
-          least = std::min(least,
-                           std::max(sum(c_.aS, i, m), sum(c_.bS, j, n)) + markS_ + leastFrom(m, n));
-    return known_[{i, j}] = least;
+          minimum = std::min(minimum, std::max(sum(c_.aS, i, m), sum(c_.bS, j, n)) + markS_ +
+                                          minimumFrom(m, n));
+    return known_[{i, j}] = minimum;
   }
 
 private:
@@ -105,9 +105,9 @@ TEST(Schedule, IsTheBestOfAll) {
     SCOPED_TRACE(seed);
     const Case c = randomCase(seed, 0.1 * static_cast<double>(seed % 9));
     const double markS = seed % 2 ? 1.0 : 0.25;
-    const auto schedule = leastTime(c.conflicts, c.aS, c.bS, markS);
-    const double least = BruteForce(c, markS).leastFrom(0, 0);
-    ASSERT_EQ(schedule.has_value(), least < std::numeric_limits<double>::infinity());
+    const auto schedule = fastestSchedule(c.conflicts, c.aS, c.bS, markS);
+    const double minimum = BruteForce(c, markS).minimumFrom(0, 0);
+    ASSERT_EQ(schedule.has_value(), minimum < std::numeric_limits<double>::infinity());
     (schedule ? possible : impossible) += 1;
     if (!schedule)
       continue;
@@ -124,7 +124,7 @@ TEST(Schedule, IsTheBestOfAll) {
     EXPECT_EQ(i, c.conflicts.a);
     EXPECT_EQ(j, c.conflicts.b);
     EXPECT_NEAR(schedule->seconds, seconds, 1e-9);
-    EXPECT_NEAR(seconds + markS * static_cast<double>(schedule->phases.size()), least, 1e-9);
+    EXPECT_NEAR(seconds + markS * static_cast<double>(schedule->phases.size()), minimum, 1e-9);
   }
   EXPECT_GT(possible, 300u);
   EXPECT_GT(impossible, 50u);
@@ -133,7 +133,7 @@ TEST(Schedule, IsTheBestOfAll) {
 TEST(Schedule, WithoutConflictsNeedsNoMark) {
   const Conflicts none{3, 2, Flags(3, 2), Flags(4, 2), Flags(3, 3)};
   const std::vector<double> aS = {1.0, 2.0, 3.0}, bS = {4.0, 5.0};
-  const auto schedule = leastTime(none, aS, bS, 1.0);
+  const auto schedule = fastestSchedule(none, aS, bS, 1.0);
   ASSERT_TRUE(schedule);
   EXPECT_EQ(schedule->marks(), 0u);
   EXPECT_DOUBLE_EQ(schedule->seconds, 9.0);
@@ -144,7 +144,7 @@ TEST(Schedule, ASharedPlaceCostsAtMostItsTime) {
   Conflicts c{3, 3, Flags(3, 3), Flags(4, 3), Flags(3, 4)};
   c.moving.set(1, 1);
   const std::vector<double> seconds = {10.0, 4.0, 10.0};
-  const auto schedule = leastTime(c, seconds, seconds, 0.0);
+  const auto schedule = fastestSchedule(c, seconds, seconds, 0.0);
   ASSERT_TRUE(schedule);
   EXPECT_DOUBLE_EQ(schedule->seconds, 28.0);
   EXPECT_LE(schedule->marks(), 2u);
@@ -160,7 +160,7 @@ TEST(Schedule, FindsTheFurthestSegmentsOfBoth) {
     c.bRests.set(1, j);
   c.moving.set(1, 0);
   c.moving.set(1, 1);
-  EXPECT_FALSE(leastTime(c, std::vector<double>(3, 1.0), std::vector<double>(3, 1.0), 0.0));
+  EXPECT_FALSE(fastestSchedule(c, std::vector<double>(3, 1.0), std::vector<double>(3, 1.0), 0.0));
   EXPECT_EQ(furthestReached(c), std::pair(std::size_t{1}, std::size_t{2}));
 }
 

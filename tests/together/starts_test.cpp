@@ -68,7 +68,7 @@ protected:
   template <typename Check> void forEachCase(int rounds, const Check& check) {
     unsigned seed = 0;
     for (const std::string_view format : formats())
-      for (std::size_t machines = 2; machines <= plan::kMostMachines; ++machines)
+      for (std::size_t machines = 2; machines <= plan::kMaxMachines; ++machines)
         for (int round = 0; round < rounds; ++round) {
           SCOPED_TRACE(std::string(format) + ", " + std::to_string(machines) + " machines, round " +
                        std::to_string(round));

@@ -20,9 +20,9 @@ struct Case {
 };
 
 // `share`: of the pairs of segments that conflict.
-Case randomCase(unsigned seed, std::size_t machines, std::size_t mostSegments, double share) {
+Case randomCase(unsigned seed, std::size_t machines, std::size_t maxSegments, double share) {
   std::mt19937 random(seed);
-  std::uniform_int_distribution<std::size_t> count(1, mostSegments);
+  std::uniform_int_distribution<std::size_t> count(1, maxSegments);
   std::uniform_real_distribution<double> duration(0.5, 9.0), dice(0.0, 1.0);
   std::vector<std::size_t> segments;
   Seconds seconds;
@@ -152,18 +152,18 @@ std::size_t meetings(const Case& c, const SegmentTimes& run) {
 class BruteForce {
 public:
   explicit BruteForce(const Case& c) : c_(c) {}
-  double leastFrom(const std::vector<std::size_t>& at) {
+  double minimumFrom(const std::vector<std::size_t>& at) {
     const auto known = known_.find(at);
     if (known != known_.end())
       return known->second;
     bool ended = true;
     for (std::size_t k = 0; k < at.size(); ++k)
       ended = ended && at[k] == c_.conflicts.segments(k);
-    double least = ended ? 0.0 : std::numeric_limits<double>::infinity();
+    double minimum = ended ? 0.0 : std::numeric_limits<double>::infinity();
     for (std::vector<std::size_t> to = at; next(at, to);)
       if (isFree(at, to))
-        least = std::min(least, longest(at, to) + leastFrom(to));
-    return known_[at] = least;
+        minimum = std::min(minimum, longest(at, to) + minimumFrom(to));
+    return known_[at] = minimum;
   }
 
 private:
@@ -189,14 +189,14 @@ private:
     return true;
   }
   double longest(const std::vector<std::size_t>& at, const std::vector<std::size_t>& to) const {
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t k = 0; k < at.size(); ++k) {
       double sum = 0.0;
       for (std::size_t s = at[k]; s < to[k]; ++s)
         sum += c_.seconds[k][s];
-      most = std::max(most, sum);
+      maximum = std::max(maximum, sum);
     }
-    return most;
+    return maximum;
   }
 
   const Case& c_;
@@ -204,7 +204,7 @@ private:
 };
 
 double bruteForce(const Case& c) {
-  return BruteForce(c).leastFrom(std::vector<std::size_t>(c.conflicts.machines(), 0));
+  return BruteForce(c).minimumFrom(std::vector<std::size_t>(c.conflicts.machines(), 0));
 }
 
 TEST(Orders, AreSafeAtAnySpeedsAndEnd) {
@@ -238,15 +238,15 @@ TEST(Orders, AreSafeAtAnySpeedsAndEnd) {
   EXPECT_GT(orders, 150u);
 }
 
-TEST(Orders, OfTwoMachinesAreOfLeastTime) {
+TEST(Orders, OfTwoMachinesAreOfMinimumTime) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Case c = randomCase(seed, 2, 6, 0.1 * static_cast<double>(seed % 7));
     const auto order = orderOf(c.conflicts, c.seconds, 0.0, {});
-    const double least = bruteForce(c);
-    ASSERT_EQ(order.has_value(), least < std::numeric_limits<double>::infinity());
+    const double minimum = bruteForce(c);
+    ASSERT_EQ(order.has_value(), minimum < std::numeric_limits<double>::infinity());
     if (order) {
-      EXPECT_NEAR(order->seconds, least, 1e-9);
+      EXPECT_NEAR(order->seconds, minimum, 1e-9);
     }
   }
 }
@@ -255,15 +255,15 @@ TEST(Orders, OfTwoMachinesAreOfLeastTime) {
 // be better than phases of all.
 TEST(Orders, OfMoreMachinesAreCloseToTheBest) {
   std::size_t possible = 0, missed = 0;
-  double sum = 0.0, most = 0.0, shorter = 0.0;
+  double sum = 0.0, maximum = 0.0, shorter = 0.0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     const std::size_t machines = 3 + seed % 2;
     const Case c =
         randomCase(seed, machines, machines == 3 ? 4 : 3, 0.08 * static_cast<double>(seed % 6));
-    const double least = bruteForce(c);
+    const double minimum = bruteForce(c);
     const auto order = orderOf(c.conflicts, c.seconds, 0.0, {});
-    if (least == std::numeric_limits<double>::infinity()) {
+    if (minimum == std::numeric_limits<double>::infinity()) {
       EXPECT_FALSE(order);
       continue;
     }
@@ -272,9 +272,9 @@ TEST(Orders, OfMoreMachinesAreCloseToTheBest) {
       ++missed;
       continue;
     }
-    const double ratio = order->seconds / least;
+    const double ratio = order->seconds / minimum;
     sum += ratio;
-    most = std::max(most, ratio);
+    maximum = std::max(maximum, ratio);
     if (ratio < 1.0 - 1e-9)
       shorter += 1.0;
   }
@@ -282,7 +282,7 @@ TEST(Orders, OfMoreMachinesAreCloseToTheBest) {
   RecordProperty("possible", static_cast<int>(possible));
   RecordProperty("missed", static_cast<int>(missed));
   RecordProperty("meanRatio", std::to_string(sum / found));
-  RecordProperty("greatestRatio", std::to_string(most));
+  RecordProperty("greatestRatio", std::to_string(maximum));
   RecordProperty("shorterThanPhasesOfAll", static_cast<int>(shorter));
   EXPECT_GT(possible, 150u);
   EXPECT_LE(static_cast<double>(missed), 0.03 * static_cast<double>(possible));

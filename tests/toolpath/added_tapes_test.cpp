@@ -140,7 +140,7 @@ TEST(AddedTapes, AreOnTheChosenLayersOnly) {
   Plate plate(8);
   plan::ToolpathStatistics s;
   addTapes(plate.plan, plate.stack, tooling(),
-           {.everyLayers = 2, .firstLayer = 3, .mostPerLayer = 1, .turnDeg = 20.0}, s, {});
+           {.everyLayers = 2, .firstLayer = 3, .maxPerLayer = 1, .rotationDeg = 20.0}, s, {});
   std::vector<int> layers;
   std::vector<double> angles; // [deg]
   for (const plan::ToolPath& path : plate.plan.paths)

@@ -117,7 +117,7 @@ TEST(Assemble, EveryRowOfTheTableOfSeamsLaysAllBeadsInTheirTurns) {
 }
 
 // Nearest first, in the order of the stack, as PrusaSlicer chains beads: no plan travels further.
-TEST(Assemble, IslandsInTheOrderOfLeastTravelNeverTravelFurther) {
+TEST(Assemble, IslandsInTheOrderOfMinimumTravelNeverTravelFurther) {
   const process::Tooling tooling{process::Process{}};
   // Covers of squares are those of the first one, moved.
   const layers::LayerStack one = islands(1, {{0, 0}}, 6.0);

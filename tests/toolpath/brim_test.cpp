@@ -34,10 +34,10 @@ double toSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   return (p - a - t * along).norm();
 }
 double toOutline(const Vector2d& p, const Polygon2d& polygon) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    least = std::min(least, toSegment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
-  return least;
+    minimum = std::min(minimum, toSegment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
+  return minimum;
 }
 bool inside(const Vector2d& p, const Polygon2d& polygon) {
   bool in = false;
@@ -133,13 +133,13 @@ TEST(Brim, pocketsBetweenIslandsGetNone) {
   EXPECT_FALSE(brim.loops.empty());
   bool around = false; // All four
   for (const BrimLoop& loop : brim.loops) {
-    double least = 1e9, most = 0.0;
+    double minimum = 1e9, maximum = 0.0;
     for (const Vector2d& p : loop.points) {
-      least = std::min(least, p.norm());
-      most = std::max(most, p.cwiseAbs().maxCoeff());
+      minimum = std::min(minimum, p.norm());
+      maximum = std::max(maximum, p.cwiseAbs().maxCoeff());
     }
-    around = around || least > 14.0;
-    EXPECT_GT(most, 10.0); // Not in the pocket
+    around = around || minimum > 14.0;
+    EXPECT_GT(maximum, 10.0); // Not in the pocket
   }
   EXPECT_TRUE(around);
 }

@@ -36,13 +36,13 @@ layers::LayerStack stackOf(const std::vector<std::vector<Loop>>& sections) {
   return stack;
 }
 
-struct Laid {
+struct Covered {
   replay::SupportedBeads beads;
   double halfCarried = 0.0, volumeShare = 0.0;
 };
 
 // The stack's beads, with carried walls or the usual ones, on a plate that is large enough.
-Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
+Covered coveredWith(const layers::LayerStack& stack, bool carriedWalls) {
   const process::Process process;
   const base::RunContext ctx;
   const auto widths = toolpath::carriedWallWidths(stack, process::Tooling(process), ctx);
@@ -55,7 +55,7 @@ Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
     beadVolume += covers.back().beadVolumeMm3;
   }
   const plan::ToolPlan plan = toolpath::assemble(stack, covers, process::Tooling(process)).plan;
-  const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
+  const std::vector<replay::BeadPiece> pieces = test::depositedBeads(plan);
   Vector3d low = plan.position.front(), high = low;
   for (const Vector3d& p : plan.position) {
     low = low.cwiseMin(p);
@@ -67,7 +67,7 @@ Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
       {}, ctx);
   const replay::PrintedPart printed(beads, pieces);
   const platform::PlatformSolid plate{{-90, -90}, {90, -90}, {90, 90}, {-90, 90}};
-  Laid out;
+  Covered out;
   out.beads = replay::findSupport(pieces, printed, replay::GroundProbe(plate), ctx);
   out.halfCarried = out.beads.halfCarriedMm / out.beads.lengthMm;
   out.volumeShare = beadVolume / volume;
@@ -82,7 +82,7 @@ std::vector<char> carriedFrom(double offMm, double sampleMm) {
 }
 
 // A rim that reaches out by so much: of a bead w wide, w - off is carried.
-TEST(CarriedWidth, IsTheLeastOfWhichHalfIsCarried) {
+TEST(CarriedWidth, IsTheMinimumOfWhichHalfIsCarried) {
   const process::Process process;
   const double sample = 0.01;
   for (double off = 0.0; off < 2.2; off += 0.05) {
@@ -210,7 +210,7 @@ TEST(CarriedWalls, RingsOfAConeThatLeansBy60DegreesAreCarried) {
   for (int k = 0; k < 5; ++k)
     sections.push_back({test::circle(8.0 + k * kHeight * std::tan(base::degreesToRadians(60.0)))});
   const layers::LayerStack stack = stackOf(sections);
-  const Laid before = laid(stack, false), after = laid(stack, true);
+  const Covered before = coveredWith(stack, false), after = coveredWith(stack, true);
   EXPECT_GT(before.beads.longestUnsupportedMm, 2.0 * base::kPi * 12.0);
   EXPECT_LT(after.beads.longestUnsupportedMm, process::Process{}.bridgeMm);
   EXPECT_LT(after.beads.unsupportedMm, 0.5 * before.beads.unsupportedMm);
@@ -227,7 +227,7 @@ TEST(CarriedWalls, StepsOfAStairAreCarriedOnHalf) {
     sections.push_back({step});
   }
   const layers::LayerStack stack = stackOf(sections);
-  const Laid before = laid(stack, false), after = laid(stack, true);
+  const Covered before = coveredWith(stack, false), after = coveredWith(stack, true);
   EXPECT_GT(before.halfCarried, 0.03);
   EXPECT_LT(after.halfCarried, 0.25 * before.halfCarried);
   EXPECT_NEAR(after.volumeShare, 1.0, 0.01);
@@ -239,7 +239,7 @@ TEST(CarriedWalls, ATubeThatWidensIsCarried) {
   for (int k = 0; k < 5; ++k)
     sections.push_back({test::circle(14.0 + 1.3 * k), test::circle(7.0 + 1.3 * k, true)});
   const layers::LayerStack stack = stackOf(sections);
-  const Laid before = laid(stack, false), after = laid(stack, true);
+  const Covered before = coveredWith(stack, false), after = coveredWith(stack, true);
   EXPECT_GT(before.beads.longestUnsupportedMm, 40.0);
   EXPECT_LT(after.beads.longestUnsupportedMm, process::Process{}.bridgeMm);
   EXPECT_NEAR(after.volumeShare, 1.0, 0.01);

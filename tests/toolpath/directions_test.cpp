@@ -86,9 +86,9 @@ TEST(PlanToolpaths, KeepsThePlansContract) {
       if (i > path.first) {
         // Chords of a closed-form sphere; the tip's way is longer than the surface's.
         EXPECT_LT((p.position[i] - p.position[i - 1]).norm(), 1.15 * o.stepMm);
-        const double turn = std::atan2(p.direction[i - 1].cross(p.direction[i]).norm(),
-                                       p.direction[i - 1].dot(p.direction[i]));
-        EXPECT_LE(base::radiansToDegrees(turn), o.turnLimitDeg + 1e-6);
+        const double angle = std::atan2(p.direction[i - 1].cross(p.direction[i]).norm(),
+                                        p.direction[i - 1].dot(p.direction[i]));
+        EXPECT_LE(base::radiansToDegrees(angle), o.maxBendDeg + 1e-6);
       }
     }
   }
@@ -138,13 +138,13 @@ TEST(PlanToolpaths, StayWithinTheFlowOfTheExtruder) {
   const auto section = [&](std::size_t i) {
     return process::beadArea(made.widthMm[i], made.heightMm[i]);
   };
-  double most = 0.0;
+  double maximum = 0.0;
   for (const plan::ToolPath& path : made.paths)
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      most = std::max(most, process::beadVolume(section(i - 1), section(i), 1.0) *
-                                static_cast<double>(made.speedMmPerS[i]));
-  EXPECT_LE(most, process.maxFlowMm3PerS * (1.0 + 1e-6));
-  EXPECT_GT(most, 0.9 * process.maxFlowMm3PerS);
+      maximum = std::max(maximum, process::beadVolume(section(i - 1), section(i), 1.0) *
+                                      static_cast<double>(made.speedMmPerS[i]));
+  EXPECT_LE(maximum, process.maxFlowMm3PerS * (1.0 + 1e-6));
+  EXPECT_GT(maximum, 0.9 * process.maxFlowMm3PerS);
 }
 
 TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
@@ -178,12 +178,12 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
         continue;
       const Eigen::Vector3i k = part.grid().cell(c);
       const Vector3d q = part.grid().centre(k.x(), k.y(), k.z()) - p.position[i];
-      const double z = q.dot(d), aside = (q - z * d).norm();
+      const double z = q.dot(d), lateral = (q - z * d).norm();
       for (std::size_t s = 1; s < head.sections.size(); ++s) {
         const auto &a = head.sections[s - 1], &b = head.sections[s];
         if (z <= a.zMm + 0.4 || z >= b.zMm)
           continue;
-        if (aside < a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm) - 0.4)
+        if (lateral < a.radiusMm + (b.radiusMm - a.radiusMm) * (z - a.zMm) / (b.zMm - a.zMm) - 0.4)
           ++hits;
       }
     }
@@ -229,7 +229,8 @@ TEST(Directions, FindTheWayIntoAWellThatLeans) {
       p.paths.push_back({.first = p.waypointCount(), .count = 0, .layer = k});
       for (int i = 0; i <= 96; ++i)
         add(bottom + 2.0 * (k + 1) * axis +
-                radius * (std::cos(base::kTurn * i / 96) * u + std::sin(base::kTurn * i / 96) * v),
+                radius *
+                    (std::cos(base::kTwoPi * i / 96) * u + std::sin(base::kTwoPi * i / 96) * v),
             axis, 2.0f, 2.0f);
     }
     const std::size_t first = p.waypointCount();

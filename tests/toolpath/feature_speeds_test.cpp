@@ -151,8 +151,8 @@ TEST(FeatureSpeeds, theFlowLimitSlowsDown) {
       addPath(plan, static_cast<PathKind>(k % 5), k % 3, k % 2);
     for (float& width : plan.widthMm)
       width = static_cast<float>(between(process.beadWidthMinMm, process.beadWidthMaxMm));
-    const double most = process::beadArea(process.beadWidthMaxMm, 0.8f);
-    std::ranges::fill(plan.speedMmPerS, static_cast<float>(process.maxFlowMm3PerS / most));
+    const double maximum = process::beadArea(process.beadWidthMaxMm, 0.8f);
+    std::ranges::fill(plan.speedMmPerS, static_cast<float>(process.maxFlowMm3PerS / maximum));
     std::vector<char> unsupported;
     for (std::size_t i = 0; i < plan.waypointCount(); ++i)
       unsupported.push_back(between(0, 1) < 0.2 ? 1 : 0);

@@ -64,14 +64,14 @@ test::Loop blob(std::mt19937& random, double radius, double rough, bool hole = f
 }
 
 double distanceTo(const std::vector<test::Loop>& loops, const Vector2d& p) {
-  double least = 1e9;
+  double minimum = 1e9;
   for (const test::Loop& l : loops)
     for (std::size_t i = 0; i < l.size(); ++i) {
       const Vector2d &a = l[i], ab = l[(i + 1) % l.size()] - a;
       const double t = std::clamp(ab.dot(p - a) / ab.squaredNorm(), 0.0, 1.0);
-      least = std::min(least, (a + t * ab - p).norm());
+      minimum = std::min(minimum, (a + t * ab - p).norm());
     }
-  return least;
+  return minimum;
 }
 
 bool cross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
@@ -158,17 +158,17 @@ TEST(FermatInfill, WindsAroundARod) {
     EXPECT_EQ(gapBeads(c), 0);
     EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.99);
     EXPECT_LE(c.overlapMm2 / c.areaMm2, 0.03);
-    double turns = 0.0, most = 0.0;
+    double turns = 0.0, maximum = 0.0;
     const auto& points = infillOf(c).front()->points;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto angle = [&](std::size_t k) {
         return std::atan2(points[k].middle.z(), points[k].middle.y());
       };
       turns += std::remainder(angle(i) - angle(i - 1), 2 * kPi) / (2 * kPi);
-      most = std::max(most, std::abs(turns));
+      maximum = std::max(maximum, std::abs(turns));
     }
     EXPECT_NEAR(turns, 0.0, 1e-6);
-    EXPECT_GT(most, walls == 0 ? 11.0 : 10.0); // Half of the turns run the other way
+    EXPECT_GT(maximum, walls == 0 ? 11.0 : 10.0); // Half of the turns run the other way
   }
 }
 

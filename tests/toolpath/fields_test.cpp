@@ -165,10 +165,10 @@ TEST(PatchSurface, ProjectsToTheNearestPointAround) {
     const Vector3d from = (corner(0) + corner(1) + corner(2)) / 3;
     const Vector3d point = from + Vector3d(0.31, -0.22, 0.05 * std::sin(static_cast<double>(t)));
     const auto found = s.project(point, static_cast<int>(t));
-    double least = INFINITY;
+    double minimum = INFINITY;
     for (std::size_t k = 0; k < s.triangles.size(); ++k)
-      least = std::min(least, (s.project(point, static_cast<int>(k)).position - point).norm());
-    EXPECT_LE((found.position - point).norm(), least + 1e-6);
+      minimum = std::min(minimum, (s.project(point, static_cast<int>(k)).position - point).norm());
+    EXPECT_LE((found.position - point).norm(), minimum + 1e-6);
   }
 }
 

@@ -89,11 +89,11 @@ TEST(FirstLayerPlans, aBrimComesBeforeAnUnchangedPart) {
       if (path.kind != PathKind::Skirt)
         continue;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        double least = 1e9;
+        double minimum = 1e9;
         for (const Vector3d& p : bare)
           if (p.z() < 1.0)
-            least = std::min(least, (p - plan.position[i]).norm());
-        ASSERT_GT(least, 0.75 * process.beadWidthMm); // Centrelines of neighbours
+            minimum = std::min(minimum, (p - plan.position[i]).norm());
+        ASSERT_GT(minimum, 0.75 * process.beadWidthMm); // Centrelines of neighbours
       }
     }
     EXPECT_EQ(next, plan.waypointCount());

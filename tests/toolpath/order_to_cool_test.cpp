@@ -118,7 +118,7 @@ TEST(OrderToCool, KindsKeepTheirTurns) {
 
 // Returns the total time of a plan of closed rings of one width, each begun as soon as all rings
 // below it are that old; they have one seam. Without travel.
-double timeWithWaits(const Assembled& made, double leastS) {
+double timeWithWaits(const Assembled& made, double minS) {
   constexpr double kCovers = 0.75 * 1.2; // maximum distance of a ring from one that it covers
   std::vector<double> begins;
   double now = 0.0;
@@ -127,7 +127,7 @@ double timeWithWaits(const Assembled& made, double leastS) {
     for (std::size_t q = 0; q < p; ++q)
       if (made.plan.paths[q].layer + 1 == path.layer &&
           std::abs(radiusOf(made, p) - radiusOf(made, q)) < kCovers)
-        now = std::max(now, begins[q] + leastS);
+        now = std::max(now, begins[q] + minS);
     begins.push_back(now);
     for (std::size_t k = path.first + 1; k < path.first + path.count; ++k)
       now += (made.plan.position[k] - made.plan.position[k - 1]).norm() / 10.0;
@@ -137,9 +137,9 @@ double timeWithWaits(const Assembled& made, double leastS) {
 
 // Cones of an outer wall, an infill and an inner wall, which each cover their neighbour below: a
 // layer needs hardly more than the least time, for either direction in which the walls lean.
-TEST(OrderToCool, ConesNeedOneLeastTimeALayer) {
+TEST(OrderToCool, ConesNeedOneMinimumTimeALayer) {
   constexpr int kLayers = 20;
-  constexpr double kLeastS = 60.0;
+  constexpr double kMinS = 60.0;
   for (const double step : {-0.6, 0.0, 0.6}) {
     SCOPED_TRACE(step);
     Assembled made;
@@ -156,13 +156,13 @@ TEST(OrderToCool, ConesNeedOneLeastTimeALayer) {
     }
     Assembled inTurns = made;
     orderToCool(inTurns, true);
-    orderToCool(made, true, kLeastS);
-    const double bound = (kLayers - 1) * kLeastS + 3.0 * 2.0 * base::kPi * 20.0 / 10.0;
-    EXPECT_LE(timeWithWaits(made, kLeastS), 1.05 * bound);
-    EXPECT_LE(timeWithWaits(made, kLeastS), timeWithWaits(inTurns, kLeastS) + 1e-6);
+    orderToCool(made, true, kMinS);
+    const double bound = (kLayers - 1) * kMinS + 3.0 * 2.0 * base::kPi * 20.0 / 10.0;
+    EXPECT_LE(timeWithWaits(made, kMinS), 1.05 * bound);
+    EXPECT_LE(timeWithWaits(made, kMinS), timeWithWaits(inTurns, kMinS) + 1e-6);
     EXPECT_EQ(made.plan.waypointCount(), inTurns.plan.waypointCount());
     if (step != 0.0) {
-      EXPECT_GT(timeWithWaits(inTurns, kLeastS), 1.2 * bound) << "it matters";
+      EXPECT_GT(timeWithWaits(inTurns, kMinS), 1.2 * bound) << "it matters";
     }
   }
 }

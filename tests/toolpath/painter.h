@@ -76,7 +76,7 @@ inline Painted paint(const layers::Patch& patch, const std::vector<toolpath::Bea
                   near.emplace_back(x0, s);
               }
       std::ranges::sort(near);
-      for (const auto& [aside, s] : near) {
+      for (const auto& [offset, s] : near) {
         const double put = std::min(material, samples[s].area - samples[s].fill);
         samples[s].fill += put;
         material -= put;

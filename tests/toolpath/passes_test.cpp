@@ -41,8 +41,8 @@ std::map<std::string, plan::ToolPlan> samples() {
   plan::ToolPlan& ledge = plans["a ledge"];
   for (int layer = 0; layer < 20; ++layer)
     addPath(ledge, -15, 15, 0, 0.8 * (layer + 1), layer);
-  for (const double aside : {3.5, 2.35, 1.2, 0.0})
-    addPath(ledge, -12, 12, aside, 0.8 * 21, 20);
+  for (const double offset : {3.5, 2.35, 1.2, 0.0})
+    addPath(ledge, -12, 12, offset, 0.8 * 21, 20);
   ledge.direction.front() = Vector3d(0.01, 0.0, 1.0).normalized();
   for (auto& [name, plan] : plans) {
     plan.paths.front().kind = plan::PathKind::Infill;

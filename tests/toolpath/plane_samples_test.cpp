@@ -114,15 +114,15 @@ TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
                  up = samples->normal(0).cross(across);
   const Vector3d middle = leaning({0, 0});
   for (int angle = 0; angle < 180; angle += 3) {
-    const double turn = base::degreesToRadians(angle);
-    const Vector3d along = std::cos(turn) * across + std::sin(turn) * up;
-    const Vector3d aside = samples->normal(0).cross(along);
+    const double rotation = base::degreesToRadians(angle);
+    const Vector3d along = std::cos(rotation) * across + std::sin(rotation) * up;
+    const Vector3d lateral = samples->normal(0).cross(along);
     std::map<int, double> area;
     for (std::size_t c = 0; c < samples->count(); ++c) {
       if (!samples->isInside(c))
         continue;
       const Vector3d p = samples->sample(c).position - middle;
-      const int strip = static_cast<int>(std::floor(aside.dot(p) / kHatch));
+      const int strip = static_cast<int>(std::floor(lateral.dot(p) / kHatch));
       if (std::abs(along.dot(p)) < 10.0 && std::abs(strip + 0.5) < 10.0)
         area[strip] += samples->areaMm2();
     }
@@ -190,7 +190,7 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
       if (!samples->isInside(cell))
         continue;
       const Vector3d p = samples->sample(cell).position;
-      double least = INFINITY, nearest = INFINITY;
+      double minimum = INFINITY, nearest = INFINITY;
       std::size_t curve = 0, segment = 0;
       for (std::size_t k = 0; k < curves.size(); ++k)
         for (std::size_t i = 0; i + 1 < curves[k].points.size(); ++i) {
@@ -198,8 +198,8 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
               squaredDistance(p, curves[k].points[i].position, curves[k].points[i + 1].position));
           const double rim = d - (wide && k % 3 == 0 ? 0.3 : 0.0);
           nearest = std::min(nearest, d);
-          if (d < kReach && rim < least) {
-            least = rim;
+          if (d < kReach && rim < minimum) {
+            minimum = rim;
             curve = k;
             segment = i;
           }
@@ -245,7 +245,7 @@ TEST(PlaneSamples, AreSharedOutBetweenBeadsThatNarrow) {
     if (!samples->isInside(cell))
       continue;
     const Vector3d p = samples->sample(cell).position;
-    double least = INFINITY;
+    double minimum = INFINITY;
     std::pair<std::size_t, std::size_t> best{0, 0};
     for (std::size_t k = 0; k < curves.size(); ++k)
       for (std::size_t i = 0; i + 1 < curves[k].points.size(); ++i) {
@@ -254,12 +254,12 @@ TEST(PlaneSamples, AreSharedOutBetweenBeadsThatNarrow) {
         const double extra =
             extras[k].empty() ? 0.0 : (1.0 - t) * extras[k][i] + t * extras[k][i + 1];
         const double distance = (a + t * (b - a) - p).norm();
-        if (distance < kReach && distance - extra < least) {
-          least = distance - extra;
+        if (distance < kReach && distance - extra < minimum) {
+          minimum = distance - extra;
           best = {k, i};
         }
       }
-    if (least < INFINITY)
+    if (minimum < INFINITY)
       expected[best.first][best.second] += samples->areaMm2();
   }
   double off = 0.0;
@@ -332,13 +332,13 @@ TEST(SurfaceFields, DistanceToTheRimOfAPlaneIsThatOfItsEdges) {
     const auto d = toolpath::distanceToSegments(s, rim, 1e9);
     std::size_t off = 0;
     for (std::size_t v = 0; v < d.size(); ++v) {
-      double least = INFINITY;
+      double minimum = INFINITY;
       for (const auto& e : rim)
-        least = std::min(least, squaredDistance(s.position[v], e.a, e.b));
+        minimum = std::min(minimum, squaredDistance(s.position[v], e.a, e.b));
       // A segment that is nearest to no neighbour of a vertex does not come to it.
-      EXPECT_NEAR(d[v], std::sqrt(least), 0.1);
-      EXPECT_GE(d[v], std::sqrt(least) - 1e-9);
-      off += d[v] > std::sqrt(least) + 1e-2 ? 1 : 0;
+      EXPECT_NEAR(d[v], std::sqrt(minimum), 0.1);
+      EXPECT_GE(d[v], std::sqrt(minimum) - 1e-9);
+      off += d[v] > std::sqrt(minimum) + 1e-2 ? 1 : 0;
     }
     EXPECT_LT(off, d.size() / 10);
   }

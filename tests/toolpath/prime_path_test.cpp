@@ -27,7 +27,7 @@ std::vector<Vector3d> corners(double sideMm) {
   return points;
 }
 // From a square about the origin.
-double asideOf(double sideMm, const Vector2d& p) {
+double offsetOf(double sideMm, const Vector2d& p) {
   const Vector2d out = (p.cwiseAbs() - Vector2d::Constant(0.5 * sideMm)).cwiseMax(0.0);
   return out.norm();
 }
@@ -39,7 +39,7 @@ TEST(PrimePath, aLineIsBesideThePart) {
   ASSERT_EQ(place.corners.size(), 2u);
   EXPECT_NEAR((place.corners[1] - place.corners[0]).norm(), 30.0, 1e-9);
   for (const Vector2d& p : place.corners) {
-    EXPECT_GE(asideOf(40, p), kPrimeAsideMm - 1e-9);
+    EXPECT_GE(offsetOf(40, p), kPrimeOffsetMm - 1e-9);
     EXPECT_LE(p.cwiseAbs().maxCoeff(), 100.0 - kPrimeFromEdgeMm);
   }
   // It ends nearer to the part's begin than it begins.
@@ -54,7 +54,7 @@ TEST(PrimePath, aRingIsRoundThePart) {
   for (std::size_t i = 1; i < place.corners.size(); ++i)
     for (const double t : {0.0, 0.5, 1.0}) {
       const Vector2d p = place.corners[i - 1] + t * (place.corners[i] - place.corners[i - 1]);
-      EXPECT_GE(asideOf(40, p), kPrimeAsideMm - 1e-9);
+      EXPECT_GE(offsetOf(40, p), kPrimeOffsetMm - 1e-9);
       EXPECT_LE(p.cwiseAbs().maxCoeff(), 50.0 - kPrimeFromEdgeMm);
     }
 }
@@ -69,7 +69,7 @@ TEST(PrimePath, whereThePlateHasNoRoomItIsInTheAirBesideIt) {
   const PrimePlace air = primePlace(square(42), corners(40), {90, 0}, false, 30.0, 1.2);
   EXPECT_FALSE(air.onPlate);
   for (const Vector2d& p : air.corners)
-    EXPECT_GE(asideOf(42, p), kPrimeOutsideMm - 1e-9);
+    EXPECT_GE(offsetOf(42, p), kPrimeOutsideMm - 1e-9);
   // On the side where the arm rests.
   EXPECT_GT(air.corners.front().x(), 30.0);
 }
@@ -136,16 +136,17 @@ TEST(PrimePath, findingNamesThePlaceWhereItFalls) {
   options.prime = "line";
   for (const double sideMm : {200.0, 42.0}) {
     plan::ToolPlan primed = plan;
-    const auto told = addPrimePath(primed, robot::loadCell("ur5-moving", process, square(sideMm)),
-                                   process::Tooling(process), options);
+    const auto reported =
+        addPrimePath(primed, robot::loadCell("ur5-moving", process, square(sideMm)),
+                     process::Tooling(process), options);
     EXPECT_EQ(primed.paths[0].kind, plan::PathKind::Prime);
-    EXPECT_EQ(told.has_value(), primed.isPrimeInAir()) << sideMm;
-    EXPECT_EQ(told.has_value(), sideMm < 100.0);
-    if (told) {
-      EXPECT_EQ(told->kind, plan::FindingKind::PrimeFalls);
-      EXPECT_FALSE(told->blocking);
-      ASSERT_TRUE(told->where);
-      EXPECT_EQ(*told->where, primed.position[0]);
+    EXPECT_EQ(reported.has_value(), primed.isPrimeInAir()) << sideMm;
+    EXPECT_EQ(reported.has_value(), sideMm < 100.0);
+    if (reported) {
+      EXPECT_EQ(reported->kind, plan::FindingKind::PrimeFalls);
+      EXPECT_FALSE(reported->blocking);
+      ASSERT_TRUE(reported->where);
+      EXPECT_EQ(*reported->where, primed.position[0]);
     }
   }
 }
@@ -158,7 +159,7 @@ TEST(PrimePath, wideBeadsKeepTheirDistance) {
     const PrimePlace place = primePlace(square(600), corners(200), {0, 0}, false, 100.0, width);
     ASSERT_TRUE(place.onPlate);
     for (const Vector2d& p : place.corners) {
-      EXPECT_GE(asideOf(200, p), std::max(kPrimeAsideMm, 2.0 * width) - 1e-9);
+      EXPECT_GE(offsetOf(200, p), std::max(kPrimeOffsetMm, 2.0 * width) - 1e-9);
       EXPECT_LE(p.cwiseAbs().maxCoeff(), 600.0 - width);
     }
   }

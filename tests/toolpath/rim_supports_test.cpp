@@ -122,10 +122,10 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   addPath(high, -15, 15, 0, 0.8 + 6.0 * kProcess.beadWidthMaxMm + 0.1, 0);
   EXPECT_EQ(underlaid(high).underlaid, 0u);
 
-  plan::ToolPlan aside;
-  addPath(aside, -15, 15, 21, 1.6, 0);
-  EXPECT_EQ(underlaid(aside).underlaid, 0u);
-  EXPECT_EQ(underlaid(aside).plan.position, aside.position);
+  plan::ToolPlan shifted;
+  addPath(shifted, -15, 15, 21, 1.6, 0);
+  EXPECT_EQ(underlaid(shifted).underlaid, 0u);
+  EXPECT_EQ(underlaid(shifted).plan.position, shifted.position);
 
   platform::PlatformSolid rod;
   rod.rod.emplace();
@@ -209,14 +209,14 @@ TEST(Underlay, LeansWhereTheHeadFitsOnlyInclined) {
   for (std::size_t i = roof.first; i < roof.first + roof.count; ++i)
     plan.direction[i] = aslant;
   const Underlaid out = underlaid(plan);
-  std::size_t laid = 0;
+  std::size_t printed = 0;
   for (const plan::ToolPath& path : out.plan.paths) {
     if (path.kind != plan::PathKind::Support)
       continue;
-    for (std::size_t i = path.first; i < path.first + path.count; ++i, ++laid)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i, ++printed)
       EXPECT_EQ(out.plan.direction[i], aslant);
   }
-  EXPECT_GT(laid, 30u);
+  EXPECT_GT(printed, 30u);
 }
 
 // Where the head cuts into a wall, upright and in the direction of the roof: leaning away from it.
@@ -237,7 +237,7 @@ TEST(Underlay, LeansAwayFromAWall) {
 }
 
 // From the last foot to the first bead of the patch, to and fro.
-TEST(Underlay, RimSupportsOfOneHeightAreInTheOrderOfLeastTravel) {
+TEST(Underlay, RimSupportsOfOneHeightAreInTheOrderOfMinimumTravel) {
   plan::ToolPlan plan;
   for (const double y : {-12.0, -4.0, 4.0, 12.0})
     addPath(plan, -15, 0, y, 0.8, 0);
@@ -261,7 +261,7 @@ TEST(Underlay, RimSupportsOfOneHeightAreInTheOrderOfLeastTravel) {
 
 // By the hundred: no bead is in one deposited before it, and none is unsupported.
 TEST(Underlay, RandomFeet) {
-  std::size_t laid = 0;
+  std::size_t printed = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
     const auto number = [&](double from, double to) {
@@ -286,7 +286,7 @@ TEST(Underlay, RandomFeet) {
     for (const plan::ToolPath& path : out.plan.paths) {
       if (path.kind != plan::PathKind::Support)
         continue;
-      ++laid;
+      ++printed;
       EXPECT_TRUE(
           toolpath::unsupportedStretches(out.plan, path, unsupported, kProcess.beadWidthMm).empty())
           << seed << ": " << out.plan.position[path.first].transpose();
@@ -300,5 +300,5 @@ TEST(Underlay, RandomFeet) {
       }
     }
   }
-  EXPECT_GT(laid, 100u);
+  EXPECT_GT(printed, 100u);
 }

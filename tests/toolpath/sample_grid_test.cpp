@@ -110,7 +110,7 @@ TEST(SampleGrid, AreSharedOutToTheNearestCurve) {
   for (const SurfaceCurve& c : curves)
     bySegment.emplace_back(c.points.size() - (c.closed ? 0 : 1), 0.0);
   for (std::size_t i = 0; i < grid.count(); ++i) {
-    double least = kReach;
+    double minimum = kReach;
     std::size_t curve = curves.size(), segment = 0;
     for (std::size_t k = 0; k < curves.size(); ++k)
       for (std::size_t j = 0; j < bySegment[k].size(); ++j) {
@@ -118,8 +118,8 @@ TEST(SampleGrid, AreSharedOutToTheNearestCurve) {
         const double d = measured(grid.sample(i).position, points[j].position,
                                   points[(j + 1) % points.size()].position)
                              .first;
-        if (d < least) {
-          least = d;
+        if (d < minimum) {
+          minimum = d;
           curve = k;
           segment = j;
         }

@@ -14,7 +14,7 @@
 namespace voluta::toolpath {
 namespace {
 
-using base::kTurn;
+using base::kTwoPi;
 using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -49,7 +49,8 @@ Bead polygonBead(const std::vector<Vector2d>& corners,
 std::vector<Vector2d> circle(double radius, int sides = 96) {
   std::vector<Vector2d> points;
   for (int i = 0; i < sides; ++i)
-    points.emplace_back(radius * std::cos(kTurn * i / sides), radius * std::sin(kTurn * i / sides));
+    points.emplace_back(radius * std::cos(kTwoPi * i / sides),
+                        radius * std::sin(kTwoPi * i / sides));
   return points;
 }
 
@@ -57,7 +58,7 @@ std::vector<Vector2d> circle(double radius, int sides = 96) {
 Bead lathedBead(double radius, double y) {
   std::vector<Vector3d> tips, up;
   for (int i = 0; i < 80; ++i) {
-    const double a = kTurn * i / 80;
+    const double a = kTwoPi * i / 80;
     up.emplace_back(std::cos(a), 0.0, std::sin(a));
     tips.push_back(radius * up.back() + y * Vector3d::UnitY());
   }
@@ -209,8 +210,8 @@ TEST(Seams, SpreadSeamsAreUniform) {
   std::vector<int> count(8, 0);
   for (int layer = 0; layer < 800; ++layer) {
     const Vector3d tip = tipAt(ring, placeOf(seamKind("spread"), ring, layer));
-    const double turn = std::atan2(tip.y(), tip.x()) / kTurn + 0.5;
-    ++count[std::min<std::size_t>(7, static_cast<std::size_t>(8.0 * turn))];
+    const double revolution = std::atan2(tip.y(), tip.x()) / kTwoPi + 0.5;
+    ++count[std::min<std::size_t>(7, static_cast<std::size_t>(8.0 * revolution))];
   }
   for (const int c : count)
     EXPECT_NEAR(c, 100, 40);

@@ -31,9 +31,9 @@ void add(plan::ToolPlan& plan, const std::vector<Eigen::Vector3d>& points, doubl
 std::vector<Eigen::Vector3d> turns(int count, double z, double rise) {
   std::vector<Eigen::Vector3d> points;
   for (int k = 0; k <= count * kPoints; ++k) {
-    const double turn = static_cast<double>(k) / kPoints;
-    points.emplace_back(kRadiusMm * std::cos(2.0 * base::kPi * turn),
-                        kRadiusMm * std::sin(2.0 * base::kPi * turn), z + rise * turn);
+    const double revolution = static_cast<double>(k) / kPoints;
+    points.emplace_back(kRadiusMm * std::cos(2.0 * base::kPi * revolution),
+                        kRadiusMm * std::sin(2.0 * base::kPi * revolution), z + rise * revolution);
   }
   return points;
 }
@@ -56,26 +56,26 @@ plan::ToolPlan rings(int layers) {
   return plan;
 }
 
-TEST(SlowToCool, ARingTakesTheLeastTime) {
+TEST(SlowToCool, ARingTakesTheMinimumTime) {
   plan::ToolPlan plan = rings(12);
-  slowToCool(plan, {.leastLayerTimeS = 60.0, .slowestMmPerS = 0.1});
+  slowToCool(plan, {.minLayerTimeS = 60.0, .slowestMmPerS = 0.1});
   for (const plan::ToolPath& path : plan.paths)
     EXPECT_NEAR(secondsOf(plan, path.first, path.count - 1), 60.0, 0.6) << path.first;
 }
 
-TEST(SlowToCool, ASpiralTakesTheLeastTimePerTurn) {
+TEST(SlowToCool, ASpiralTakesTheMinimumTimePerRevolution) {
   plan::ToolPlan plan;
   add(plan, turns(8, kHeightMm, kHeightMm), usualSpeed());
-  slowToCool(plan, {.leastLayerTimeS = 60.0, .slowestMmPerS = 0.1});
-  for (int turn = 0; turn < 7; ++turn)
-    EXPECT_NEAR(secondsOf(plan, static_cast<std::size_t>(turn * kPoints), kPoints), 60.0, 1.0)
-        << turn;
+  slowToCool(plan, {.minLayerTimeS = 60.0, .slowestMmPerS = 0.1});
+  for (int revolution = 0; revolution < 7; ++revolution)
+    EXPECT_NEAR(secondsOf(plan, static_cast<std::size_t>(revolution * kPoints), kPoints), 60.0, 1.0)
+        << revolution;
 }
 
 TEST(SlowToCool, NoSlowerThanAllowed) {
   plan::ToolPlan plan = rings(4);
   const auto slowest = static_cast<float>(0.9 * usualSpeed());
-  slowToCool(plan, {.leastLayerTimeS = 60.0, .slowestMmPerS = static_cast<double>(slowest)});
+  slowToCool(plan, {.minLayerTimeS = 60.0, .slowestMmPerS = static_cast<double>(slowest)});
   EXPECT_FLOAT_EQ(*std::ranges::min_element(plan.speedMmPerS), slowest);
 }
 

@@ -24,20 +24,20 @@ using toolpath::SparsePattern;
 
 constexpr double kHeight = 0.8;
 
-// Squares on top of each other, turned by `turn` about the origin.
+// Squares on top of each other, turned by `rotation` about the origin.
 layers::LayerStack stackOf(int count, double side,
-                           const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
+                           const Eigen::Quaterniond& rotation = Eigen::Quaterniond::Identity()) {
   layers::LayerStack stack;
   stack.layerCount = count;
   for (int k = 0; k < count; ++k) {
     layers::Patch patch = test::patchOver(
         {test::rectangle(side, side)}, 1.5,
         [&](const Eigen::Vector2d& p) {
-          return Vector3d(turn * Vector3d(p.x(), p.y(), (k + 0.5) * kHeight));
+          return Vector3d(rotation * Vector3d(p.x(), p.y(), (k + 0.5) * kHeight));
         },
         [](const Vector3d&) { return kHeight; }, 1U + static_cast<unsigned>(k));
     for (Vector3d& d : patch.direction)
-      d = turn * Vector3d::UnitZ();
+      d = rotation * Vector3d::UnitZ();
     patch.clearDirection = patch.direction;
     patch.layer = k;
     stack.patches.push_back(std::move(patch));
@@ -178,12 +178,13 @@ const Eigen::Quaterniond kTurns[] = {
     Eigen::Quaterniond(Eigen::AngleAxisd(1.5, Vector3d(1, 2, 0).normalized()))};
 
 TEST(LayerCount, CountsUpToTheSurface) {
-  for (const Eigen::Quaterniond& turn : kTurns) {
-    const layers::LayerStack stack = stackOf(9, 12.0, turn);
+  for (const Eigen::Quaterniond& rotation : kTurns) {
+    const layers::LayerStack stack = stackOf(9, 12.0, rotation);
     const toolpath::LayerCount count(stack, base::RunContext{});
-    const Vector3d up = turn * Vector3d::UnitZ();
+    const Vector3d up = rotation * Vector3d::UnitZ();
     for (std::size_t k = 0; k < 9; ++k) {
-      const Vector3d place = turn * Vector3d(1.1, -0.7, (static_cast<double>(k) + 0.5) * kHeight);
+      const Vector3d place =
+          rotation * Vector3d(1.1, -0.7, (static_cast<double>(k) + 0.5) * kHeight);
       const int above = 8 - static_cast<int>(k);
       EXPECT_EQ(count.along(k, place, up, kHeight, 5).count, std::min(5, above)) << k;
       EXPECT_EQ(count.along(k, place, -up, kHeight, 20).count, static_cast<int>(k)) << k;
@@ -211,8 +212,8 @@ TEST(SplitLayers, LeaveWallsAndSkinsSolid) {
   constexpr int kLayers = 12;
   constexpr double kSide = 26.0;
   const process::Tooling tooling{process::Process{}};
-  for (const Eigen::Quaterniond& turn : kTurns) {
-    const layers::LayerStack stack = stackOf(kLayers, kSide, turn);
+  for (const Eigen::Quaterniond& rotation : kTurns) {
+    const layers::LayerStack stack = stackOf(kLayers, kSide, rotation);
     const toolpath::LayerCount count(stack, base::RunContext{});
     toolpath::ToolpathOptions o = sparseOptions();
     o.topLayers = 2;

@@ -33,8 +33,8 @@ void append(toolpath::Assembled& to, const Ring& ring, int layer) {
   path.layer = path.patch = layer;
   path.closed = true;
   for (int i = 0; i <= kPoints; ++i) {
-    const double turn = 2 * std::numbers::pi * (i % kPoints) / kPoints,
-                 a = ring.begin + (ring.backwards ? -turn : turn),
+    const double angle = 2 * std::numbers::pi * (i % kPoints) / kPoints,
+                 a = ring.begin + (ring.backwards ? -angle : angle),
                  r = ring.radius + ring.wave * std::cos(3 * a);
     to.plan.position.emplace_back(ring.centre.x() + r * std::cos(a),
                                   ring.centre.y() + r * std::sin(a), ring.z);

@@ -76,8 +76,8 @@ TEST(Strength, ABarPrintedFlatHasNoInterfaceAcrossIt) {
   const plan::StrengthStatistics s = of(barStack(250, 10, 10, 5, 10), {1, 0, 0});
   EXPECT_NEAR(s.interfaceMm2, 0.0, 1e-9);
   EXPECT_NEAR(s.interfaceFraction, 0.0, 1e-12);
-  EXPECT_NEAR(s.leastSectionMm2, 50.0, 1e-6);
-  EXPECT_EQ(s.mostInterfaceFraction, 0.0);
+  EXPECT_NEAR(s.minSectionMm2, 50.0, 1e-6);
+  EXPECT_EQ(s.maxInterfaceFraction, 0.0);
 }
 
 TEST(Strength, ABarPrintedUprightIsAllInterfaces) {
@@ -85,15 +85,15 @@ TEST(Strength, ABarPrintedUprightIsAllInterfaces) {
   const plan::StrengthStatistics s = of(barStack(10, 5, 5, 250, 500), {0, 0, 1});
   EXPECT_NEAR(s.interfaceMm2, 499 * 50.0, 1e-6);
   EXPECT_NEAR(s.interfaceFraction, 1.0, 1e-12);
-  EXPECT_NEAR(s.mostInterfaceFraction, 1.0, 1e-12);
-  EXPECT_NEAR(s.leastSectionMm2, 50.0, 1e-6);
+  EXPECT_NEAR(s.maxInterfaceFraction, 1.0, 1e-12);
+  EXPECT_NEAR(s.minSectionMm2, 50.0, 1e-6);
 }
 
 TEST(Strength, AWoundBarHasNoInterfaceAcrossItsAxis) {
   const layers::LayerStack stack = woundStack(100, 5, 8, 6);
   const plan::StrengthStatistics along = of(stack, {1, 0, 0});
   EXPECT_NEAR(along.interfaceFraction, 0.0, 1e-12);
-  EXPECT_NEAR(along.leastSectionMm2, base::kPi * (64.0 - 25.0), 0.01);
+  EXPECT_NEAR(along.minSectionMm2, base::kPi * (64.0 - 25.0), 0.01);
   // Across the axis, the mean of |cos| around the ring, by volume.
   EXPECT_NEAR(of(stack, {0, 0, 1}).interfaceMm2, 4.0 * 100.0 * (5.75 + 6.25 + 6.75 + 7.25 + 7.75),
               1.0);
@@ -109,11 +109,11 @@ TEST(Strength, InterfacesAtAnAngleCountByTheirProjection) {
   }
 }
 
-TEST(Strength, TheLeastSectionOfATaperIsAtTheEndOfItsSections) {
+TEST(Strength, TheMinimumSectionOfATaperIsAtTheEndOfItsSections) {
   const plan::StrengthStatistics s = of(barStack(200, 20, 10, 4, 8), {1, 0, 0});
   // A tenth of the length at each end has no sections; slabs are 1 mm.
-  EXPECT_NEAR(s.leastSectionMm2, 4.0 * (10.0 + 20.5 / 200.0 * 10.0), 1e-6);
-  EXPECT_NEAR(s.leastSectionAtMm, 179.5, 1e-9);
+  EXPECT_NEAR(s.minSectionMm2, 4.0 * (10.0 + 20.5 / 200.0 * 10.0), 1e-6);
+  EXPECT_NEAR(s.minSectionAtMm, 179.5, 1e-9);
 }
 
 TEST(Strength, DoesNotDependOnTheFrame) {
@@ -123,19 +123,19 @@ TEST(Strength, DoesNotDependOnTheFrame) {
   const Vector3d load = Vector3d(1.0, 0.3, 0.4).normalized();
   const plan::StrengthStatistics here = of(stack, load);
   for (int i = 0; i < 100; ++i) {
-    const Quaterniond turn =
+    const Quaterniond rotation =
         Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
     layers::LayerStack turned = stack;
     for (layers::Patch& patch : turned.patches) {
       for (Vector3d& v : patch.surface.vertices)
-        v = turn * v;
+        v = rotation * v;
       for (Vector3d& d : patch.direction)
-        d = turn * d;
+        d = rotation * d;
     }
-    const plan::StrengthStatistics there = of(turned, turn * load);
+    const plan::StrengthStatistics there = of(turned, rotation * load);
     EXPECT_NEAR(there.interfaceFraction, here.interfaceFraction, 1e-6);
     EXPECT_NEAR(there.interfaceMm2, here.interfaceMm2, 1e-6);
-    EXPECT_NEAR(there.leastSectionMm2, here.leastSectionMm2, 1e-4);
+    EXPECT_NEAR(there.minSectionMm2, here.minSectionMm2, 1e-4);
   }
 }
 

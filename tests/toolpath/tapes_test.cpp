@@ -23,8 +23,8 @@ using test::Loop;
 
 constexpr process::Tape kTape{.widthMm = 5.0,
                               .thicknessMm = 0.08,
-                              .leastLengthMm = 20.0,
-                              .leastBendRadiusMm = 30.0,
+                              .minLengthMm = 20.0,
+                              .minBendRadiusMm = 30.0,
                               .cutAheadMm = 10.0};
 constexpr double kEdgeMm = 1.0, kStepMm = 2.0;
 
@@ -77,17 +77,17 @@ TEST(Tapes, AreOneWidthApartOnARectangle) {
     const layers::Patch patch = turned ? evenPatch(30, 120) : evenPatch(120, 30);
     const TapePaths tapes = tapesOn(patch, {.directionRad = base::degreesToRadians(angleDeg)});
     ASSERT_EQ(tapes.paths.size(), 6u);
-    std::vector<double> aside;
+    std::vector<double> offset;
     for (const SurfaceCurve& path : tapes.paths) {
       EXPECT_NEAR(lengthOf(path), 115.0, 0.1);
       const Vector3d& p = path.points.front().position;
-      aside.push_back(turned ? p.x() : p.y());
+      offset.push_back(turned ? p.x() : p.y());
       for (const SurfacePoint& q : path.points)
-        EXPECT_NEAR(turned ? q.position.x() : q.position.y(), aside.back(), 1e-3);
+        EXPECT_NEAR(turned ? q.position.x() : q.position.y(), offset.back(), 1e-3);
     }
-    std::ranges::sort(aside);
-    for (std::size_t i = 0; i < aside.size(); ++i)
-      EXPECT_NEAR(aside[i], -12.5 + 5.0 * static_cast<double>(i), 1e-3);
+    std::ranges::sort(offset);
+    for (std::size_t i = 0; i < offset.size(); ++i)
+      EXPECT_NEAR(offset[i], -12.5 + 5.0 * static_cast<double>(i), 1e-3);
     EXPECT_NEAR(tapes.coveredMm2, 6 * 5.0 * 115.0, 0.03 * 6 * 5 * 115); // by triangles
     EXPECT_GT(tapes.coveredMm2, 0.99 * tapes.regionMm2);
     EXPECT_LT(tapes.overlapMm2, 0.002 * tapes.regionMm2);
@@ -97,7 +97,7 @@ TEST(Tapes, AreOneWidthApartOnARectangle) {
 
 TEST(Tapes, ALimitedNumberIsInTheMiddleAndEndsBeforeTheOutline) {
   // Dai 5.4: a bar of 250 x 10 with a tape of 240 x 5.
-  const TapePaths tapes = tapesOn(evenPatch(250, 10), {.most = 1, .endMm = 5.0});
+  const TapePaths tapes = tapesOn(evenPatch(250, 10), {.maxCount = 1, .endMm = 5.0});
   ASSERT_EQ(tapes.paths.size(), 1u);
   EXPECT_NEAR(lengthOf(tapes.paths[0]), 240.0, 0.1);
   for (const SurfacePoint& p : tapes.paths[0].points)
@@ -109,7 +109,7 @@ TEST(Tapes, TapesBeyondTheNumberDoNotCountAsShort) {
   // A triangle: all but the lines in the middle are too short.
   const layers::Patch patch = test::patchOver({Loop{{-40, -12}, {40, -12}, {0, 12}}}, 1.0);
   EXPECT_GT(tapesOn(patch, {}).shortMm, 0.0);
-  const TapePaths one = tapesOn(patch, {.most = 1});
+  const TapePaths one = tapesOn(patch, {.maxCount = 1});
   ASSERT_EQ(one.paths.size(), 1u);
   EXPECT_EQ(one.shortMm, 0.0);
 }
@@ -136,7 +136,7 @@ TEST(Tapes, FollowTheOutlineOfARing) {
   EXPECT_GT(all.coveredMm2, 0.97 * base::kPi * (60.0 * 60 - 30 * 30));
 
   process::Tape stiff = kTape;
-  stiff.leastBendRadiusMm = 41.0;
+  stiff.minBendRadiusMm = 41.0;
   const TapePaths outer = tapesOn(ring, {.paths = "contour"}, stiff);
   EXPECT_EQ(outer.paths.size(), 4u);
   EXPECT_NEAR(outer.bentMm, 2 * base::kPi * (32.5 + 37.5), 4.0);
@@ -160,7 +160,7 @@ TEST(Tapes, RunAroundACylinder) {
   // Dai 5.4: a bar of 75 degrees at radius 60, 10 wide.
   const double arc = 60.0 * base::degreesToRadians(75.0);
   const layers::Patch patch = evenPatch(arc, 10, test::onCylinder(60.0));
-  const TapePaths tapes = tapesOn(patch, {.most = 1, .endMm = 0.5 * (arc - 68.0)});
+  const TapePaths tapes = tapesOn(patch, {.maxCount = 1, .endMm = 0.5 * (arc - 68.0)});
   ASSERT_EQ(tapes.paths.size(), 1u);
   EXPECT_NEAR(lengthOf(tapes.paths[0]), 68.0, 0.2);
   const TapePaths two = tapesOn(patch, {});
@@ -235,7 +235,7 @@ TEST(Tapes, FollowAFieldAroundAHole) {
   }
   const layers::Patch ring = test::patchOver({test::circle(60), test::circle(30, true)}, 1.0);
   process::Tape soft = kTape;
-  soft.leastBendRadiusMm = 20.0;
+  soft.minBendRadiusMm = 20.0;
   const TapePaths tapes = tapesOn(ring, choice, soft);
   ASSERT_GE(tapes.paths.size(), 4u);
   EXPECT_GT(tapes.coveredMm2, 0.8 * tapes.regionMm2);
@@ -260,7 +260,7 @@ TEST(Tapes, FieldsAreReadOrRefused) {
 // ---- any outline
 
 // Returns a closed outline of `corners` corners about the origin; round or with corners.
-Loop randomOutline(std::mt19937& random, double least, double most) {
+Loop randomOutline(std::mt19937& random, double minimum, double maximum) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const int waves = 2 + static_cast<int>(random() % 4);
   std::vector<double> height(static_cast<std::size_t>(waves)), phase(height.size());
@@ -270,7 +270,7 @@ Loop randomOutline(std::mt19937& random, double least, double most) {
   }
   const bool hasCorners = random() % 2 == 0;
   const int n = hasCorners ? 5 + static_cast<int>(random() % 5) : 200;
-  const double size = least + (most - least) * share(random);
+  const double size = minimum + (maximum - minimum) * share(random);
   Loop loop;
   for (int i = 0; i < n; ++i) {
     const double angle = 2 * base::kPi * i / n;
@@ -308,20 +308,20 @@ std::vector<std::pair<Vector2d, Vector2d>> outlineOf(const layers::Patch& patch)
 }
 
 double distanceTo(const std::vector<std::pair<Vector2d, Vector2d>>& outline, const Vector2d& p) {
-  double least = 1e9;
+  double minimum = 1e9;
   for (const auto& [a, b] : outline) {
     const Vector2d ab = b - a;
     const double t = std::clamp(ab.dot(p - a) / ab.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (a + t * ab - p).norm());
+    minimum = std::min(minimum, (a + t * ab - p).norm());
   }
-  return least;
+  return minimum;
 }
 
 void expectSound(const TapePaths& tapes, const layers::Patch& patch) {
   const std::vector<std::pair<Vector2d, Vector2d>> outline = outlineOf(patch);
   for (std::size_t i = 0; i < tapes.paths.size(); ++i) {
     const SurfaceCurve& path = tapes.paths[i];
-    EXPECT_GE(lengthOf(path), kTape.leastLengthMm - 0.05);
+    EXPECT_GE(lengthOf(path), kTape.minLengthMm - 0.05);
     for (const SurfacePoint& p : path.points)
       EXPECT_GE(distanceTo(outline, p.position.head<2>()), 0.48 * kTape.widthMm - 1e-3);
     const auto own = segmentsOf(path);
@@ -336,7 +336,7 @@ void expectSound(const TapePaths& tapes, const layers::Patch& patch) {
       const std::size_t last = std::min(k + 2, path.points.size() - 1), middle = (k - 2 + last) / 2;
       const double radius = bendRadius(path.points[k - 2].position, path.points[middle].position,
                                        path.points[last].position, Vector3d::UnitZ());
-      EXPECT_GE(radius, 0.8 * kTape.leastBendRadiusMm);
+      EXPECT_GE(radius, 0.8 * kTape.minBendRadiusMm);
     }
   }
 }
@@ -346,7 +346,7 @@ TEST(Tapes, KeepTheirRulesOnRandomOutlines) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> angle(0.0, base::kPi);
   double region = 0.0, covered = 0.0;
-  int laid = 0;
+  int printed = 0;
   for (int i = 0; i < outlines; ++i) {
     SCOPED_TRACE(i);
     const Loop loop = randomOutline(random, 35.0, 60.0);
@@ -357,11 +357,11 @@ TEST(Tapes, KeepTheirRulesOnRandomOutlines) {
     EXPECT_GE(tapes.coveredMm2, 0.8 * tapes.regionMm2);
     region += tapes.regionMm2;
     covered += tapes.coveredMm2;
-    laid += static_cast<int>(tapes.paths.size());
+    printed += static_cast<int>(tapes.paths.size());
     if (i % 3 == 0)
       expectSound(tapesOn(patch, {.paths = "contour"}), patch);
   }
-  EXPECT_GT(laid, 10 * outlines);
+  EXPECT_GT(printed, 10 * outlines);
   EXPECT_GE(covered, 0.9 * region);
 }
 

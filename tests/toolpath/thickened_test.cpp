@@ -24,14 +24,14 @@ TEST(Thickened, ReachesDownToThePrintedBead) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0, 0.8 + 0.5 + 0.4, 1, 0.4f);
-  const toolpath::UnsupportedBeads laid = thickened(plan);
-  const plan::ToolPath& above = laid.plan.paths.back();
+  const toolpath::UnsupportedBeads thickenedBeads = thickened(plan);
+  const plan::ToolPath& above = thickenedBeads.plan.paths.back();
   for (std::size_t i = above.first; i < above.first + above.count; ++i) {
-    EXPECT_NEAR(laid.plan.heightMm[i], 0.9, 0.15 + 0.04); // half a cell, half a step
-    EXPECT_EQ(laid.plan.position[i], plan.position[i]);
-    EXPECT_EQ(laid.unsupported[i], 0);
+    EXPECT_NEAR(thickenedBeads.plan.heightMm[i], 0.9, 0.15 + 0.04); // half a cell, half a step
+    EXPECT_EQ(thickenedBeads.plan.position[i], plan.position[i]);
+    EXPECT_EQ(thickenedBeads.unsupported[i], 0);
   }
-  EXPECT_EQ(laid.plan.heightMm.front(), plan.heightMm.front());
+  EXPECT_EQ(thickenedBeads.plan.heightMm.front(), plan.heightMm.front());
 }
 
 TEST(Thickened, NotWhereItIsFarOrShortAndNeverThickerThanLayersMayBe) {
@@ -64,18 +64,18 @@ TEST(Thickened, RandomHeights) {
     addPath(plan, -15, 15, 0, 0.8, 0);
     addPath(plan, number(-15, -8), number(8, 15), y, 0.8 + height + number(0.0, 0.8), 1,
             static_cast<float>(height));
-    const toolpath::UnsupportedBeads laid = thickened(plan);
+    const toolpath::UnsupportedBeads thickenedBeads = thickened(plan);
     const double pitch = collision::growingPitch(plan, process::Tooling(kProcess));
     for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
-      const auto now = static_cast<double>(laid.plan.heightMm[i]);
-      if (laid.plan.heightMm[i] == plan.heightMm[i])
+      const auto now = static_cast<double>(thickenedBeads.plan.heightMm[i]);
+      if (thickenedBeads.plan.heightMm[i] == plan.heightMm[i])
         continue;
       ++changed;
       EXPECT_LE(now, kProcess.layerHeightMaxMm + 1e-6);
       EXPECT_GE(plan.position[i].z() - now, 0.8 - 0.5 * pitch - 1e-6) << seed;
       EXPECT_LE(plan.position[i].z() - now, 0.8 + 0.5 * pitch + 0.125 * pitch) << seed;
-      EXPECT_LE(static_cast<double>(laid.plan.speedMmPerS[i]) *
-                    process::beadArea(static_cast<double>(laid.plan.widthMm[i]), now),
+      EXPECT_LE(static_cast<double>(thickenedBeads.plan.speedMmPerS[i]) *
+                    process::beadArea(static_cast<double>(thickenedBeads.plan.widthMm[i]), now),
                 kProcess.maxFlowMm3PerS * (1.0 + 1e-5));
     }
   }

@@ -31,8 +31,8 @@ const platform::PlatformSolid kNarrowPlate{
 collision::GrowingPart grown(const plan::ToolPlan& plan) {
   return {plan, collision::growingPitch(plan, process::Tooling(kProcess)), {}};
 }
-std::vector<char> unsupportedOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
-  return toolpath::unsupportedWaypoints(plan, grown(plan), kNarrowPlate, {}, leastPlaces);
+std::vector<char> unsupportedOf(const plan::ToolPlan& plan, int minPlaces = 1) {
+  return toolpath::unsupportedWaypoints(plan, grown(plan), kNarrowPlate, {}, minPlaces);
 }
 std::vector<std::size_t> orderOf(const plan::ToolPlan& plan) {
   std::vector<std::size_t> order;
@@ -49,11 +49,11 @@ plan::ToolPlan leaning(plan::ToolPlan plan) {
 }
 
 // Layer 1 is on a bead of layer 0 and reaches out over it; its beads at these places aside.
-plan::ToolPlan ledge(const std::vector<double>& asides, float height = 0.8f) {
+plan::ToolPlan ledge(const std::vector<double>& offsets, float height = 0.8f) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
-  for (const double aside : asides)
-    addPath(plan, -12, 12, aside, 0.8 + static_cast<double>(height), 1, height);
+  for (const double offset : offsets)
+    addPath(plan, -12, 12, offset, 0.8 + static_cast<double>(height), 1, height);
   return leaning(std::move(plan));
 }
 
@@ -138,10 +138,10 @@ TEST(Braced, RandomLedgesBecomeSupported) {
     };
     const auto height = static_cast<float>(number(0.5, 0.9));
     const double apart = number(1.0, 1.15);
-    std::vector<double> asides;
+    std::vector<double> offsets;
     for (int k = 0; k <= std::uniform_int_distribution<>(2, 4)(random); ++k)
-      asides.push_back(k * apart);
-    plan::ToolPlan plan = ledge(asides, height);
+      offsets.push_back(k * apart);
+    plan::ToolPlan plan = ledge(offsets, height);
     const Eigen::AngleAxisd tilt(base::degreesToRadians(number(-20, 20)),
                                  Vector3d(number(-1, 1), number(-1, 1), 0).normalized());
     for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
@@ -202,8 +202,8 @@ TEST(Braced, UprightBeadsStayUpright) {
 }
 
 TEST(Braced, BeadWithoutANeighbourStays) {
-  for (const double aside : {2.6, 4.0}) {
-    const plan::ToolPlan plan = ledge({0.0, aside});
+  for (const double offset : {2.6, 4.0}) {
+    const plan::ToolPlan plan = ledge({0.0, offset});
     EXPECT_EQ(bracedPlan(plan).direction, plan.direction);
   }
 }
@@ -228,10 +228,10 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
     EXPECT_TRUE(under.findings.empty());
     const plan::ToolPlan& ordered = under.beads.plan;
     ASSERT_EQ(ordered.paths.size(), 5u);
-    std::vector<double> asides;
+    std::vector<double> offsets;
     for (std::size_t p = 1; p < 5; ++p)
-      asides.push_back(ordered.position[ordered.paths[p].first].y());
-    EXPECT_EQ(asides,
+      offsets.push_back(ordered.position[ordered.paths[p].first].y());
+    EXPECT_EQ(offsets,
               upright ? (std::vector{3.5, 2.35, 1.2, 0.0}) : (std::vector{0.0, 1.2, 2.35, 3.5}));
     const toolpath::OrientResult oriented =
         toolpath::orientDirections(ordered, under.beads.clearDirection, cell,

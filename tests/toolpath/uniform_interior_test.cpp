@@ -81,12 +81,12 @@ TEST(UniformStretches, AgreeWithSamples) {
     const toolpath::UniformStretches even = inside.of(f.curves);
     const auto samples = toolpath::PlaneSamples::of(f.s, 0.016);
     ASSERT_TRUE(samples);
-    const toolpath::VoronoiShares told = assignToNearestCurve(*samples, f.curves, 1.8),
+    const toolpath::VoronoiShares reported = assignToNearestCurve(*samples, f.curves, 1.8),
                                   known = assignToNearestCurve(*samples, f.curves, 1.8, {}, even);
-    double evenMm2 = 0.0, toldMm2 = 0.0, evenMm3 = 0.0, toldMm3 = 0.0, off = 0.0;
+    double evenMm2 = 0.0, reportedMm2 = 0.0, evenMm3 = 0.0, reportedMm3 = 0.0, off = 0.0;
     for (std::size_t k = 0; k < f.curves.size(); ++k)
-      for (std::size_t i = 0; i < told.share[k].areaMm2.size(); ++i) {
-        const auto &a = known.share[k], &b = told.share[k];
+      for (std::size_t i = 0; i < reported.share[k].areaMm2.size(); ++i) {
+        const auto &a = known.share[k], &b = reported.share[k];
         if (even.segments.empty() || even.segments[k].empty() ||
             even.segments[k][i].areaMm2 == 0.0) {
           EXPECT_DOUBLE_EQ(a.areaMm2[i], b.areaMm2[i]);
@@ -97,17 +97,17 @@ TEST(UniformStretches, AgreeWithSamples) {
         EXPECT_LT(std::abs(b.lateralMm[i]), 0.1);
         off += std::abs(a.areaMm2[i] - b.areaMm2[i]);
         evenMm2 += a.areaMm2[i];
-        toldMm2 += b.areaMm2[i];
+        reportedMm2 += b.areaMm2[i];
         evenMm3 += a.volumeMm3[i];
-        toldMm3 += b.volumeMm3[i];
+        reportedMm3 += b.volumeMm3[i];
       }
     withEven += evenMm2 > 0.0 ? 1 : 0;
-    EXPECT_NEAR(evenMm2, toldMm2, 0.004 * evenMm2 + 0.2);
-    EXPECT_NEAR(evenMm3, toldMm3, 0.004 * evenMm3 + 0.2);
+    EXPECT_NEAR(evenMm2, reportedMm2, 0.004 * evenMm2 + 0.2);
+    EXPECT_NEAR(evenMm3, reportedMm3, 0.004 * evenMm3 + 0.2);
     EXPECT_LT(off, 0.1 * evenMm2 + 0.1); // a sample or so to either side
     for (std::size_t k = 0; k < f.curves.size(); ++k) {
-      EXPECT_EQ(known.share[k].beyondMm2[0], told.share[k].beyondMm2[0]);
-      EXPECT_EQ(known.share[k].beyondMm2[1], told.share[k].beyondMm2[1]);
+      EXPECT_EQ(known.share[k].beyondMm2[0], reported.share[k].beyondMm2[0]);
+      EXPECT_EQ(known.share[k].beyondMm2[1], reported.share[k].beyondMm2[1]);
     }
 
     const auto fewer = toolpath::PlaneSamples::of(f.s, 0.016, inside.triangles());
@@ -115,7 +115,7 @@ TEST(UniformStretches, AgreeWithSamples) {
     const toolpath::VoronoiShares rest = assignToNearestCurve(*fewer, f.curves, 1.8, {}, even);
     double all = 0.0, left = 0.0;
     for (std::size_t k = 0; k < f.curves.size(); ++k) {
-      all += sumOf(told.share[k].volumeMm3);
+      all += sumOf(reported.share[k].volumeMm3);
       left += sumOf(rest.share[k].volumeMm3);
     }
     EXPECT_NEAR(left, all, 0.002 * all);

@@ -46,7 +46,7 @@ template <typename Inside> layers::Patch rodPatch(Inside&& inside) {
 layers::Patch whole() {
   return rodPatch([](const Vector3d&) { return 1.0; });
 }
-layers::Patch halfTurn() {
+layers::Patch halfRevolution() {
   return rodPatch([](const Vector3d& p) { return p.z(); });
 }
 layers::Patch withHole() {
@@ -177,7 +177,7 @@ TEST(PeriodicIsolines, AHoleCutsLinesAndASectorEndsThem) {
   for (const auto& c : cut)
     for (const auto& p : positions(c))
       EXPECT_TRUE(p.y() > 0 || std::hypot(p.x() - 3.0, p.z()) > 1.95);
-  const auto half = toolpath::PatchSurface::refine(halfTurn(), 0.3);
+  const auto half = toolpath::PatchSurface::refine(halfRevolution(), 0.3);
   const auto arcs = toolpath::periodicIsolines(half, helix);
   EXPECT_NEAR(static_cast<double>(arcs.size()), 100.0, 1.0);
   for (const auto& c : arcs) {
@@ -219,7 +219,7 @@ std::vector<std::vector<Vector3d>> infillOf(const toolpath::PatchCover& c) {
 const double kHatch = process::hatchOf(0.7, 0.25);
 
 TEST(WoundInfill, EveryRowOfTheTableFillsRodsSectorsAndHoles) {
-  layers::Patch patches[] = {whole(), halfTurn(), withHole()};
+  layers::Patch patches[] = {whole(), halfRevolution(), withHole()};
   for (const toolpath::InfillKind& kind : toolpath::infillKinds())
     for (std::size_t i = 0; i < 3; ++i)
       for (int layer = test::ofSeeds(static_cast<int>(i % 2), 0); layer < 2;
@@ -347,7 +347,7 @@ TEST(WoundInfill, HelicalKeepsAngleAndSpacingAndCloses) {
 TEST(WoundInfill, ASectorIsFilledWithoutABeadInTheGap) {
   for (const char* infill : {"around", "along", "helical"}) {
     SCOPED_TRACE(infill);
-    const auto lines = infillOf(cover(halfTurn(), infill));
+    const auto lines = infillOf(cover(halfRevolution(), infill));
     ASSERT_FALSE(lines.empty());
     for (const auto& line : lines)
       for (const Vector3d& p : line)

@@ -135,16 +135,16 @@ TEST(VoxelObject, QuarterTurnsMoveCellsAsTheyMoveTheSurface) {
       if (x.dot(y) != 0)
         continue;
       ++turns;
-      Eigen::Matrix3i turn;
-      turn << x, y, x.cross(y);
-      const SolidVoxels v = solidVoxels(o, turn, 2.0, {1.0, -1.0}, 3);
+      Eigen::Matrix3i rotation;
+      rotation << x, y, x.cross(y);
+      const SolidVoxels v = solidVoxels(o, rotation, 2.0, {1.0, -1.0}, 3);
       EXPECT_EQ(v.count, countOf(o));
       EXPECT_DOUBLE_EQ(v.grid.origin.z(), 4.0);
       // The same by voxelising the turned surface.
       geometry::TriangleMesh turned = surface;
       Eigen::AlignedBox3d box;
       for (auto& p : turned.vertices) {
-        p = 2.0 * (turn.cast<double>() * p);
+        p = 2.0 * (rotation.cast<double>() * p);
         box.extend(p);
       }
       const Eigen::Vector3d shift(1.0 - box.center().x(), -1.0 - box.center().y(),

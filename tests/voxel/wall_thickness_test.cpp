@@ -17,7 +17,7 @@ TEST(ThinPlaces, AWallIsFoundWithItsThicknessAndPlace) {
   test::append(mesh, test::box({20, 0, 0}, {20.4, 8, 6}));
   const std::vector<ThinPlace> found = thinPlaces(mesh, 0.8, kQuiet);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].leastMm, 0.4, 1e-9);
+  EXPECT_NEAR(found[0].minMm, 0.4, 1e-9);
   EXPECT_NEAR(found[0].usualMm, 0.4, 1e-9);
   EXPECT_NEAR(found[0].areaMm2, 2 * 48.0, 1e-9);
   EXPECT_EQ(found[0].facets, 4u);
@@ -64,8 +64,8 @@ TEST(ThinPlaces, TwoWallsAreTwoPlacesLargestFirst) {
   test::append(mesh, test::box({30, 0, 0}, {30.6, 9, 9}));
   const std::vector<ThinPlace> found = thinPlaces(mesh, 0.8, kQuiet);
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(found[0].leastMm, 0.6, 1e-9);
-  EXPECT_NEAR(found[1].leastMm, 0.3, 1e-9);
+  EXPECT_NEAR(found[0].minMm, 0.6, 1e-9);
+  EXPECT_NEAR(found[1].minMm, 0.3, 1e-9);
 }
 
 TEST(ThinPlaces, NothingOfAnOpenSheetOrAnEmptyMesh) {

@@ -92,10 +92,10 @@ void Autosave::write() {
 
 void Autosave::writeEnded(const base::Outcome<bool>& outcome) {
   if (const auto* error = std::get_if<base::Error>(&outcome)) {
-    if (!std::exchange(told_, true))
+    if (!std::exchange(reported_, true))
       emit failed(language::words(error->whole()));
   } else if (std::holds_alternative<bool>(outcome)) {
-    told_ = false;
+    reported_ = false;
     if (adopted_)
       discardRecovered(*std::exchange(adopted_, std::nullopt));
     emit written();

@@ -58,7 +58,7 @@ private:
   QTimer *pause_, *atLatest_;
   std::optional<Recovered> adopted_;
   std::shared_ptr<std::atomic<bool>> unwanted_; // of the pending write
-  bool again_ = false, told_ = false;
+  bool again_ = false, reported_ = false;
 };
 
 } // namespace voluta::document

@@ -11,7 +11,7 @@ namespace {
 
 bool sameItem(const project::ItemChoices& a, const project::ItemChoices& b) {
   const auto tied = [](const project::ItemChoices& c) {
-    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
+    return std::tie(c.automatic, c.platformStays, c.automaticStrategy, c.mode, c.growth, c.platform,
                     c.scale, c.units, c.repair, c.parameters, c.placement.liftMm);
   };
   return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
@@ -32,9 +32,10 @@ bool losesSettings(const Choices& now, const Choices& next) {
     return std::tie(c.item().automatic, c.item().platformStays, c.item().growth, c.cell, c.tools,
                     c.item().units, c.item().repair, c.item().parameters, c.seed, c.parameters);
   };
-  const bool sameWay = now.item().automatic || std::tie(now.item().mode, now.item().platform) ==
-                                                   std::tie(next.item().mode, next.item().platform);
-  return !sameWay || tied(now) != tied(next);
+  const bool sameStrategy =
+      now.item().automatic || std::tie(now.item().mode, now.item().platform) ==
+                                  std::tie(next.item().mode, next.item().platform);
+  return !sameStrategy || tied(now) != tied(next);
 }
 
 } // namespace voluta::document

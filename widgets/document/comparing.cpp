@@ -69,8 +69,8 @@ void Comparing::run(const ComparedWays& ways) {
   rankAgain();
   emit rowsChanged();
   const auto begun = base::outcomeOf([&] {
-    for (const pipeline::Combination& way : pipeline::combinations(options))
-      rows_.push_back({way, {}, {}, {}});
+    for (const pipeline::Combination& built : pipeline::combinations(options))
+      rows_.push_back({built, {}, {}, {}});
     key_ = keyOf(options.plan);
     upToDate_.reset();
     return rows_.size();

@@ -38,7 +38,7 @@ private:
 
 Document::Document(QObject* parent) : QObject(parent) {
   lastName_ = name();
-  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::tellDirtyAndName);
+  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::emitDirtyAndName);
 }
 
 // The stack's last signals must not reach the destroyed object.
@@ -87,7 +87,7 @@ bool Document::hasUnsavedWork() const {
           losesSettings(choices_, choicesOfNextPart({})));
 }
 
-void Document::tellDirtyAndName() {
+void Document::emitDirtyAndName() {
   if (const bool now = dirty(); now != wasDirty_) {
     wasDirty_ = now;
     emit dirtyChanged(now);
@@ -106,7 +106,7 @@ void Document::push(State after, const QString& editName) {
   if (after.parts == parts_ && sameChoices(after.choices, choices_))
     return;
   undo_.push(new EditCommand(*this, present(), std::move(after), editName));
-  tellDirtyAndName();
+  emitDirtyAndName();
 }
 
 void Document::set(const State& state) {
@@ -121,7 +121,7 @@ void Document::apply(const State& state) {
   const bool newParts = state.parts != parts_;
   const bool newSource = newParts || activeSourceOf(state.parts, state.active) != activeSource();
   const bool otherParts = newParts && !haveSameContent(state.parts, parts_);
-  const bool tellParts = newParts || state.active != active_;
+  const bool partsChange = newParts || state.active != active_;
   // Taken first: the parts may be those that were left last.
   ShownStages kept = state.parts ? std::exchange(state.parts->results, {}) : ShownStages{};
   if (otherParts && parts_)
@@ -135,10 +135,10 @@ void Document::apply(const State& state) {
     emit sourceChanged();
   if (newChoices)
     emit choicesChanged();
-  if (tellParts)
+  if (partsChange)
     emit partsChanged();
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
   emit edited();
 }
 
@@ -229,7 +229,7 @@ void Document::startWith(const project::Choices& choices) {
 void Document::clear() {
   replaceAll({start_, nullptr, 0}, {}, false);
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
   emit settled();
 }
 
@@ -254,7 +254,7 @@ void Document::openJob(const pipeline::PlanResult& opened, const QString& file, 
     }
   }
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
   if (!unsaved)
     emit settled();
 }
@@ -266,7 +266,7 @@ void Document::saved(const QString& file, std::uint64_t revision, const project:
     unsaved_ = false;
     undo_.setClean();
   }
-  tellDirtyAndName();
+  emitDirtyAndName();
   if (!dirty())
     emit settled();
 }

@@ -255,12 +255,12 @@ private:
   void keepResultsOf(const std::shared_ptr<Parts>& left);
   project::Choices choicesOfNextPart(const QString& path) const;
   // For automatic choices: adopts the way of building that a plan has chosen. Cannot be undone.
-  void takeWay(const project::Choices& planned);
+  void takeStrategy(const project::Choices& planned);
   void endRun();
   bool hasUnsavedPlan() const;
   // A run continues briefly after undo has restored another part.
   bool isOfSource(const pipeline::PlanResult& result) const;
-  void tellDirtyAndName();
+  void emitDirtyAndName();
 
   project::Choices start_;         // of a new project
   project::Choices choices_;       // of all parts

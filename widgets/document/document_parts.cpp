@@ -30,8 +30,8 @@ Eigen::AlignedBox2d onPlate(const Eigen::AlignedBox3d& box) {
 // two is printed first. The outlines are not used.
 double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Footprint>& others,
               const project::Choices& choices) {
-  constexpr double kLeastMm = 10.0, kSpareMm = 4.0;
-  double gap = kLeastMm;
+  constexpr double kMinMm = 10.0, kSpareMm = 4.0;
+  double gap = kMinMm;
   try {
     const process::HeadShape head = pipeline::resolve(choices).tooling.first().process.head;
     for (const pipeline::Footprint& other : others)
@@ -47,7 +47,7 @@ std::vector<std::vector<Eigen::Vector2d>> platesFor(const project::Choices& choi
   std::vector<std::vector<Eigen::Vector2d>> plates;
   try {
     const project::Choices own =
-        pipeline::wayOrFirst(project::onlyItem(choices, choices.items.size() - 1));
+        pipeline::strategyOrFirst(project::onlyItem(choices, choices.items.size() - 1));
     const project::Platform& platform = own.item().platform;
     if (platform.isOfCell()) {
       const robot::Cell cell = pipeline::fittingCell(own, pipeline::resolve(own).process());
@@ -154,7 +154,7 @@ void Document::openParts(const std::vector<project::PartInFile>& parts, const QS
   if (!projectFile_.isEmpty()) {
     replaceAll({choices, opened, 0}, {}, true);
     emit stateChanged();
-    tellDirtyAndName();
+    emitDirtyAndName();
     emit edited();
     return;
   }

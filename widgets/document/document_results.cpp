@@ -170,7 +170,7 @@ bool Document::isOfSource(const pipeline::PlanResult& result) const {
 void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
   if (!isOfSource(*result))
     return;
-  takeWay(result->job.choices);
+  takeStrategy(result->job.choices);
   const std::size_t done = indexOf(stage);
   const bool changed = shown_[done].key != shownKey(*result, done, runKeys_) ||
                        !shown_[done].result ||
@@ -186,19 +186,19 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
   else if (aheadBefore)
     emit previewChanged();
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
 }
 
-void Document::takeWay(const project::Choices& planned) {
+void Document::takeStrategy(const project::Choices& planned) {
   bool taken = false;
   for (std::size_t i = 0; i < choices_.items.size() && i < planned.items.size(); ++i) {
     project::ItemChoices& own = choices_.item(i);
     const project::ItemChoices& found = planned.item(i);
     if (!own.automatic || !found.automatic ||
-        (found.automaticWay == own.automaticWay && found.mode == own.mode &&
+        (found.automaticStrategy == own.automaticStrategy && found.mode == own.mode &&
          found.platform == own.platform))
       continue;
-    own.automaticWay = found.automaticWay;
+    own.automaticStrategy = found.automaticStrategy;
     own.mode = found.mode;
     if (!own.platformStays)
       own.platform = found.platform;
@@ -219,7 +219,7 @@ void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
   if (until_ > Stage::Load)
     dropPreview();
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
 }
 
 void Document::planCancelled() {
@@ -238,7 +238,7 @@ void Document::planCancelled() {
       emit resultChanged(stageAt(s));
   }
   emit stateChanged();
-  tellDirtyAndName();
+  emitDirtyAndName();
 }
 
 void Document::endRun() {
@@ -275,7 +275,7 @@ void Document::dropPreview() {
 void Document::previewDone(std::shared_ptr<const pipeline::PlanResult> result) {
   if (!isOfSource(*result))
     return;
-  takeWay(result->job.choices);
+  takeStrategy(result->job.choices);
   for (const Stage stage : {Stage::Load, Stage::Decompose}) {
     const std::string& key = result->job.stages[indexOf(stage)].key;
     Shown& shown = shown_[indexOf(stage)];

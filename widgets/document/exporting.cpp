@@ -12,8 +12,8 @@ namespace voluta::document {
 
 Exporting::Exporting(QObject* parent) : QObject(parent) {}
 
-QStringList Exporting::inTheWay(const QString& folder, const pipeline::PlanResult& plan,
-                                const pipeline::Programs& programs) {
+QStringList Exporting::conflictingFiles(const QString& folder, const pipeline::PlanResult& plan,
+                                        const pipeline::Programs& programs) {
   QStringList ofPrograms, others;
   for (const auto& checked : programs)
     for (const plan::ProgramFile& file : checked->program.files)

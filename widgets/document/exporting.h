@@ -19,8 +19,8 @@ public:
 
   // Returns the files that write() would write and that already exist in the folder, programs
   // first.
-  static QStringList inTheWay(const QString& folder, const pipeline::PlanResult& plan,
-                              const pipeline::Programs& programs);
+  static QStringList conflictingFiles(const QString& folder, const pipeline::PlanResult& plan,
+                                      const pipeline::Programs& programs);
 
   // Writes all files or none: if one cannot be written, the folder is left unchanged. Creates the
   // folder if it is missing. Replaces a pending write.

@@ -33,7 +33,7 @@ Choices withNewItem(const Choices& job, std::size_t item, const ItemChoices& usu
   ItemChoices made = usual;
   made.automatic = like.automatic;
   made.platformStays = like.platformStays;
-  made.automaticWay = like.automaticWay;
+  made.automaticStrategy = like.automaticStrategy;
   made.mode = like.mode;
   made.growth = like.growth;
   made.platform = like.platform;

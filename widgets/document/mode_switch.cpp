@@ -123,9 +123,9 @@ base::ParameterTable parametersFor(const Choices& choices) {
   const base::ParameterTable offered = pipeline::allParameters();
   std::erase_if(specs, [&](const base::ParameterSpec& spec) { return !offered.find(spec.key); });
   try {
-    const std::map<std::string, std::string> ofWay = pipeline::parametersOfWay(choices);
+    const std::map<std::string, std::string> ofStrategy = pipeline::parametersOfStrategy(choices);
     for (base::ParameterSpec& spec : specs)
-      if (const auto found = ofWay.find(spec.key); found != ofWay.end())
+      if (const auto found = ofStrategy.find(spec.key); found != ofStrategy.end())
         spec.defaultValue = base::parseParameter(spec, found->second);
   } catch (const base::Error&) {
     // Planning reports an unreadable process.
@@ -167,8 +167,8 @@ QString obstacle(const Choices& given) {
   } catch (const base::Error& error) {
     // Errors of a parameter are shown at its field.
     const auto* key = std::get_if<std::string>(&error.context().data());
-    const bool told = key && pipeline::parametersOf(choices.item().mode).find(*key) != nullptr;
-    return told ? QString() : language::words(error.whole());
+    const bool isField = key && pipeline::parametersOf(choices.item().mode).find(*key) != nullptr;
+    return isField ? QString() : language::words(error.whole());
   }
 }
 

@@ -128,7 +128,7 @@ void Opening::openRecovered(const Recovered& recovered) {
               recovered.originalPath.isEmpty() ? recovered.name : recovered.originalPath, true);
 }
 
-void Opening::readProject(const QString& file, const QString& projectFile, const QString& told,
+void Opening::readProject(const QString& file, const QString& projectFile, const QString& shownFile,
                           bool unsaved) {
   giveUpRepair();
   using Opened = std::shared_ptr<const pipeline::PlanResult>;
@@ -141,19 +141,19 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
       },
-      [this, projectFile, told, unsaved](const base::Outcome<Opened>& outcome) {
+      [this, projectFile, shownFile, unsaved](const base::Outcome<Opened>& outcome) {
         if (const auto* result = std::get_if<Opened>(&outcome)) {
           planning_.cancel();
           document_.openJob(**result, projectFile, unsaved);
           emit opened(projectFile, true);
         } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
-          emit failed(told, language::words(error->whole()));
+          emit failed(shownFile, language::words(error->whole()));
         } else {
           emit cancelled();
         }
       },
       1);
-  emit started(told);
+  emit started(shownFile);
 }
 
 void Opening::resume(std::size_t point) {

@@ -79,7 +79,7 @@ private:
   void endReading(const base::Outcome<Read>& outcome, const QString& path, const Take& take);
   void takeSeveral(const Read& read, const QString& path, const Take& take);
   bool isRepairedAsWanted() const;
-  void readProject(const QString& file, const QString& projectFile, const QString& told,
+  void readProject(const QString& file, const QString& projectFile, const QString& shownFile,
                    bool unsaved);
   void repair();
   void endRepair(const base::Outcome<std::shared_ptr<const project::LoadedPart>>& outcome,

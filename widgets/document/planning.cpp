@@ -18,10 +18,11 @@ constexpr int kStartOverMs = 300;
 using Result = std::shared_ptr<const pipeline::PlanResult>;
 } // namespace
 
-jobs::Progress progressOfWay(jobs::Progress progress, const pipeline::WayInTurn& way) {
+jobs::Progress progressOfStrategy(jobs::Progress progress,
+                                  const pipeline::StrategyProgress& strategy) {
   progress.stage =
-      base::message("{trying}: {stage}"_text, pipeline::tryingText(way), progress.stage);
-  if (!way.isLast())
+      base::message("{trying}: {stage}"_text, pipeline::tryingText(strategy), progress.stage);
+  if (!strategy.isLast())
     progress.secondsLeft.reset();
   return progress;
 }
@@ -78,7 +79,7 @@ void Planning::startRest() {
 void Planning::start() {
   waiting_.reset();
   startOver_->stop();
-  way_.reset();
+  strategy_.reset();
   const bool rest = document_.isRest() && until_ == Stage::Replay;
   document_.planStarted(until_);
   if (rest) {
@@ -89,7 +90,7 @@ void Planning::start() {
       [this, request = document_.request(until_), cache = cache_](const base::RunContext& ctx,
                                                                   const jobs::Post& post) {
         // `this` is used only in posted functions, which run on the thread of the window.
-        const auto tell = [&](Stage stage, const pipeline::PlanResult& soFar) {
+        const auto reportStage = [&](Stage stage, const pipeline::PlanResult& soFar) {
           post([this, stage, given = request.items,
                 snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
             // The plan repairs a part, or takes it as read, if it was not loaded that way.
@@ -106,18 +107,18 @@ void Planning::start() {
             document_.showPreview(shown);
           });
         };
-        const auto tellWay = [&](const pipeline::WayInTurn& way) {
-          post([this, way] { way_ = way; });
+        const auto reportStrategy = [&](const pipeline::StrategyProgress& strategy) {
+          post([this, strategy] { strategy_ = strategy; });
         };
         return std::make_shared<const pipeline::PlanResult>(
-            pipeline::planPart(request, ctx, cache.get(), {tell, preview, tellWay}));
+            pipeline::planPart(request, ctx, cache.get(), {reportStage, preview, reportStrategy}));
       },
       [this](const base::Outcome<Result>& outcome) { end(outcome); });
   emit started(until_);
 }
 
 void Planning::noteProgress(const jobs::Progress& progress) {
-  emit progressed(way_ ? progressOfWay(progress, *way_) : progress);
+  emit progressed(strategy_ ? progressOfStrategy(progress, *strategy_) : progress);
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {

@@ -19,10 +19,11 @@ namespace voluta::document {
 
 class Document;
 
-// Returns the progress to show while mode auto tries `way`, including its name. The remaining time
-// is included for the last way only, since an earlier one may be the last that is planned, or end
-// at once.
-jobs::Progress progressOfWay(jobs::Progress progress, const pipeline::WayInTurn& way);
+// Returns the progress to show while mode auto tries `strategy`, including its name. The remaining
+// time is included for the last way only, since an earlier one may be the last that is planned, or
+// end at once.
+jobs::Progress progressOfStrategy(jobs::Progress progress,
+                                  const pipeline::StrategyProgress& strategy);
 
 // Results stay visible, marked out of date, until newer ones replace them; after a cancel or an
 // error the last ones stay. Only changed stages are recomputed.
@@ -68,7 +69,7 @@ private:
   Document& document_;
   std::shared_ptr<pipeline::StageCache> cache_;
   jobs::JobRunner runner_;
-  std::optional<pipeline::WayInTurn> way_; // that mode auto is trying
+  std::optional<pipeline::StrategyProgress> strategy_; // that mode auto is trying
   QTimer* startOver_;
   std::optional<project::Stage> waiting_; // for the repair
   project::Stage until_ = project::Stage::Replay;

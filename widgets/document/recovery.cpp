@@ -96,11 +96,11 @@ std::vector<Recovered> recoverable(const QString& folder) {
       removeAll(copy);
       continue;
     }
-    const QDateTime told =
+    const QDateTime stated =
         QDateTime::fromString(owner.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs);
     found.push_back({copy, owner.value(QStringLiteral("name")).toString(id),
                      owner.value(QStringLiteral("originalPath")).toString(),
-                     told.isValid() ? told : QFileInfo(copy).lastModified()});
+                     stated.isValid() ? stated : QFileInfo(copy).lastModified()});
   }
   std::sort(found.begin(), found.end(),
             [](const Recovered& a, const Recovered& b) { return a.time > b.time; });

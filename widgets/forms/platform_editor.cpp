@@ -29,11 +29,11 @@ namespace {
 constexpr int kHexagon = 6;
 constexpr std::array<const char*, 3> kBoxNames{"first", "second", "third"};
 
-std::size_t mostFields() {
-  std::size_t most = 0;
+std::size_t maxFields() {
+  std::size_t maximum = 0;
   for (const project::PlatformKind& kind : project::platformKinds())
-    most = std::max(most, kind.fields.size());
-  return most;
+    maximum = std::max(maximum, kind.fields.size());
+  return maximum;
 }
 
 QString wordOf(const project::PlatformKind& kind) {
@@ -53,7 +53,7 @@ PlatformEditor::PlatformEditor(QWidget* parent) : QWidget(parent) {
   kind_->setObjectName(QStringLiteral("kind"));
   auto* sizes = new QHBoxLayout;
   sizes->setSpacing(4);
-  for (std::size_t i = 0; i < mostFields(); ++i) {
+  for (std::size_t i = 0; i < maxFields(); ++i) {
     if (i > 0) {
       times_.push_back(new QLabel(QStringLiteral("×"), this));
       sizes->addWidget(times_.back());
@@ -202,7 +202,8 @@ QString PlatformEditor::text() const {
                : QString::fromStdString(project::Platform(chosen, file_.toStdString()).text());
   std::vector<double> sizes;
   for (std::size_t i = 0; i < chosen.fields.size(); ++i)
-    sizes.push_back(std::clamp(sizes_[i]->value(), chosen.fields[i].least, chosen.fields[i].most));
+    sizes.push_back(
+        std::clamp(sizes_[i]->value(), chosen.fields[i].minimum, chosen.fields[i].maximum));
   return QString::fromStdString(project::Platform(chosen, sizes).text());
 }
 
@@ -230,7 +231,7 @@ void PlatformEditor::showKind() {
       continue;
     const project::PlatformField& field = chosen.fields[i];
     const QSignalBlocker quiet(sizes_[i]);
-    sizes_[i]->setRange(field.least, field.most);
+    sizes_[i]->setRange(field.minimum, field.maximum);
     sizes_[i]->setToolTip(language::words(field.label));
     sizes_[i]->setAccessibleName(language::words(field.label));
   }

@@ -85,7 +85,7 @@ void ToolRows::setTools(const std::vector<ToolTexts>& tools) {
       row.material->setItemIcon(row.material->currentIndex(),
                                 swatchOf(colour, fontMetrics().height()));
   }
-  add_->setVisible(tools.size() + 1 < layers::kMostTools);
+  add_->setVisible(tools.size() + 1 < layers::kMaxTools);
   if (rows_.size() != before)
     retranslate();
 }

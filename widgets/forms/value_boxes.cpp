@@ -52,7 +52,7 @@ template <class Box> void moveIntoRange(const Box& box, QString& text) {
            box.suffix();
 }
 
-void tell(QWidget& box, const QString& text) {
+void showHint(QWidget& box, const QString& text) {
   constexpr int kShownMs = 6000;
   QStatusTipEvent tip(text);
   QCoreApplication::sendEvent(&box, &tip);
@@ -70,11 +70,11 @@ template <class Box> QString rangeText(const Box& box) {
 }
 
 // Says which keys and numbers the box does not take.
-template <class Box> void tellRefused(Box* box, QLineEdit* line) {
+template <class Box> void showRefused(Box* box, QLineEdit* line) {
   QObject::connect(line, &QLineEdit::inputRejected, box, [box] {
-    tell(*box, QCoreApplication::translate(
-                   "ValueBoxes", "This character is not possible here. Enter a number: %1.")
-                   .arg(rangeText(*box)));
+    showHint(*box, QCoreApplication::translate(
+                       "ValueBoxes", "This character is not possible here. Enter a number: %1.")
+                       .arg(rangeText(*box)));
   });
   QObject::connect(line, &QLineEdit::textEdited, box,
                    [box](const QString& text) { box->setProperty("typed", text); });
@@ -84,16 +84,16 @@ template <class Box> void tellRefused(Box* box, QLineEdit* line) {
     constexpr double kSame = 1e-9;
     if (typed && std::abs(*typed - static_cast<double>(box->value())) >
                      kSame * std::max(1.0, std::abs(*typed)))
-      tell(*box, QCoreApplication::translate("ValueBoxes",
-                                             "%1 is not possible here: %2 is used. Range: %3.")
-                     .arg(box->locale().toString(*typed),
-                          box->textFromValue(box->value()) + box->suffix(), rangeText(*box)));
+      showHint(*box, QCoreApplication::translate("ValueBoxes",
+                                                 "%1 is not possible here: %2 is used. Range: %3.")
+                         .arg(box->locale().toString(*typed),
+                              box->textFromValue(box->value()) + box->suffix(), rangeText(*box)));
   });
 }
 
 class IntegerBox : public QSpinBox {
 public:
-  explicit IntegerBox(QWidget* parent) : QSpinBox(parent) { tellRefused(this, lineEdit()); }
+  explicit IntegerBox(QWidget* parent) : QSpinBox(parent) { showRefused(this, lineEdit()); }
 
   QString textFromValue(int value) const override { return QSpinBox::textFromValue(value); }
   QValidator::State validate(QString& text, int& cursor) const override {
@@ -113,7 +113,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
   setKeyboardTracking(false);
   setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
   tameWheel(this);
-  tellRefused(this, lineEdit());
+  showRefused(this, lineEdit());
 }
 
 QValidator::State NumberBox::validate(QString& text, int& cursor) const {

@@ -24,10 +24,10 @@ std::optional<double> TimeLeft::agreed(double elapsedS, double worked, double le
     estimates_.push_back({elapsedS, worked, elapsedS + leftS});
   while (estimates_.front().atS < kHalf * elapsedS)
     estimates_.pop_front();
-  double least = std::max(leftS, kMinLeftS), most = least;
+  double minimum = std::max(leftS, kMinLeftS), maximum = minimum;
   const auto take = [&](double seconds) {
-    least = std::min(least, std::max(seconds, kMinLeftS));
-    most = std::max(most, seconds);
+    minimum = std::min(minimum, std::max(seconds, kMinLeftS));
+    maximum = std::max(maximum, seconds);
   };
   double recentS = leftS;
   const auto recent = std::ranges::find_if(
@@ -37,7 +37,7 @@ std::optional<double> TimeLeft::agreed(double elapsedS, double worked, double le
   take(recentS);
   for (const Estimate& estimate : estimates_)
     take(estimate.endS - elapsedS);
-  if (most > kWithin * least)
+  if (maximum > kWithin * minimum)
     return std::nullopt;
   return std::sqrt(leftS * recentS);
 }

@@ -16,7 +16,7 @@
 namespace voluta::panels {
 
 namespace {
-enum Column { Place, Way, FirstFigure };
+enum Column { Place, Strategy, FirstFigure };
 enum Role { EntryRole = Qt::UserRole };
 constexpr int kPictureWidth = 88, kPictureHeight = 66, kMargin = 6, kGap = 8, kLineGap = 3;
 constexpr int kMinText = 92;    // of the column that names the way
@@ -61,7 +61,7 @@ public:
     if (index.column() == Place)
       paintPlace(*painter, option, entryAt(index));
     else
-      paintWay(*painter, option, entryAt(index));
+      paintStrategy(*painter, option, entryAt(index));
     painter->restore();
   }
 
@@ -110,8 +110,8 @@ private:
     }
   }
 
-  static void paintWay(QPainter& painter, const QStyleOptionViewItem& option,
-                       const CompareEntry& entry) {
+  static void paintStrategy(QPainter& painter, const QStyleOptionViewItem& option,
+                            const CompareEntry& entry) {
     const QRect r = option.rect.adjusted(kMargin, kMargin, -kMargin, -kMargin);
     const QRect frame(r.left(), r.center().y() - kPictureHeight / 2, kPictureWidth, kPictureHeight);
     if (!entry.picture.isNull())
@@ -133,7 +133,7 @@ private:
                        QFontMetrics(font).elidedText(text, Qt::ElideRight, width - indent));
       y += step;
     };
-    write(entry.way, true, false, 0);
+    write(entry.strategy, true, false, 0);
     if (!entry.growth.isEmpty())
       write(entry.growth, false, true, 0);
     write(entry.platform, false, true, 0);
@@ -167,8 +167,8 @@ public:
     case Qt::AccessibleTextRole:
       if (index.column() == Place)
         return placeText(entry);
-      if (index.column() == Way) {
-        QStringList parts{entry.way, entry.growth, entry.platform, entry.verdict};
+      if (index.column() == Strategy) {
+        QStringList parts{entry.strategy, entry.growth, entry.platform, entry.verdict};
         parts.removeAll(QString());
         return parts.join(QStringLiteral(", "));
       }
@@ -185,15 +185,15 @@ public:
       return {};
     if (role == Qt::TextAlignmentRole)
       return section >= FirstFigure ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
-             : section == Way       ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
+             : section == Strategy  ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                     : QVariant(Qt::AlignCenter);
     if (role == Qt::ToolTipRole && section == Place)
       return CompareTable::tr("Rank, and the score below it: lower is better");
     if (role != Qt::DisplayRole)
       return {};
-    return section == Place ? CompareTable::tr("Place")
-           : section == Way ? CompareTable::tr("Way of building")
-                            : heads_[static_cast<std::size_t>(section - FirstFigure)];
+    return section == Place      ? CompareTable::tr("Place")
+           : section == Strategy ? CompareTable::tr("Way of building")
+                                 : heads_[static_cast<std::size_t>(section - FirstFigure)];
   }
 
   void setHeads(const std::vector<QString>& heads) {
@@ -240,7 +240,7 @@ CompareTable::CompareTable(QWidget* parent) : QTableView(parent), model_(new Mod
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setSectionsClickable(false);
   setItemDelegateForColumn(Place, new EntryDelegate(this));
-  setItemDelegateForColumn(Way, new EntryDelegate(this));
+  setItemDelegateForColumn(Strategy, new EntryDelegate(this));
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { emit rowSelected(selectedRow()); });
   connect(this, &QTableView::doubleClicked, this,
@@ -290,7 +290,7 @@ void CompareTable::layColumns() {
   int left = viewport()->width();
   for (int column = 0; column < columns; ++column) {
     int& wide = widths[static_cast<std::size_t>(column)];
-    if (column != Way)
+    if (column != Strategy)
       wide = std::max(head->sectionSizeHint(column), sizeHintForColumn(column));
     if (column == Place)
       wide = std::max(wide, fontMetrics().horizontalAdvance(tr("In use")) + 2 * kMargin);
@@ -300,15 +300,15 @@ void CompareTable::layColumns() {
   bold.setBold(true);
   int text = kMinText;
   for (const CompareEntry& entry : entries())
-    text = std::max(text, QFontMetrics(bold).horizontalAdvance(entry.way));
-  const int least = kPictureWidth + kGap + 2 * kMargin + std::min(text, kMaxText);
+    text = std::max(text, QFontMetrics(bold).horizontalAdvance(entry.strategy));
+  const int minWidth = kPictureWidth + kGap + 2 * kMargin + std::min(text, kMaxText);
   const int spare =
-      figures > 0 ? std::clamp((left - least - kAmpleText) / figures, 0, kMaxSpare) : 0;
+      figures > 0 ? std::clamp((left - minWidth - kAmpleText) / figures, 0, kMaxSpare) : 0;
   for (int column = 0; column < columns; ++column)
-    if (column != Way)
+    if (column != Strategy)
       head->resizeSection(column, widths[static_cast<std::size_t>(column)] +
                                       (column >= FirstFigure ? spare : 0));
-  head->resizeSection(Way, std::max(left - spare * figures, least));
+  head->resizeSection(Strategy, std::max(left - spare * figures, minWidth));
 }
 
 void CompareTable::resizeEvent(QResizeEvent* event) {

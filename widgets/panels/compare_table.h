@@ -12,7 +12,7 @@ namespace voluta::panels {
 enum class CompareState { Waiting, Running, Clear, Blocked, Failed };
 
 struct CompareEntry {
-  QString way;              // "Curved layers"
+  QString strategy;         // "Curved layers"
   QString growth, platform; // growth: empty if the mode does not use it
   CompareState state = CompareState::Waiting;
   QString verdict; // in a few words

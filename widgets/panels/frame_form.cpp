@@ -35,29 +35,29 @@ FrameForm::FrameForm(QWidget* parent) : QWidget(parent) {
     grid->addWidget(new QLabel(QLatin1String(kAxes[static_cast<std::size_t>(axis)]), this),
                     axis + 1, 0);
   placeLabel_ = new QLabel(this);
-  turnLabel_ = new QLabel(this);
+  rotationLabel_ = new QLabel(this);
   sizeLabel_ = new QLabel(this);
   grid->addWidget(placeLabel_, 0, 1);
-  grid->addWidget(turnLabel_, 0, 2);
+  grid->addWidget(rotationLabel_, 0, 2);
   grid->addWidget(sizeLabel_, 0, 3);
   place_ = addColumn(1, QStringLiteral("place"), QStringLiteral("mm"), -kFarthestMm, kFarthestMm);
-  turn_ = addColumn(2, QStringLiteral("frameTurn"), QStringLiteral("°"), -360.0, 360.0);
+  rotation_ = addColumn(2, QStringLiteral("frameTurn"), QStringLiteral("°"), -360.0, 360.0);
   size_ = addColumn(3, QStringLiteral("edge"), QStringLiteral("mm"), kMinEdgeMm, kFarthestMm);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     connect(place_[axis], &QDoubleSpinBox::valueChanged, this, &FrameForm::changed);
-    connect(turn_[axis], &QDoubleSpinBox::valueChanged, this, [this] {
-      angles_ = shown(turn_) * base::degreesToRadians(1.0);
+    connect(rotation_[axis], &QDoubleSpinBox::valueChanged, this, [this] {
+      angles_ = shown(rotation_) * base::degreesToRadians(1.0);
       changed();
     });
     connect(size_[axis], &QDoubleSpinBox::valueChanged, this,
             [this] { emit sizeChanged(shown(size_)); });
-    turn_[axis]->setSingleStep(5.0);
+    rotation_[axis]->setSingleStep(5.0);
   }
   retranslate();
 }
 
 FrameForm::Boxes FrameForm::addColumn(int column, const QString& name, const QString& unit,
-                                      double least, double most) {
+                                      double minimum, double maximum) {
   Boxes boxes;
   auto* grid = static_cast<QGridLayout*>(layout());
   for (int axis = 0; axis < 3; ++axis) {
@@ -65,7 +65,7 @@ FrameForm::Boxes FrameForm::addColumn(int column, const QString& name, const QSt
     box->setObjectName(name + QLatin1String(kAxes[static_cast<std::size_t>(axis)]));
     box->setUnit(unit);
     box->setDecimals(3);
-    box->setRange(least, most);
+    box->setRange(minimum, maximum);
     grid->addWidget(box, axis + 1, column);
     grid->setColumnStretch(column, 1);
     boxes[static_cast<std::size_t>(axis)] = box;
@@ -76,12 +76,12 @@ FrameForm::Boxes FrameForm::addColumn(int column, const QString& name, const QSt
 void FrameForm::setFrame(const Eigen::Isometry3d& frame) {
   angles_ = geometry::anglesOf(Eigen::Quaterniond(frame.linear()), angles_);
   showQuietly(place_, frame.translation());
-  showQuietly(turn_, angles_ * base::radiansToDegrees(1.0));
+  showQuietly(rotation_, angles_ * base::radiansToDegrees(1.0));
 }
 
-void FrameForm::setTurnVisible(bool visible) {
-  turnLabel_->setVisible(visible);
-  for (forms::NumberBox* box : turn_)
+void FrameForm::setRotationVisible(bool visible) {
+  rotationLabel_->setVisible(visible);
+  for (forms::NumberBox* box : rotation_)
     box->setVisible(visible);
 }
 
@@ -102,8 +102,8 @@ void FrameForm::changed() {
 
 void FrameForm::retranslate() {
   placeLabel_->setText(tr("Place"));
-  turnLabel_->setText(tr("Turn"));
-  turnLabel_->setToolTip(tr("About the fixed X, then Y, then Z axis"));
+  rotationLabel_->setText(tr("Turn"));
+  rotationLabel_->setToolTip(tr("About the fixed X, then Y, then Z axis"));
   sizeLabel_->setText(tr("Edges"));
 }
 

@@ -23,7 +23,7 @@ public:
   // None of these emits. Rotations about the fixed X, then Y, then Z, as in cell files.
   void setFrame(const Eigen::Isometry3d& frame);
   // Whether the rotation is shown: a point has none.
-  void setTurnVisible(bool visible);
+  void setRotationVisible(bool visible);
   // mm; nullopt: the body is no box, and the numbers are hidden.
   void setSizeMm(const std::optional<Eigen::Vector3d>& sizeMm);
 
@@ -36,13 +36,14 @@ protected:
 
 private:
   using Boxes = std::array<forms::NumberBox*, 3>;
-  Boxes addColumn(int column, const QString& name, const QString& unit, double least, double most);
+  Boxes addColumn(int column, const QString& name, const QString& unit, double minimum,
+                  double maximum);
   void changed();
   void retranslate();
 
   Eigen::Vector3d angles_ = Eigen::Vector3d::Zero(); // rad, as shown
-  Boxes place_{}, turn_{}, size_{};
-  QLabel *placeLabel_ = nullptr, *turnLabel_ = nullptr, *sizeLabel_ = nullptr;
+  Boxes place_{}, rotation_{}, size_{};
+  QLabel *placeLabel_ = nullptr, *rotationLabel_ = nullptr, *sizeLabel_ = nullptr;
 };
 
 } // namespace voluta::panels

@@ -40,10 +40,10 @@ QPainterPath profileOf(const process::HeadShape& head, const View& view) {
   return path;
 }
 
-// Returns 1, 2 or 5 times a power of ten, at most `mostMm`.
-double roundLength(double mostMm) {
-  const double power = std::pow(10.0, std::floor(std::log10(mostMm)));
-  return (mostMm >= 5.0 * power ? 5.0 : mostMm >= 2.0 * power ? 2.0 : 1.0) * power;
+// Returns 1, 2 or 5 times a power of ten, at most `maxMm`.
+double roundLength(double maxMm) {
+  const double power = std::pow(10.0, std::floor(std::log10(maxMm)));
+  return (maxMm >= 5.0 * power ? 5.0 : maxMm >= 2.0 * power ? 2.0 : 1.0) * power;
 }
 
 void drawScaleBar(QPainter& painter, const QRectF& area, double perMm, const QColor& colour) {

@@ -18,7 +18,7 @@
 namespace voluta::panels {
 
 namespace {
-constexpr double kMostMm = 5000.0, kNewSectionMm = 10.0;
+constexpr double kMaxMm = 5000.0, kNewSectionMm = 10.0;
 
 // Edits numbers in boxes with their unit.
 class NumberDelegate : public QStyledItemDelegate {
@@ -28,7 +28,7 @@ public:
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
                         const QModelIndex&) const override {
     auto* box = new forms::NumberBox(parent);
-    box->setRange(0.0, kMostMm);
+    box->setRange(0.0, kMaxMm);
     box->setUnit(QStringLiteral("mm"));
     box->setFrame(false);
     return box;

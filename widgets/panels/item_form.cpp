@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kFoldedGroup = "Features";  // Seldom edited
 constexpr int kTextChars = 36, kNumberChars = 23; // Widths of the editors
 constexpr const char* kColour = "colour";         // Key of the field with a swatch
-constexpr int kMostWidth = 620;                   // Labels stay near their editors
+constexpr int kMaxWidth = 620;                    // Labels stay near their editors
 
 // Materials are named by their ids, as in the job's list.
 void nameMaterials(QComboBox& combo, const std::vector<base::Choice>& choices) {
@@ -108,7 +108,7 @@ void ItemForm::build() {
   groups_.clear();
   swatch_ = nullptr;
   content_ = new QWidget;
-  content_->setMaximumWidth(kMostWidth);
+  content_->setMaximumWidth(kMaxWidth);
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);

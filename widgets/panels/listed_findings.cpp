@@ -42,14 +42,14 @@ std::vector<ListedFinding> listed(const plan::Findings& findings) {
         std::any_of(findings.begin(), findings.end(),
                     [&](const Finding& other) { return saysWhy(other, finding.value("format")); }))
       continue;
-    const auto told = format.empty()
-                          ? rows.end()
-                          : std::find_if(rows.begin(), rows.end(), [&](const ListedFinding& row) {
-                              return !row.formats.empty() && !isOf(row, format) &&
-                                     sameButForAmounts(row.finding, finding);
-                            });
-    if (told != rows.end())
-      told->formats.push_back(format);
+    const auto match = format.empty()
+                           ? rows.end()
+                           : std::find_if(rows.begin(), rows.end(), [&](const ListedFinding& row) {
+                               return !row.formats.empty() && !isOf(row, format) &&
+                                      sameButForAmounts(row.finding, finding);
+                             });
+    if (match != rows.end())
+      match->formats.push_back(format);
     else
       rows.push_back({finding, format.empty() ? std::vector<std::string>{} : std::vector{format}});
   }

@@ -16,7 +16,7 @@
 namespace voluta::panels {
 
 namespace {
-constexpr int kName = 0, kWay = 1, kSize = 2;
+constexpr int kName = 0, kStrategy = 1, kSize = 2;
 constexpr int kMaxRows = 5;
 constexpr int kRowSpace = 6; // [px]
 } // namespace
@@ -36,7 +36,7 @@ void PartList::build() {
   rows_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   rows_->header()->setStretchLastSection(false);
   rows_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  for (const int fits : {kWay, kSize})
+  for (const int fits : {kStrategy, kSize})
     rows_->header()->setSectionResizeMode(fits, QHeaderView::ResizeToContents);
   connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
     if (row)
@@ -89,9 +89,9 @@ void PartList::setParts(const std::vector<ListedPart>& parts, std::size_t active
     row->setSizeHint(kName, QSize(0, fontMetrics().height() + kRowSpace));
     row->setText(kName, part.name);
     row->setToolTip(kName, part.name);
-    row->setText(kWay, part.way);
+    row->setText(kStrategy, part.strategy);
     row->setText(kSize, part.size);
-    for (const int muted : {kWay, kSize})
+    for (const int muted : {kStrategy, kSize})
       row->setForeground(muted, forms::mutedColour(palette()));
   }
   rows_->setCurrentItem(rows_->topLevelItem(static_cast<int>(active)));

@@ -16,7 +16,7 @@ class QTreeWidget;
 namespace voluta::panels {
 
 struct ListedPart {
-  QString name, way, size; // way: of building
+  QString name, strategy, size; // way: of building
 };
 
 class PartList : public QWidget {

@@ -42,9 +42,9 @@ void PlacementPanel::build() {
   grid->setColumnStretch(2, 1);
 
   moveLabel_ = new QLabel(this);
-  turnLabel_ = new QLabel(this);
+  rotationLabel_ = new QLabel(this);
   grid->addWidget(moveLabel_, 0, 1);
-  grid->addWidget(turnLabel_, 0, 2, 1, 3);
+  grid->addWidget(rotationLabel_, 0, 2, 1, 3);
   for (int axis = 0; axis < 3; ++axis)
     buildAxis(axis, *grid);
   buildScale(*grid);
@@ -70,29 +70,29 @@ void PlacementPanel::buildAxis(int axis, QGridLayout& grid) {
   move_[at]->setRange(axis == 2 ? 0.0 : -kFarthestMm, kFarthestMm);
   connect(move_[at], &QDoubleSpinBox::valueChanged, this,
           [this, axis](double mm) { moved(axis, mm); });
-  turn_[at] = new forms::NumberBox(this);
-  turn_[at]->setObjectName(QStringLiteral("turn") + name);
-  turn_[at]->setUnit(QStringLiteral("°"));
-  turn_[at]->setDecimals(3);
-  turn_[at]->setRange(-360.0, 360.0);
-  turn_[at]->setSingleStep(5.0);
-  connect(turn_[at], &QDoubleSpinBox::valueChanged, this,
+  rotation_[at] = new forms::NumberBox(this);
+  rotation_[at]->setObjectName(QStringLiteral("turn") + name);
+  rotation_[at]->setUnit(QStringLiteral("°"));
+  rotation_[at]->setDecimals(3);
+  rotation_[at]->setRange(-360.0, 360.0);
+  rotation_[at]->setSingleStep(5.0);
+  connect(rotation_[at], &QDoubleSpinBox::valueChanged, this,
           [this, axis](double angle) { turned(axis, angle); });
   const auto quarter = [&](const QString& text, double angle) {
     auto* button = new QToolButton(this);
     button->setText(text);
-    connect(button, &QToolButton::clicked, this, [this, axis, angle] { turnBy(axis, angle); });
+    connect(button, &QToolButton::clicked, this, [this, axis, angle] { rotateBy(axis, angle); });
     return button;
   };
   less_[at] = quarter(QStringLiteral("−90"), -90.0);
   less_[at]->setObjectName(QStringLiteral("less") + name);
   more_[at] = quarter(QStringLiteral("+90"), 90.0);
   more_[at]->setObjectName(QStringLiteral("more") + name);
-  for (forms::NumberBox* box : {move_[at], turn_[at]})
+  for (forms::NumberBox* box : {move_[at], rotation_[at]})
     box->setMinimumWidth(fontMetrics().averageCharWidth() * 8);
   grid.addWidget(axis_[at], axis + 1, 0);
   grid.addWidget(move_[at], axis + 1, 1);
-  grid.addWidget(turn_[at], axis + 1, 2);
+  grid.addWidget(rotation_[at], axis + 1, 2);
   grid.addWidget(less_[at], axis + 1, 3);
   grid.addWidget(more_[at], axis + 1, 4);
 }
@@ -207,7 +207,7 @@ void PlacementPanel::showPlacement() {
   showQuietly(move_[1], placement_.centreMm.y());
   showQuietly(move_[2], placement_.liftMm);
   for (int axis = 0; axis < 3; ++axis)
-    showQuietly(turn_[static_cast<std::size_t>(axis)], base::radiansToDegrees(angles_[axis]));
+    showQuietly(rotation_[static_cast<std::size_t>(axis)], base::radiansToDegrees(angles_[axis]));
 }
 
 void PlacementPanel::showScale() {
@@ -246,7 +246,7 @@ void PlacementPanel::turned(int axis, double angle) {
   change(next, tr("Turn"));
 }
 
-void PlacementPanel::turnBy(int axis, double angle) {
+void PlacementPanel::rotateBy(int axis, double angle) {
   geometry::Placement next = placement_;
   next.rotation = Eigen::AngleAxisd(base::degreesToRadians(angle), Eigen::Vector3d::Unit(axis)) *
                   placement_.rotation.normalized();
@@ -260,16 +260,16 @@ void PlacementPanel::change(const geometry::Placement& placement, const QString&
 
 void PlacementPanel::retranslate() {
   moveLabel_->setText(tr("Move"));
-  turnLabel_->setText(tr("Turn"));
-  turnLabel_->setToolTip(tr("About the fixed axes: first X, then Y, then Z"));
+  rotationLabel_->setText(tr("Turn"));
+  rotationLabel_->setToolTip(tr("About the fixed axes: first X, then Y, then Z"));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const QString name = QLatin1String(kAxes[axis]);
     move_[axis]->setToolTip(axis == 2 ? tr("Height of the lowest point above the plate")
                                       : tr("Centre of the part along %1").arg(name));
     move_[axis]->setAccessibleName(tr("Move %1").arg(name));
-    turn_[axis]->setToolTip(
+    rotation_[axis]->setToolTip(
         tr("Rotate about the fixed axis %1; X comes first, then Y, then Z").arg(name));
-    turn_[axis]->setAccessibleName(tr("Rotate %1").arg(name));
+    rotation_[axis]->setAccessibleName(tr("Rotate %1").arg(name));
     less_[axis]->setToolTip(tr("Rotate by -90° about %1, from the present orientation").arg(name));
     more_[axis]->setToolTip(tr("Rotate by 90° about %1, from the present orientation").arg(name));
   }

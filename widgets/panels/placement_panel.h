@@ -58,7 +58,7 @@ private:
   void showSize();
   void moved(int axis, double mm);
   void turned(int axis, double degrees);
-  void turnBy(int axis, double degrees);
+  void rotateBy(int axis, double degrees);
   void change(const geometry::Placement& placement, const QString& editName);
   void retranslate();
 
@@ -68,11 +68,11 @@ private:
   QString scaleText_ = QStringLiteral("1");
   double factor_ = 1.0;
 
-  std::array<forms::NumberBox*, 3> move_{}, turn_{};
+  std::array<forms::NumberBox*, 3> move_{}, rotation_{};
   std::array<QToolButton*, 3> less_{}, more_{};
   std::array<QLabel*, 3> axis_{};
   QLabel* moveLabel_ = nullptr;
-  QLabel* turnLabel_ = nullptr;
+  QLabel* rotationLabel_ = nullptr;
   QLabel* percentLabel_ = nullptr;
   QLabel* sizeLabel_ = nullptr;
   QLabel* size_ = nullptr;

@@ -37,10 +37,11 @@ struct Standing {
   Eigen::AlignedBox2d box; // of both, as seen
 };
 
-Standing stood(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& turn, const Eye& eye) {
+Standing stood(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& rotation,
+               const Eye& eye) {
   Standing out;
   geometry::Placement placement;
-  placement.rotation = turn;
+  placement.rotation = rotation;
   out.mesh = geometry::place(mesh, 1.0, placement);
   Eigen::AlignedBox3d box;
   for (std::size_t t = 0; t < out.mesh.triangles.size(); ++t)
@@ -187,8 +188,8 @@ std::vector<QImage> standPictures(const geometry::TriangleMesh& mesh,
                 "standPictures: facets, 16 pixels");
   const Eye eye;
   std::vector<QImage> pictures;
-  for (const Eigen::Quaterniond& turn : turns) {
-    const Standing standing = stood(mesh, turn, eye);
+  for (const Eigen::Quaterniond& rotation : turns) {
+    const Standing standing = stood(mesh, rotation, eye);
     const Vector2d size = standing.box.sizes().cwiseMax(1e-9);
     const double perMm =
         (1.0 - kRoom) * std::min(pixels.width() / size.x(), pixels.height() / size.y());

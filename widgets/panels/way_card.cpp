@@ -22,8 +22,8 @@ WayCard::WayCard(QWidget* parent) : QAbstractButton(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void WayCard::setWay(const ShownWay& way) {
-  way_ = way;
+void WayCard::setOrientation(const ShownOrientation& orientation) {
+  orientation_ = orientation;
   retranslate();
 }
 
@@ -31,14 +31,15 @@ void WayCard::retranslate() {
   const QLocale locale;
   const auto whole = [&](double value) { return locale.toString(value, 'f', 0); };
   const auto count = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
-  lines_ = {tr("Contact %1 mm²").arg(whole(way_.contactMm2)),
-            tr("Missed voxels %1").arg(count(way_.missed)), tr("About %1").arg(way_.time)};
+  lines_ = {tr("Contact %1 mm²").arg(whole(orientation_.contactMm2)),
+            tr("Missed voxels %1").arg(count(orientation_.missed)),
+            tr("About %1").arg(orientation_.time)};
   const QString figures =
       tr("contact %1 mm², overhang %2 mm²\n%3 mm high\n%4 of %5 voxels missed in one "
          "growth pass\nabout %6, estimated from size, walls and infill without supports")
-          .arg(whole(way_.contactMm2), whole(way_.overhangMm2),
-               locale.toString(way_.heightMm, 'f', 1), count(way_.missed), count(way_.voxels),
-               way_.time);
+          .arg(whole(orientation_.contactMm2), whole(orientation_.overhangMm2),
+               locale.toString(orientation_.heightMm, 'f', 1), count(orientation_.missed),
+               count(orientation_.voxels), orientation_.time);
   setToolTip(figures);
   setAccessibleName(lines_[0] + QStringLiteral(", ") + lines_[1] + QStringLiteral(", ") +
                     lines_[2]);
@@ -82,12 +83,12 @@ void WayCard::paintEvent(QPaintEvent*) {
   }
   painter.setOpacity(isEnabled() ? 1.0 : 0.5);
   const QRect above(kMargin, kMargin, width() - 2 * kMargin, kPicture.height());
-  if (!way_.picture.isNull()) {
+  if (!orientation_.picture.isNull()) {
     const QSize size =
-        way_.picture.size().scaled(above.size().boundedTo(kPicture), Qt::KeepAspectRatio);
+        orientation_.picture.size().scaled(above.size().boundedTo(kPicture), Qt::KeepAspectRatio);
     QRect where(QPoint(), size);
     where.moveCenter(above.center());
-    painter.drawImage(where, way_.picture);
+    painter.drawImage(where, orientation_.picture);
   }
   const int line = fontMetrics().lineSpacing();
   for (std::size_t n = 0; n < lines_.size(); ++n) {

@@ -9,7 +9,7 @@
 
 namespace voluta::panels {
 
-struct ShownWay {
+struct ShownOrientation {
   QImage picture; // at least twice the display resolution
   double contactMm2 = 0.0, overhangMm2 = 0.0, heightMm = 0.0;
   std::size_t missed = 0, voxels = 0;
@@ -24,7 +24,7 @@ public:
 
   explicit WayCard(QWidget* parent = nullptr);
 
-  void setWay(const ShownWay& way);
+  void setOrientation(const ShownOrientation& orientation);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -37,7 +37,7 @@ private:
   void retranslate();
   void paintTick(QPainter& painter) const;
 
-  ShownWay way_;
+  ShownOrientation orientation_;
   std::array<QString, 3> lines_;
 };
 

@@ -55,18 +55,18 @@ QSize WaysList::pictureSize() {
   return 3 * WayCard::kPicture;
 }
 
-void WaysList::setWays(const std::vector<ShownWay>& ways) {
+void WaysList::setWays(const std::vector<ShownOrientation>& ways) {
   base::require(ways.size() <= kMax, "WaysList: at most kMax ways");
   count_ = ways.size();
   for (std::size_t n = 0; n < kMax; ++n)
     cards_[n]->setVisible(n < count_);
   for (std::size_t n = 0; n < ways.size(); ++n)
-    cards_[n]->setWay(ways[n]);
+    cards_[n]->setOrientation(ways[n]);
   setNow(std::nullopt);
 }
 
-void WaysList::setNow(std::optional<std::size_t> way) {
-  now_ = way;
+void WaysList::setNow(std::optional<std::size_t> orientation) {
+  now_ = orientation;
   showState();
 }
 

@@ -26,16 +26,16 @@ public:
   static constexpr std::size_t kMax = 4;
 
   // The best first. Precondition (Error{Internal}): at most kMax. None of these emits.
-  void setWays(const std::vector<ShownWay>& ways);
+  void setWays(const std::vector<ShownOrientation>& ways);
   // The present orientation; nullopt: none of the list.
-  void setNow(std::optional<std::size_t> way);
+  void setNow(std::optional<std::size_t> orientation);
   // Orientations are being computed.
   void setLooking(bool looking);
   bool isLooking() const { return looking_; }
   std::size_t count() const { return count_; }
 
 signals:
-  void chosen(int way);
+  void chosen(int orientation);
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -89,13 +89,11 @@ std::optional<RayHit> Drawn::nearest(const Ray& ray) const {
 }
 
 Between Drawn::between(const Ray& ray, double lengthMm, bool printed) const {
-  const auto isOnTheWay = [&](const std::optional<RayHit>& hit) {
-    return hit && hit->t < lengthMm;
-  };
+  const auto isBetween = [&](const std::optional<RayHit>& hit) { return hit && hit->t < lengthMm; };
   Between between;
-  between.printed = printed && isOnTheWay(nearestPrinted(ray, true));
+  between.printed = printed && isBetween(nearestPrinted(ray, true));
   between.platform =
-      shows(view.platform, platform.get()) && isOnTheWay(pickPlatform(*platform, ray));
+      shows(view.platform, platform.get()) && isBetween(pickPlatform(*platform, ray));
   if (!shows(view.cell, cell.get()))
     return between;
   const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
@@ -103,7 +101,7 @@ Between Drawn::between(const Ray& ray, double lengthMm, bool printed) const {
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     const auto role = static_cast<std::size_t>(bodies[body].role);
     if (view.roles[role] && !between.roles[role])
-      between.roles[role] = isOnTheWay(pickBody(*cell, body, work_T_frame, ray));
+      between.roles[role] = isBetween(pickBody(*cell, body, work_T_frame, ray));
   }
   return between;
 }

@@ -175,7 +175,7 @@ std::vector<std::optional<Vector3d>> labelPlaces(const std::vector<SeenBody>& bo
   });
   std::vector<Vector2d> taken; // in pixels
   for (const std::size_t i : order) {
-    if (best[i].radius <= 0.0F || best[i].radius * cells.pixels < view.leastRadius)
+    if (best[i].radius <= 0.0F || best[i].radius * cells.pixels < view.minRadius)
       continue;
     const Vector2d at = cells.pixels * Vector2d(best[i].x, best[i].y);
     if (std::any_of(taken.begin(), taken.end(),

@@ -20,8 +20,8 @@ struct SeenBody {
 struct LabelView {
   Eigen::Matrix4d clip_T_world = Eigen::Matrix4d::Identity(); // OpenGL's: visible in [-1, 1]^3
   int width = 0, height = 0;                                  // pixels
-  double leastRadius = 0.0; // minimum radius [pixels] of a visible disc that gets a label
-  double apart = 0.0;       // minimum distance between two labels [pixels]
+  double minRadius = 0.0; // minimum radius [pixels] of a visible disc that gets a label
+  double apart = 0.0;     // minimum distance between two labels [pixels]
   // Whether a point in world coordinates is shown. Null: all are.
   std::function<bool(const Eigen::Vector3d&)> shown;
 };

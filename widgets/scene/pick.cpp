@@ -272,8 +272,8 @@ bool mayMeet(const Ray& ray, vtkPolyData* surface) {
   const double* b = surface->GetBounds();
   const Eigen::AlignedBox3d box(Eigen::Vector3d(b[0], b[2], b[4]),
                                 Eigen::Vector3d(b[1], b[3], b[5]));
-  const Eigen::Vector3d aside = (box.center() - ray.origin).cross(ray.direction);
-  return aside.norm() <= 0.5 * box.diagonal().norm();
+  const Eigen::Vector3d lateral = (box.center() - ray.origin).cross(ray.direction);
+  return lateral.norm() <= 0.5 * box.diagonal().norm();
 }
 
 std::optional<RayHit> pickPiece(const CellPiece& piece,

@@ -177,7 +177,7 @@ void PieceLabels::find(const ViewState& view, const std::vector<Eigen::Isometry3
   picture.clip_T_world = wanted.clip_T_world;
   picture.width = size[0];
   picture.height = size[1];
-  picture.leastRadius = kMinRadius * ratio_;
+  picture.minRadius = kMinRadius * ratio_;
   picture.apart = 2.0 * kRadius * ratio_;
   if (view.sectionOn)
     picture.shown = [origin = (world_T_work * view.sectionOrigin).eval(),

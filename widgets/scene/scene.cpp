@@ -360,7 +360,7 @@ struct Scene::Impl : Drawn {
       const Eigen::Vector3d place = world_T_work * *view.marker;
       const Eigen::Affine3d facing =
           Eigen::Translation3d(place) *
-          geometry::leastTurn(Eigen::Vector3d::UnitZ(), scene::towardsEye(renderer)) *
+          geometry::shortestRotation(Eigen::Vector3d::UnitZ(), scene::towardsEye(renderer)) *
           Eigen::Scaling(kMarkerShare * pictureHeightMm(renderer, place));
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);

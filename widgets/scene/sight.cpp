@@ -21,7 +21,7 @@ std::vector<Vector3d> directionsFrom(const Vector3d& own) {
   std::vector<Vector3d> all;
   for (const double elevation : {10.0, 25.0, 45.0, 65.0})
     for (int k = 0; k < kAround; ++k) {
-      const double up = base::degreesToRadians(elevation), around = base::kTurn * k / kAround;
+      const double up = base::degreesToRadians(elevation), around = base::kTwoPi * k / kAround;
       all.emplace_back(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
                        std::sin(up));
     }

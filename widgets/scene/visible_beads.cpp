@@ -48,7 +48,7 @@ constexpr double kSectionDepthMm = 2.0;
 // While dragging, the uppermost layers keep every waypoint.
 constexpr int kFullLayers = 2;
 
-bool laidOpen(const BeadChunk& chunk, const ViewState& view) {
+bool isCutOpen(const BeadChunk& chunk, const ViewState& view) {
   if (!view.sectionOn)
     return false;
   const double beyond = (chunk.centre - view.sectionOrigin).dot(view.sectionNormal);
@@ -56,7 +56,7 @@ bool laidOpen(const BeadChunk& chunk, const ViewState& view) {
   return beyond < reach && beyond > -reach - kSectionDepthMm;
 }
 
-int layerBeingLaid(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {
+int layerBeingPrinted(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {
   if (view.printedWaypoints == kAllMoves || paths.pathOf.empty())
     return extent.last;
   const std::size_t waypoint =
@@ -68,11 +68,12 @@ int layerBeingLaid(const PathsDrawing& paths, const ViewState& view, const Exten
 
 std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& view) {
   const Extent extent(paths, view);
-  const int laid = layerBeingLaid(paths, view, extent);
+  const int currentLayer = layerBeingPrinted(paths, view, extent);
   std::vector<Stretch> shown;
   const auto add = [&](int layer, std::size_t from, std::size_t to) {
     const std::size_t end = shownUpTo(paths.arrival, from, to, extent.limit(layer));
-    appendStretch(shown, {2 * from, 2 * (end - from), view.materialColour && layer != laid});
+    appendStretch(shown,
+                  {2 * from, 2 * (end - from), view.materialColour && layer != currentLayer});
   };
   const int fullFrom = view.dragging ? extent.last - kFullLayers + 1 : extent.first;
   for (int layer = extent.first; layer <= extent.last; ++layer) {
@@ -83,7 +84,7 @@ std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& vi
   for (int layer = extent.first; layer <= extent.last; ++layer) {
     const auto l = static_cast<std::size_t>(layer);
     for (std::size_t c = paths.chunkStart[l]; c < paths.chunkStart[l + 1]; ++c)
-      if (const BeadChunk& chunk = paths.chunks[c]; !extent.hides(chunk) || laidOpen(chunk, view))
+      if (const BeadChunk& chunk = paths.chunks[c]; !extent.hides(chunk) || isCutOpen(chunk, view))
         add(layer, chunk.first, chunk.first + chunk.count);
   }
   return shown;

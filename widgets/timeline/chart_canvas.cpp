@@ -15,9 +15,10 @@ constexpr double kZoomPerNotch = 1.25;
 constexpr double kMinSpanS = 0.01;
 constexpr double kSmoothedSwings = 8.0; // total up-and-down length, in chart widths
 
-// Returns a step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
-double niceStep(double span, int most) {
-  const double rough = span / std::max(1, most);
+// Returns a step of 1, 2 or 5 times a power of ten that divides `span` into at most `maxTicks`
+// parts.
+double niceStep(double span, int maxTicks) {
+  const double rough = span / std::max(1, maxTicks);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= rough)
@@ -123,8 +124,8 @@ void ChartCanvas::drawAxes(QPainter& painter) const {
   QColor grid = text;
   grid.setAlphaF(0.15f);
   const QLocale locale;
-  const auto eachTick = [](double low, double high, int most, const auto& draw) {
-    const double step = niceStep(high - low, most);
+  const auto eachTick = [](double low, double high, int maxTicks, const auto& draw) {
+    const double step = niceStep(high - low, maxTicks);
     const auto first = static_cast<long long>(std::ceil(low / step - 1e-9));
     const auto last = static_cast<long long>(std::floor(high / step + 1e-9));
     for (long long i = first; i <= last; ++i)

@@ -12,7 +12,7 @@ namespace voluta::timeline {
 
 namespace {
 constexpr int kLane = 18, kGap = 4, kMargin = 6;
-constexpr double kHandle = 2.0, kLeastWait = 2.0; // pixels
+constexpr double kHandle = 2.0, kMinWait = 2.0; // pixels
 } // namespace
 
 MachineLanes::MachineLanes(QWidget* parent) : QWidget(parent) {
@@ -82,7 +82,7 @@ void MachineLanes::paintEvent(QPaintEvent*) {
     painter.setBrush(lane.colour);
     painter.drawRect(QRectF(QPointF(all.left(), all.top()), QPointF(xOf(lane.endS), all.bottom())));
     for (const LaneWait& wait : lane.waits) {
-      const double from = xOf(wait.fromS), to = std::max(xOf(wait.toS), from + kLeastWait);
+      const double from = xOf(wait.fromS), to = std::max(xOf(wait.toS), from + kMinWait);
       const QRectF span(QPointF(from, all.top()), QPointF(to, all.bottom()));
       painter.setBrush(palette().color(QPalette::Window));
       painter.drawRect(span);
@@ -123,8 +123,8 @@ bool MachineLanes::event(QEvent* event) {
   for (std::size_t k = 0; k < lanes_.size(); ++k)
     if (laneRect(k).contains(help->pos()))
       for (const LaneWait& wait : lanes_[k].waits)
-        if (help->pos().x() >= xOf(wait.fromS) - kLeastWait &&
-            help->pos().x() <= xOf(wait.toS) + kLeastWait)
+        if (help->pos().x() >= xOf(wait.fromS) - kMinWait &&
+            help->pos().x() <= xOf(wait.toS) + kMinWait)
           text = wait.text;
   QToolTip::showText(help->globalPos(), text, this);
   return true;

@@ -66,8 +66,8 @@ void CameraControl::orbit(double dxPixels, double dyPixels) {
   // At a pole the eye has no azimuth, so the screen's up direction gives it.
   const bool pole = std::abs(eye.z()) > std::cos(kPoleMargin);
   const Vector3d behind = eye.z() > 0.0 ? Vector3d(-a.col(1)) : Vector3d(a.col(1));
-  const Vector3d& aside = pole ? behind : eye;
-  const double azimuth = std::atan2(aside.y(), aside.x()) - dxPixels * perPixel;
+  const Vector3d& heading = pole ? behind : eye;
+  const double azimuth = std::atan2(heading.y(), heading.x()) - dxPixels * perPixel;
   const double elevation =
       std::clamp(std::asin(std::clamp(eye.z(), -1.0, 1.0)) - dyPixels * perPixel, -limit, limit);
   place(focalPoint(),

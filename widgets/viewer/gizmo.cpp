@@ -84,7 +84,7 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
       found.push_back({kAll, square, true});
     }
     break;
-  case Tool::Turn:
+  case Tool::Rotate:
     for (int k = 0; k < 3; ++k)
       ring(k, length);
     break;
@@ -214,7 +214,7 @@ GizmoChange Gizmo::drag(const QPointF& cursor, const Ray& ray, bool snap) {
   if (turns(grabbed_)) {
     const double turned = std::remainder(angleOnRing(ray, cursor) - beganAt_, 2 * base::kPi);
     const double angle = snapped(turned, base::kPi / 12.0, snap);
-    change.turn = Eigen::AngleAxisd(angle, axis(grabbed_));
+    change.rotation = Eigen::AngleAxisd(angle, axis(grabbed_));
     change.text = QString::fromUtf8("%1°").arg(base::radiansToDegrees(angle), 0, 'f', 1);
   } else if (tool_ == Tool::Scale) {
     const double now =

@@ -21,7 +21,7 @@ namespace voluta::viewer {
 
 // CutPlane: a plane moved along its normal and tilted about the two other axes of its frame. Frame:
 // moved along its axes and rotated about them. PickPoint: no handles; a click selects a point.
-enum class Tool { None, Move, Turn, Scale, LayFlat, CutPlane, Frame, PickPoint };
+enum class Tool { None, Move, Rotate, Scale, LayFlat, CutPlane, Frame, PickPoint };
 inline bool hasHandles(Tool tool) {
   return tool != Tool::None && tool != Tool::LayFlat && tool != Tool::PickPoint;
 }
@@ -29,7 +29,7 @@ inline bool hasHandles(Tool tool) {
 // The total effect of a drag since its start.
 struct GizmoChange {
   Eigen::Vector3d moveMm = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond turn =
+  Eigen::Quaterniond rotation =
       Eigen::Quaterniond::Identity(); // About the gizmo's centre, in the world
   double scale = 1.0;
   QString text; // For the label beside the cursor
@@ -76,7 +76,7 @@ private:
     return axes_.col((axisOf(handle) + steps) % 3);
   }
   bool turns(int handle) const {
-    return tool_ == Tool::Turn || (tool_ == Tool::CutPlane && handle < 2) || handle > 3;
+    return tool_ == Tool::Rotate || (tool_ == Tool::CutPlane && handle < 2) || handle > 3;
   }
   std::vector<Handle> handles(const Projection& project, double mmPerPixel) const;
   double alongAxis(const Ray& ray) const; // Position along the dragged axis [mm]

@@ -71,13 +71,13 @@ QString modeLabel(const std::string& id) {
   return QString::fromStdString(id);
 }
 
-QString wayText(const pipeline::Combination& way) {
-  QStringList parts{modeLabel(way.mode)};
-  if (way.growth)
-    parts << language::words(way.growth->row().label);
-  parts << language::words(way.platform.shown());
-  if (!way.cell.empty())
-    parts << QString::fromStdString(base::dataName(way.cell));
+QString strategyText(const pipeline::Combination& combination) {
+  QStringList parts{modeLabel(combination.mode)};
+  if (combination.growth)
+    parts << language::words(combination.growth->row().label);
+  parts << language::words(combination.platform.shown());
+  if (!combination.cell.empty())
+    parts << QString::fromStdString(base::dataName(combination.cell));
   return parts.join(QStringLiteral(", "));
 }
 // Returns why a row is blocked; empty if it is not.
@@ -205,16 +205,16 @@ void CompareView::adopt(int row) {
   const document::Comparing::Row& chosen = comparing_.rows()[static_cast<std::size_t>(row)];
   document_.setChoices(pipeline::choicesOf(chosen.combination, document_.choices()),
                        tr("way of building"));
-  emit adopted(wayText(chosen.combination), chosen.result);
+  emit adopted(strategyText(chosen.combination), chosen.result);
 }
 
 panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   const document::Comparing::Row& row = comparing_.rows()[index];
   const pipeline::Ranking& ranking = comparing_.ranking();
   panels::CompareEntry entry;
-  entry.way = modeLabel(row.combination.mode);
+  entry.strategy = modeLabel(row.combination.mode);
   if (!row.combination.cell.empty())
-    entry.way +=
+    entry.strategy +=
         QStringLiteral(", ") + QString::fromStdString(base::dataName(row.combination.cell));
   if (row.combination.growth)
     entry.growth = language::words(row.combination.growth->row().label);
@@ -224,7 +224,7 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
                 row.combination.mode == document_.choices().item().mode &&
                 row.combination.platform == document_.choices().item().platform &&
                 (row.combination.cell.empty() || row.combination.cell == document_.choices().cell);
-  entry.tip = wayText(row.combination);
+  entry.tip = strategyText(row.combination);
   if (!row.compared) {
     const bool running = comparing_.current() == index;
     entry.state = running ? panels::CompareState::Running : panels::CompareState::Waiting;
@@ -297,7 +297,7 @@ void CompareView::showState() {
   if (!rows.empty() && !comparing_.upToDate())
     text = tr("Out of date: the part or its settings have changed since.");
   else if (ranking.best) {
-    text = tr("Best: %1.").arg(wayText(rows[*ranking.best].combination));
+    text = tr("Best: %1.").arg(strategyText(rows[*ranking.best].combination));
     if (!ranking.tied.empty())
       text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
   } else if (!ranking.order.empty() && !comparing_.running())

@@ -31,7 +31,7 @@ public:
 
 signals:
   // The document has adopted a row; `result` is its plan, if it was kept.
-  void adopted(const QString& way, std::shared_ptr<const pipeline::PlanResult> result);
+  void adopted(const QString& strategy, std::shared_ptr<const pipeline::PlanResult> result);
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -138,7 +138,7 @@ QRect FlowBar::rectOf(int index) const {
   int x = 0;
   for (int i = 0; i <= index; ++i) {
     const Segment& segment = segments_[indexAt(i)];
-    if (segment.step.aside && i > 0 && !segments_[indexAt(i - 1)].step.aside)
+    if (segment.step.separate && i > 0 && !segments_[indexAt(i - 1)].step.separate)
       x += kApart;
     if (i < index)
       x += segmentWidth(segment);
@@ -156,7 +156,7 @@ void FlowBar::paintSegment(QPainter& painter, int index) const {
   painter.setPen(chosen ? palette().highlightedText().color() : palette().text().color());
   painter.drawText(r.adjusted(padding() + kGlyph + gap(), 0, 0, 0),
                    Qt::AlignVCenter | Qt::AlignLeft, segment.step.title);
-  if (index > 0 && segments_[indexAt(index - 1)].step.aside == segment.step.aside) {
+  if (index > 0 && segments_[indexAt(index - 1)].step.separate == segment.step.separate) {
     painter.setPen(palette().mid().color());
     painter.drawLine(r.left(), 1, r.left(), height() - 2);
   }
@@ -165,14 +165,14 @@ void FlowBar::paintSegment(QPainter& painter, int index) const {
 void FlowBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QRect flow, aside;
+  QRect flow, separate;
   const int count = static_cast<int>(segments_.size());
   for (int i = 0; i < count; ++i) {
-    QRect& part = segments_[indexAt(i)].step.aside ? aside : flow;
+    QRect& part = segments_[indexAt(i)].step.separate ? separate : flow;
     part |= rectOf(i);
   }
   QPainterPath outline;
-  for (const QRect& r : {flow, aside})
+  for (const QRect& r : {flow, separate})
     if (!r.isEmpty())
       outline.addRoundedRect(QRectF(r).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   painter.fillPath(outline, palette().base());

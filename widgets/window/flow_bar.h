@@ -12,7 +12,7 @@ namespace voluta::window {
 
 struct FlowStep {
   QString id, title;
-  bool aside = false; // Not a step of the flow; these come last
+  bool separate = false; // Not a step of the flow; these come last
 };
 
 class FlowBar : public QWidget {

@@ -203,8 +203,8 @@ std::vector<Command> MainWindow::ownCommands() {
        {},
        [this] {
          savePicture(*area_, document_.name(), [this](const QString& file) {
-           tell(tr("Save the picture"),
-                tr("%1 cannot be written. Choose another folder.").arg(file));
+           showMessage(tr("Save the picture"),
+                       tr("%1 cannot be written. Choose another folder.").arg(file));
          });
        }},
       {"fullScreen",
@@ -257,9 +257,9 @@ void MainWindow::listen() {
   connect(&runs_, &Runs::planAsked, this, &MainWindow::plan);
   connect(&runs_, &Runs::progressed, status_, &StatusLine::showProgress);
   connect(&runs_, &Runs::said, status_, &StatusLine::showIdle);
-  connect(&runs_, &Runs::messageRaised, this, &MainWindow::tell);
+  connect(&runs_, &Runs::messageRaised, this, &MainWindow::showMessage);
   connect(&files_, &ProjectFiles::said, status_, &StatusLine::showIdle);
-  connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::tell);
+  connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::showMessage);
   connect(&files_, &ProjectFiles::opened, this, [this](bool project) {
     picture_.setMarker(std::nullopt);
     if (document_.isRest())
@@ -274,7 +274,7 @@ void MainWindow::listen() {
   connect(pages_.get(), &PageStack::addPartAsked, &files_, &ProjectFiles::chooseToAdd);
   connect(pages_.get(), &PageStack::resumeAsked, &files_, &ProjectFiles::resume);
   connect(pages_.get(), &PageStack::said, status_, &StatusLine::showIdle);
-  connect(pages_.get(), &PageStack::messageRaised, this, &MainWindow::tell);
+  connect(pages_.get(), &PageStack::messageRaised, this, &MainWindow::showMessage);
   connect(findings_, &panels::FindingsPanel::activated, pages_.get(), &PageStack::goTo);
   connect(&area_->welcome(), &Welcome::openRequested, &files_, &ProjectFiles::choose);
   connect(&area_->welcome(), &Welcome::sampleRequested, this, [this] { open("sample:vase"); });
@@ -342,7 +342,7 @@ void MainWindow::editShortcuts() {
     commands_->retranslate();
 }
 
-void MainWindow::tell(const QString& title, const QString& message) {
+void MainWindow::showMessage(const QString& title, const QString& message) {
   auto* box = new QMessageBox(QMessageBox::Warning, title, message, QMessageBox::Ok, this);
   box->setObjectName("messageBox");
   box->setAttribute(Qt::WA_DeleteOnClose);

@@ -69,7 +69,7 @@ private:
   void plan(project::Stage until);
   void switchAppearance();
   void editShortcuts();
-  void tell(const QString& title, const QString& message);
+  void showMessage(const QString& title, const QString& message);
   void retranslate();
   void fitToolBar();
   void fitPageDock();

@@ -317,11 +317,11 @@ void ProjectFiles::resume(std::size_t point) {
     return;
   const plan::Trajectory& t = *motion->job.trajectory;
   const double whole = t.extrudedMm3.back();
-  const double laid = whole > 0.0 ? 100.0 * t.extrudedMm3[point] / whole : 0.0;
+  const double printed = whole > 0.0 ? 100.0 * t.extrudedMm3[point] / whole : 0.0;
   QMessageBox box(QMessageBox::Question, tr("Resume from here?"),
                   tr("%1 % of the material counts as printed. The rest of “%2” opens as a "
                      "new project.")
-                      .arg(QLocale().toString(laid, 'f', 1), document_.name()),
+                      .arg(QLocale().toString(printed, 'f', 1), document_.name()),
                   QMessageBox::NoButton, &window_);
   box.setObjectName("resumeBox");
   const QPushButton* resume = box.addButton(tr("Resume"), QMessageBox::AcceptRole);

@@ -120,8 +120,8 @@ void RunDialog::show(const pipeline::ComparedRun& run) {
   QStringList lines{
       tr("Path: mean %1 mm, greatest %2 mm").arg(mm(c.pathMeanMm), mm(c.pathMaxMm)),
       tr("Speed: mean %1 %, from %2 to %3 %")
-          .arg(percent(c.speedMean), percent(c.speedMostSlow), percent(c.speedMostFast)),
-      flow.arg(percent(c.flowMean), percent(c.flowMostLess), percent(c.flowMostMore)),
+          .arg(percent(c.speedMean), percent(c.speedSlowest), percent(c.speedFastest)),
+      flow.arg(percent(c.flowMean), percent(c.flowLowest), percent(c.flowHighest)),
       tr("Beads recorded: %1 of %2 mm").arg(mm(c.printedMm), mm(c.beadsMm))};
   lines.prepend(language::words(record::verdictSentence(c)));
   lines.front().front() = lines.front().front().toUpper();

@@ -20,7 +20,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr int kWidth = 560, kFoundRows = 6, kTold = 200;
+constexpr int kWidth = 560, kFoundRows = 6, kMaxListed = 200;
 }
 
 VerifyDialog::VerifyDialog(const QString& program, std::shared_ptr<const pipeline::PlanResult> plan,
@@ -87,15 +87,15 @@ void VerifyDialog::show(const pipeline::VerifyResult& result) {
   table_->setReport(result.replay);
   const std::vector<panels::ListedFinding> listed = panels::listed(result.findings);
   for (const panels::ListedFinding& one : listed) {
-    if (found_->count() == kTold)
+    if (found_->count() == kMaxListed)
       break;
     auto* item = new QListWidgetItem(language::words(plan::reasonOf(one.finding)), found_);
     item->setIcon(forms::icon(one.finding.blocking ? forms::Icon::Blocked : forms::Icon::Warning));
     item->setToolTip(language::words(plan::remedyOf(one.finding)));
   }
-  if (listed.size() > kTold)
+  if (listed.size() > kMaxListed)
     foundTitle_->setText(tr("Replay findings, the first %1 of %2")
-                             .arg(kTold)
+                             .arg(kMaxListed)
                              .arg(QLocale().toString(static_cast<qulonglong>(listed.size()))));
   foundTitle_->setVisible(!listed.empty());
   found_->setVisible(!listed.empty());

@@ -19,12 +19,12 @@ using Ring = std::array<Vector3d, kSides>;
 
 // Returns a polygon around `centre` with the area of the circle.
 Ring ringOf(const Vector3d& centre, const Vector3d& u, const Vector3d& v, double radius) {
-  constexpr double kTurn = 2.0 * base::kPi / kSides;
-  const double corner = radius * std::sqrt(kTurn / std::sin(kTurn));
+  constexpr double kSectorRad = 2.0 * base::kPi / kSides;
+  const double corner = radius * std::sqrt(kSectorRad / std::sin(kSectorRad));
   Ring ring;
   for (int i = 0; i < kSides; ++i)
     ring[static_cast<std::size_t>(i)] =
-        centre + corner * (std::cos(kTurn * i) * u + std::sin(kTurn * i) * v);
+        centre + corner * (std::cos(kSectorRad * i) * u + std::sin(kSectorRad * i) * v);
   return ring;
 }
 

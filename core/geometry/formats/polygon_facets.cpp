@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+double orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
@@ -37,12 +37,13 @@ std::vector<std::array<std::size_t, 3>> triangulatePolygon(const std::vector<Vec
     bool found = false;
     for (std::size_t i = 0; i < n && !found; ++i) {
       const std::size_t a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
-      if (turn(flat[a], flat[b], flat[c]) <= 0.0)
+      if (orientation(flat[a], flat[b], flat[c]) <= 0.0)
         continue;
       found = true;
       for (const std::size_t p : left)
-        if (p != a && p != b && p != c && turn(flat[a], flat[b], flat[p]) >= 0.0 &&
-            turn(flat[b], flat[c], flat[p]) >= 0.0 && turn(flat[c], flat[a], flat[p]) >= 0.0)
+        if (p != a && p != b && p != c && orientation(flat[a], flat[b], flat[p]) >= 0.0 &&
+            orientation(flat[b], flat[c], flat[p]) >= 0.0 &&
+            orientation(flat[c], flat[a], flat[p]) >= 0.0)
           found = false;
       if (found) {
         triangles.push_back({a, b, c});

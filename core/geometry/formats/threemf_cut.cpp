@@ -16,14 +16,14 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-constexpr double kMostCoordinate = 1e9; // of coordinates, as of a mesh
+constexpr double kMaxCoordinate = 1e9; // of coordinates, as of a mesh
 
 // Leaves out facets that a mesh cannot have.
 TriangleMesh soundMesh(const std::vector<Facet>& facets) {
   std::vector<Facet> sound;
   for (const Facet& f : facets)
     if (std::ranges::all_of(f, [](const Eigen::Vector3d& v) {
-          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kMostCoordinate;
+          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kMaxCoordinate;
         }))
       sound.push_back(f);
   return shareVertices(sound);

@@ -64,9 +64,9 @@ void addKey(std::vector<std::string>& keys, std::string_view key) {
 }
 
 int extruderOf(std::string_view text) {
-  constexpr long long kMost = 1000;
+  constexpr long long kMaxCount = 1000;
   const std::optional<long long> number = integerOf(text);
-  return number && *number > 0 && *number <= kMost ? static_cast<int>(*number) : 0;
+  return number && *number > 0 && *number <= kMaxCount ? static_cast<int>(*number) : 0;
 }
 
 // Reads the settings of the objects in one member.
@@ -234,7 +234,7 @@ std::set<std::string> layersOf(const ZipPackage& package, const std::string& mod
 void noteMembers(const ZipPackage& package, const std::string& model,
                  std::vector<base::Message>& notes) {
   const std::set<std::string> layers = layersOf(package, model);
-  constexpr std::size_t kMostNamed = 20;
+  constexpr std::size_t kMaxNamed = 20;
   std::vector<std::string> unknown;
   for (const std::string& member : package.names()) {
     if (std::ranges::find(kObjectSettings, member) != kObjectSettings.end() ||
@@ -247,10 +247,10 @@ void noteMembers(const ZipPackage& package, const std::string& model,
     else if (!row->what.empty())
       notes.push_back(base::message("not used: {what} ('{member}')"_text, row->what, member));
   }
-  if (unknown.size() > kMostNamed) {
+  if (unknown.size() > kMaxNamed) {
     notes.push_back(base::message("not used: {count} further members of the package"_text,
-                                  unknown.size() - kMostNamed));
-    unknown.resize(kMostNamed);
+                                  unknown.size() - kMaxNamed));
+    unknown.resize(kMaxNamed);
   }
   for (const std::string& member : unknown)
     notes.push_back(base::message("not used: '{member}' in the package"_text, member));

@@ -100,13 +100,13 @@ private:
       return Pierces::Touches;
     if (from == to)
       return Pierces::No;
-    std::array<CGAL::Orientation, 3> turn{};
+    std::array<CGAL::Orientation, 3> sign{};
     for (int i = 0; i < 3; ++i) {
-      turn[index(i)] = CGAL::orientation(p, q, at(other, i), at(other, i + 1));
-      if (turn[index(i)] == CGAL::COPLANAR)
+      sign[index(i)] = CGAL::orientation(p, q, at(other, i), at(other, i + 1));
+      if (sign[index(i)] == CGAL::COPLANAR)
         return Pierces::Touches;
     }
-    return turn[0] == turn[1] && turn[1] == turn[2] ? Pierces::Yes : Pierces::No;
+    return sign[0] == sign[1] && sign[1] == sign[2] ? Pierces::Yes : Pierces::No;
   }
 
   int pierced(int t, int k, int other) {
@@ -250,12 +250,12 @@ private:
       corners[index(k)] = face->vertex(k)->point();
     int layers = 0;
     if (cluster.triangles.size() == 1) {
-      layers = turnOf(cluster.triangles.front());
+      layers = signOf(cluster.triangles.front());
     } else {
       const Exact::Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
       for (const int t : cluster.triangles)
         if (contains(t, middle))
-          layers += turnOf(t);
+          layers += signOf(t);
     }
     if (layers == 0)
       return;
@@ -274,16 +274,16 @@ private:
   }
 
   // Returns 1 if the projected triangle is counter-clockwise, otherwise -1.
-  int turnOf(int t) {
+  int signOf(int t) {
     const auto at = [&](int k) { return flattened(points_[corner(t, k)]); };
     return CGAL::orientation(at(0), at(1), at(2)) == CGAL::LEFT_TURN ? 1 : -1;
   }
   // Returns whether no side of the triangle separates it from `p`.
   bool contains(int t, const Exact::Point_2& p) {
     const auto at = [&](int k) { return flattened(points_[corner(t, k)]); };
-    const CGAL::Orientation turn = CGAL::orientation(at(0), at(1), at(2));
+    const CGAL::Orientation sign = CGAL::orientation(at(0), at(1), at(2));
     for (int k = 0; k < 3; ++k)
-      if (CGAL::orientation(at(k), at((k + 1) % 3), p) != turn)
+      if (CGAL::orientation(at(k), at((k + 1) % 3), p) != sign)
         return false;
     return true;
   }

@@ -134,9 +134,9 @@ std::size_t orientConsistently(TriangleMesh& mesh) {
         patch.push_back(static_cast<std::size_t>(next.triangle));
       }
     }
-    const int turn = lost > kept ? 0 : 1;
+    const int flip = lost > kept ? 0 : 1;
     for (const std::size_t t : patch)
-      if (turned[t] == turn) {
+      if (turned[t] == flip) {
         std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
         ++count;
       }

@@ -34,7 +34,7 @@ public:
     ctx_.report(0.5, "repair: holes"_text);
     mendHoles();
     noteSheets();
-    turnShells();
+    flipShells();
     ctx_.report(0.7, "repair: self-intersections"_text);
     mendIntersections();
     if (keepsOpen())
@@ -137,7 +137,7 @@ private:
         closed.push_back(&cap);
     for (const RimCap* cap : closed)
       mesh_.triangles.insert(mesh_.triangles.end(), cap->triangles.begin(), cap->triangles.end());
-    tellClosed(closed);
+    reportClosed(closed);
     ctx_.checkpoint();
   }
 
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  void tellClosed(const std::vector<const RimCap*>& closed) {
+  void reportClosed(const std::vector<const RimCap*>& closed) {
     if (closed.empty())
       return;
     const RimCap& largest =
@@ -168,19 +168,19 @@ private:
                       closed.size(), largest.rim.size(), base::Point{at.x(), at.y(), at.z()}));
   }
 
-  void turnShells() {
-    const std::size_t shells = turnInsideOut(mesh_);
+  void flipShells() {
+    const std::size_t shells = flipInsideOut(mesh_);
     note(shells,
          "flipped {count} inside-out component|flipped {count} inside-out components"_plural);
   }
 
   void mendIntersections() {
     if (found_.selfIntersections.count > kMaxPairs)
-      return tellTooMany(found_.selfIntersections.count);
+      return reportTooMany(found_.selfIntersections.count);
     auto [united, rest] = closedAndOpen();
     auto pairs = selfIntersections(united, ctx_);
     if (pairs.size() > kMaxPairs)
-      return tellTooMany(pairs.size());
+      return reportTooMany(pairs.size());
     if (pairs.empty())
       return;
     const std::size_t before = pairs.size();
@@ -191,7 +191,7 @@ private:
       if (!next)
         break;
       if (next->losesTooMuch()) { // the shape is in doubt
-        tellLost(next->lostShare());
+        reportLost(next->lostShare());
         break;
       }
       pairs = selfIntersections(next->mesh, ctx_);
@@ -210,14 +210,14 @@ private:
                         "self-intersections of {count} components"_plural);
   }
 
-  void tellTooMany(std::size_t pairs) {
+  void reportTooMany(std::size_t pairs) {
     tooMany_ = base::message(
         "too many intersecting triangles to unite them ({pairs} pairs, at most {most}): shells "
         "stay as they are, overlaps count as one solid when layers are made"_text,
         pairs, kMaxPairs);
   }
 
-  void tellLost(double share) {
+  void reportLost(double share) {
     lost_ =
         base::message("self-intersecting surface: {share:.3g} of the enclosed volume is inside out "
                       "and counts as outside"_text,

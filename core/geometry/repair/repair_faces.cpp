@@ -100,13 +100,13 @@ std::size_t separateSheets(TriangleMesh& mesh, TriangleMesh& sheets) {
   return keepOnly(mesh, keep);
 }
 
-std::size_t turnInsideOut(TriangleMesh& mesh) {
+std::size_t flipInsideOut(TriangleMesh& mesh) {
   const Components parts = components(mesh);
-  const std::vector<bool> turn = insideOutComponents(mesh, parts);
+  const std::vector<bool> flips = insideOutComponents(mesh, parts);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (turn[static_cast<std::size_t>(parts.ofTriangle[t])])
+    if (flips[static_cast<std::size_t>(parts.ofTriangle[t])])
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-  return static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true));
+  return static_cast<std::size_t>(std::count(flips.begin(), flips.end(), true));
 }
 
 void dropUnusedVertices(TriangleMesh& mesh) {

@@ -104,12 +104,12 @@ std::size_t mergeNearbyPoints(TriangleMesh& mesh) {
       lengths.push_back((mesh.corner(t, k) - mesh.corner(t, (k + 1) % 3)).norm());
   const auto percent = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 100);
   std::nth_element(lengths.begin(), percent, lengths.end());
-  const double diagonal = bounds(mesh).diagonal().norm(), most = *percent / 3.0;
+  const double diagonal = bounds(mesh).diagonal().norm(), limit = *percent / 3.0;
   TriangleMesh best;
   std::size_t bestOpen = openEdgeCount(mesh), bestMerged = 0;
   for (const double share : kTolerances) {
     const double tolerance = share * diagonal;
-    if (!(tolerance > 0.0) || tolerance > most || bestOpen == 0)
+    if (!(tolerance > 0.0) || tolerance > limit || bestOpen == 0)
       break;
     TriangleMesh trial = mesh;
     const std::size_t merged = mergeWithin(trial, tolerance);

@@ -51,7 +51,7 @@ struct RimCap {
 std::vector<RimCap> rimCaps(const TriangleMesh& mesh, const base::RunContext& ctx);
 
 // Flips the inside-out components. Returns their number.
-std::size_t turnInsideOut(TriangleMesh& mesh);
+std::size_t flipInsideOut(TriangleMesh& mesh);
 
 // Removes vertices that no triangle uses; the others keep their order.
 void dropUnusedVertices(TriangleMesh& mesh);

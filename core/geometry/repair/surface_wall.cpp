@@ -110,14 +110,14 @@ struct VertexPlanes {
   Matrix3d normals = Matrix3d::Zero(); // sum of weight n n^T
   Vector3d moves = Vector3d::Zero();   // sum of weight move n
   Vector3d mean = Vector3d::Zero();    // sum of weight n
-  double weight = 0.0, most = 0.0;     // most: the greatest move
+  double weight = 0.0, maximum = 0.0;  // maximum: the largest move
 
   void add(const Vector3d& normal, double move, double w) {
     normals += w * normal * normal.transpose();
     moves += w * move * normal;
     mean += w * normal;
     weight += w;
-    most = std::max(most, move);
+    maximum = std::max(maximum, move);
   }
 
   // Returns the move onto the planes, by least squares.
@@ -134,7 +134,7 @@ struct VertexPlanes {
     const Matrix3d costs = Matrix3d::Identity() + (upWeight - 1.0) * alongUp;
     const Matrix3d system = normals / weight + kSmallMove * n.dot(cheap * n) * costs;
     Vector3d moved = system.inverse() * (moves / weight);
-    const double limit = kMiter * most / std::max(kShallow, std::sqrt(n.dot(cheap * n)));
+    const double limit = kMiter * maximum / std::max(kShallow, std::sqrt(n.dot(cheap * n)));
     if (const double far = moved.norm(); far > limit)
       moved *= limit / far;
     return moved;

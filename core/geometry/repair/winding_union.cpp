@@ -124,15 +124,15 @@ private:
     int openBalance = 0, keptBalance = 0;
     for (std::size_t i = span.begin; i < span.end; ++i) {
       const std::size_t at = patchAt(i);
-      const int way = edges_[i].forward ? 1 : -1;
+      const int sign = edges_[i].forward ? 1 : -1;
       if (choices_[at] == Choice::Keep)
-        keptBalance += way;
+        keptBalance += sign;
       if (choices_[at] != Choice::Open)
         continue;
       if (open && *open != at)
         return std::nullopt;
       open = at;
-      openBalance += way;
+      openBalance += sign;
     }
     if (!open || openBalance == 0)
       return std::nullopt;

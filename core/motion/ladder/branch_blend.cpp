@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<std::size_t, 6> kHalves{3, 6, 12, 24, 48, 96}; // points on both sides
 // The stretched pose itself must be neither a point nor a sixteenth of the way to one
-// (goesStraight), which has no unique joints.
+// (movesStraight), which has no unique joints.
 constexpr std::array<double, 3> kSkews{1.13, 0.91, 1.31};
 constexpr double kTurnsRad = 0.8; // joints that change further turn first
 constexpr double kFlipRad = 0.5;  // largest change of the arm's joints before the wrist
@@ -89,7 +89,7 @@ private:
     const robot::JointLimits& l = scene_.cell.robot().limits[static_cast<std::size_t>(j)];
     if (l.kind != robot::JointKind::Turning)
       return;
-    const double by = -base::kTurn * std::round(change_[j] / base::kTurn);
+    const double by = -base::kTwoPi * std::round(change_[j] / base::kTwoPi);
     for (const RunPoint& p : after_.points)
       if (p.at.q[j] + by < l.min || p.at.q[j] + by > l.max)
         return;
@@ -199,14 +199,15 @@ private:
 
   bool isSound(const RunPoint& from, const RunPoint& to, BlendedRun& blended) const {
     const std::vector<robot::JointLimits>& limits = scene_.cell.robot().limits;
-    const double way = (to.at.tip - from.at.tip).norm();
+    const double distance = (to.at.tip - from.at.tip).norm();
     for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j) {
       const robot::JointLimits& l = limits[static_cast<std::size_t>(j)];
       if (to.at.q[j] < l.min || to.at.q[j] > l.max)
         return refused(BlendRefusal::Limits, blended);
-      if (way > 0.0)
-        blended.speedShare = std::max(blended.speedShare, std::abs(to.at.q[j] - from.at.q[j]) *
-                                                              to.speedMmPerS / way / l.velocity);
+      if (distance > 0.0)
+        blended.speedShare =
+            std::max(blended.speedShare,
+                     std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS / distance / l.velocity);
     }
     const Isometry3d tool = toolPose(to.at.tip, to.at.tool);
     collision::CellCollision::Frames frames;
@@ -218,7 +219,7 @@ private:
       return refused(BlendRefusal::Collides, blended);
     const double angle = angleBetween(from.at.tool, to.at.tool);
     if (scene_.bend(from.at.tip, to.at.tip, angle) > scene_.options.deviationMm ||
-        !scene_.goesStraight(from.at, to.at))
+        !scene_.movesStraight(from.at, to.at))
       return refused(BlendRefusal::Jumps, blended);
     return true;
   }

@@ -10,10 +10,10 @@ namespace voluta::motion {
 using robot::JointVector;
 
 namespace {
-constexpr double kLimitCost = 0.5;  // Cost of a joint at its limit
-constexpr double kTurnCost = 0.3;   // Cost of unwinding a joint by a whole turn
-constexpr double kBranchStep = 1.0; // [rad]: a larger step of a joint means another IK branch
-constexpr double kBranchCost = 4.0; // Cost per rad beyond kBranchStep
+constexpr double kLimitCost = 0.5;      // Cost of a joint at its limit
+constexpr double kRevolutionCost = 0.3; // Cost of unwinding a joint by a whole turn
+constexpr double kBranchStep = 1.0;     // [rad]: a larger step of a joint means another IK branch
+constexpr double kBranchCost = 4.0;     // Cost per rad beyond kBranchStep
 } // namespace
 
 double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {
@@ -31,12 +31,12 @@ double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& li
 double startCost(const JointVector& from, const JointVector& to,
                  const std::vector<robot::JointLimits>& limits) {
   double cost = 0.0, largest = 0.0;
-  const JointVector step = robot::asTurns(to - from, limits);
+  const JointVector step = robot::asAngles(to - from, limits);
   for (Eigen::Index j = 0; j < step.size(); ++j) {
     const bool slides = limits[static_cast<std::size_t>(j)].kind == robot::JointKind::Sliding;
-    const double turns = slides ? 0.0 : std::round(step[j] / base::kTurn);
-    const double rest = std::abs(step[j] - base::kTurn * turns);
-    cost += rest + kTurnCost * std::abs(turns);
+    const double turns = slides ? 0.0 : std::round(step[j] / base::kTwoPi);
+    const double rest = std::abs(step[j] - base::kTwoPi * turns);
+    cost += rest + kRevolutionCost * std::abs(turns);
     largest = std::max(largest, rest);
   }
   return cost + kBranchCost * std::max(0.0, largest - kBranchStep);

@@ -24,19 +24,19 @@ double rounded(double x) {
 
 // Returns the L1 step, over the joints with limits, from `from` to the representative of `to`
 // nearest to it; infinite if a joint's step exceeds maxStep, a limit is exceeded, or the sum is at
-// least `most`.
+// least `maxCost`.
 double step(const double* from, const robot::JointVector& to,
-            const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
+            const std::vector<robot::JointLimits>& limits, double maxStep, double maxCost) {
   double sum = 0.0;
   const auto count = static_cast<Eigen::Index>(limits.size());
   for (Eigen::Index j = 0; j < count; ++j) {
     const auto& limit = limits[static_cast<std::size_t>(j)];
-    double d = robot::asTurn(limit.kind, to[j] - from[j]);
+    double d = robot::asAngle(limit.kind, to[j] - from[j]);
     if (std::abs(d) > maxStep) {
       // Most candidates of another IK branch are rejected here: no whole turn brings them nearer.
-      if (limit.kind == robot::JointKind::Sliding || std::abs(d) < base::kTurn - maxStep)
+      if (limit.kind == robot::JointKind::Sliding || std::abs(d) < base::kTwoPi - maxStep)
         return kInfinity;
-      d -= base::kTurn * rounded(d / base::kTurn);
+      d -= base::kTwoPi * rounded(d / base::kTwoPi);
       if (std::abs(d) > maxStep)
         return kInfinity;
       const double q = from[j] + d;
@@ -44,7 +44,7 @@ double step(const double* from, const robot::JointVector& to,
         return kInfinity;
     }
     sum += std::abs(d);
-    if (sum >= most)
+    if (sum >= maxCost)
       return kInfinity;
   }
   return sum;
@@ -56,7 +56,7 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
     const double d = to[j] - from[j];
     const bool turns = limits[static_cast<std::size_t>(j)].kind == robot::JointKind::Turning;
     if (turns && std::abs(d) > maxStep)
-      to[j] = from[j] + d - base::kTurn * rounded(d / base::kTurn);
+      to[j] = from[j] + d - base::kTwoPi * rounded(d / base::kTwoPi);
   }
   return to;
 }
@@ -100,7 +100,7 @@ private:
   // Numbered continuously over several turns, starting below any joint's range.
   static std::uint64_t sectorAt(double q) {
     constexpr double kTurns = 1 << 10;
-    return static_cast<std::uint64_t>((q / base::kTurn + kTurns) * static_cast<double>(kCount));
+    return static_cast<std::uint64_t>((q / base::kTwoPi + kTurns) * static_cast<double>(kCount));
   }
 
   std::array<bool, kJoints> turns_{};
@@ -115,7 +115,7 @@ public:
   }
 
   struct Node {
-    int index, aside, side;
+    int index, offset, side;
     double cost;
     std::uint64_t sectors;
   };
@@ -138,7 +138,7 @@ public:
         std::size_t at = fill_[slot(n)]++;
         for (; at > first_[slot(n)] && nodes_[at - 1].cost > cost[n]; --at)
           nodes_[at] = nodes_[at - 1];
-        nodes_[at] = {static_cast<int>(n), rung[n].aside, rung[n].side, cost[n],
+        nodes_[at] = {static_cast<int>(n), rung[n].offset, rung[n].side, cost[n],
                       sectors_.of(rung[n].q.data())};
       }
     for (std::size_t at = 0; at < nodes_.size(); ++at)
@@ -161,18 +161,19 @@ private:
 };
 
 // Returns the cost of the cheapest path to a node and its predecessor in the previous rung; -1 if
-// no path costs at most `most`.
-std::pair<double, int> leastWay(const LadderNode& node, const Reached& reached,
-                                const std::vector<robot::JointLimits>& limits,
-                                const LadderOptions& options, double maxStepRad, double most) {
+// no path costs at most `maxCost`.
+std::pair<double, int> cheapestPath(const LadderNode& node, const Reached& reached,
+                                    const std::vector<robot::JointLimits>& limits,
+                                    const LadderOptions& options, double maxStepRad,
+                                    double maxCost) {
   // If the window spans the circle, all rotations are neighbours.
   const int reach = std::min(options.window, (options.samples - 1) / 2);
-  double least = std::nextafter(most, kInfinity);
+  double lowest = std::nextafter(maxCost, kInfinity);
   int parent = -1;
   std::uint64_t near = 0; // Sectors within a step; computed on first use
   // Start with the nearest rotations: their cost bounds the search through the others.
-  for (int turn = 0; turn <= 2 * reach; ++turn) {
-    const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
+  for (int rank = 0; rank <= 2 * reach; ++rank) {
+    const int k = rank % 2 == 0 ? rank / 2 : -(rank + 1) / 2;
     int sample = node.sample + k;
     sample += sample < 0 ? options.samples : sample >= options.samples ? -options.samples : 0;
     const std::size_t end = reached.end(sample);
@@ -182,20 +183,20 @@ std::pair<double, int> leastWay(const LadderNode& node, const Reached& reached,
     for (; m < end; ++m) {
       const Reached::Node& from = reached.node(m);
       const double soFar = from.cost + node.cost;
-      if (soFar >= least)
+      if (soFar >= lowest)
         break;
-      if ((from.sectors & ~near) != 0 || std::abs(from.aside - node.aside) > options.asideWindow ||
-          from.side * node.side < 0)
+      if ((from.sectors & ~near) != 0 ||
+          std::abs(from.offset - node.offset) > options.offsetWindow || from.side * node.side < 0)
         continue;
       const double total =
-          soFar + step(reached.joints(m), node.q, limits, maxStepRad, least - soFar);
-      if (total < least) {
-        least = total;
+          soFar + step(reached.joints(m), node.q, limits, maxStepRad, lowest - soFar);
+      if (total < lowest) {
+        lowest = total;
         parent = from.index;
       }
     }
   }
-  return {parent < 0 ? kInfinity : least, parent};
+  return {parent < 0 ? kInfinity : lowest, parent};
 }
 
 // Keeps the cheapest `count` nodes, and those that cost the same as the last of them; the others
@@ -211,12 +212,12 @@ void keepCheapest(std::vector<double>& cost, std::size_t count, std::vector<doub
       c = kInfinity;
 }
 
-// As shortestWay(), restricted to nodes with a path cost of at most `most` and to the `beam`
+// As shortestPath(), restricted to nodes with a path cost of at most `maxCost` and to the `beam`
 // cheapest nodes of each rung.
-LadderWay sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
-                const std::vector<robot::JointLimits>& limits, const LadderOptions& options,
-                double most, std::size_t beam) {
-  LadderWay way;
+LadderPath sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
+                 const std::vector<robot::JointLimits>& limits, const LadderOptions& options,
+                 double maxCost, std::size_t beam) {
+  LadderPath path;
   std::vector<std::vector<int>> parent(rungs.size());
   std::vector<double> cost, lastCost, scratch;
   std::vector<robot::JointVector> here, before;
@@ -230,8 +231,8 @@ LadderWay sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& 
         continue;
       if (r > 0)
         std::tie(cost[n], parent[r][n]) =
-            leastWay(rung[n], reached, limits, options, options.maxStepRad[r], most);
-      else if (const double start = starts[n].cost + rung[n].cost; start <= most)
+            cheapestPath(rung[n], reached, limits, options, options.maxStepRad[r], maxCost);
+      else if (const double start = starts[n].cost + rung[n].cost; start <= maxCost)
         cost[n] = start;
     }
     keepCheapest(cost, beam, scratch);
@@ -243,34 +244,35 @@ LadderWay sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& 
         here[n] = r == 0 ? starts[n].q
                          : nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q,
                                         limits, options.maxStepRad[r]);
-    way.reached = r + 1;
+    path.reached = r + 1;
     before.swap(here);
     lastCost.swap(cost);
     reached.take(rung, before, lastCost);
   }
-  if (way.reached == 0)
-    return way;
+  if (path.reached == 0)
+    return path;
 
   const auto best = std::ranges::min_element(lastCost);
-  way.cost = *best;
-  way.node.resize(way.reached);
-  way.q.resize(way.reached);
+  path.cost = *best;
+  path.node.resize(path.reached);
+  path.q.resize(path.reached);
   int n = static_cast<int>(best - lastCost.begin());
-  for (std::size_t r = way.reached; r-- > 0;) {
-    way.node[r] = n;
+  for (std::size_t r = path.reached; r-- > 0;) {
+    path.node[r] = n;
     n = parent[r][static_cast<std::size_t>(n)];
   }
-  way.q[0] = starts[static_cast<std::size_t>(way.node[0])].q;
-  for (std::size_t r = 1; r < way.reached; ++r)
-    way.q[r] = nearestTurns(way.q[r - 1], rungs[r][static_cast<std::size_t>(way.node[r])].q, limits,
-                            options.maxStepRad[r]);
-  return way;
+  path.q[0] = starts[static_cast<std::size_t>(path.node[0])].q;
+  for (std::size_t r = 1; r < path.reached; ++r)
+    path.q[r] = nearestTurns(path.q[r - 1], rungs[r][static_cast<std::size_t>(path.node[r])].q,
+                             limits, options.maxStepRad[r]);
+  return path;
 }
 
 } // namespace
 
-LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
-                      const std::vector<robot::JointLimits>& limits, const LadderOptions& options) {
+LadderPath shortestPath(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
+                        const std::vector<robot::JointLimits>& limits,
+                        const LadderOptions& options) {
   if (rungs.empty())
     return {};
   base::require(starts.size() == rungs.front().size(), "a start for each first node");
@@ -278,13 +280,13 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderSt
 
   // The cost of a path through few nodes is an upper bound: nodes that cost more need no search.
   constexpr std::size_t kBeam = 16, kAll = std::numeric_limits<std::size_t>::max();
-  const LadderWay quick = sweep(rungs, starts, limits, options, kInfinity, kBeam);
+  const LadderPath quick = sweep(rungs, starts, limits, options, kInfinity, kBeam);
   if (quick.reached < rungs.size())
     return sweep(rungs, starts, limits, options, kInfinity, kAll);
-  LadderWay way = sweep(rungs, starts, limits, options, quick.cost, kAll);
+  LadderPath path = sweep(rungs, starts, limits, options, quick.cost, kAll);
   // The cheapest path to a node may have wound a joint up to its limit, where a more expensive one
   // can continue.
-  return way.reached < rungs.size() ? quick : way;
+  return path.reached < rungs.size() ? quick : path;
 }
 
 } // namespace voluta::motion

@@ -24,14 +24,14 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kAsideStep = 15.0 * base::kPi / 180.0; // Of the last external axis
+constexpr double kOffsetStep = 15.0 * base::kPi / 180.0; // Of the last external axis
 // kLiftFactor: multiple of liftMm, from both ends of a run
 constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0;
 constexpr std::size_t kRungChunk = 2, kJudgeChunk = 1;
 // On a rod the nozzle hardly moves in the base, however long the path: limit the waypoints between
 // rungs.
 constexpr std::size_t kAxisRungWaypoints = 64;
-constexpr double kAsideCost = 0.3;     // Cost of a node per step of the last external axis
+constexpr double kOffsetCost = 0.3;    // Cost of a node per step of the last external axis
 constexpr std::size_t kWidenReach = 3; // Rungs on both sides
 
 } // namespace
@@ -54,16 +54,16 @@ std::size_t PathLadder::carryTools(std::size_t count, const base::RunContext& ct
     axes_ = axisSchedule(scene_, first_, count, from_, ctx);
     times_.graph += watch.seconds();
   }
-  tools_ = toolFrames(scene_.options.turn, scene_.plan, cell, first_, count, axes_, from_.tool,
+  tools_ = toolFrames(scene_.options.rotation, scene_.plan, cell, first_, count, axes_, from_.tool,
                       from_.axes);
   return tools_.size();
 }
 
-JointVector PathLadder::axesAt(std::size_t waypoint, double aside) const {
+JointVector PathLadder::axesAt(std::size_t waypoint, double offset) const {
   if (axes_.empty())
     return {};
   JointVector axes = axes_[waypoint - first_];
-  axes[axes.size() - 1] += aside;
+  axes[axes.size() - 1] += offset;
   return axes;
 }
 
@@ -77,25 +77,26 @@ Vector3d PathLadder::directionAt(std::size_t waypoint) const {
   return axes_.empty() ? d : turnedByAxes(scene_.cell, d, axes_[waypoint - first_]);
 }
 
-bool PathLadder::canStandAside() const {
+bool PathLadder::canOffset() const {
   return !axes_.empty() &&
          scene_.cell.externalAxes().back().limits.kind == robot::JointKind::Turning;
 }
 
 std::vector<std::size_t> PathLadder::rungWaypoints(std::size_t count) const {
   std::vector<std::size_t> rungs{first_};
-  double way = 0.0, turn = 0.0;
+  double distance = 0.0, rotation = 0.0;
   for (std::size_t i = first_ + 1; i < first_ + count; ++i) {
     const double step = (pointAt(i) - pointAt(i - 1)).norm();
     const double angle = std::acos(std::clamp(directionAt(i).dot(directionAt(i - 1)), -1.0, 1.0));
-    way += step;
-    turn += angle;
-    const bool tooFar = way > scene_.options.rungMm || turn > scene_.options.rungTurnRad ||
+    distance += step;
+    rotation += angle;
+    const bool tooFar = distance > scene_.options.rungMm ||
+                        rotation > scene_.options.rungRotationRad ||
                         (!axes_.empty() && i - rungs.back() > kAxisRungWaypoints);
     if (tooFar && i - 1 > rungs.back()) {
       rungs.push_back(i - 1);
-      way = step;
-      turn = angle;
+      distance = step;
+      rotation = angle;
     }
   }
   if (rungs.back() != first_ + count - 1)
@@ -166,25 +167,25 @@ bool PathLadder::refine(std::size_t rung, const base::RunContext& ctx) {
   return true;
 }
 
-void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const {
+void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& offsets) const {
   const int samples = scene_.options.samples;
   // Orientation as planned
-  const int turnsTried = scene_.options.turn == NozzleTurn::Free ? samples : 1;
+  const int turnsTried = scene_.options.rotation == NozzleRotation::Free ? samples : 1;
   std::vector<JointVector> solutions;
-  for (const int aside : asides) {
+  for (const int offset : offsets) {
     const JointVector near =
-        withAxes(scene_.cell, from_.q, axesAt(place.waypoint, kAsideStep * aside));
+        withAxes(scene_.cell, from_.q, axesAt(place.waypoint, kOffsetStep * offset));
     const double last = near[near.size() - 1];
-    if (aside != 0 &&
+    if (offset != 0 &&
         (last < scene_.cell.limits().back().min || last > scene_.cell.limits().back().max))
       continue;
     const robot::NozzleTurns turns(
         scene_.cell, toolPose(scene_.plan.position[place.waypoint], toolAt(place.waypoint)), near);
     for (int k = 0; k < turnsTried; ++k) {
-      turns.at(base::kTurn * k / static_cast<double>(samples), solutions);
+      turns.at(base::kTwoPi * k / static_cast<double>(samples), solutions);
       for (const JointVector& q : solutions)
-        rung.push_back({q, k, aside,
-                        limitCost(q, scene_.cell.robot().limits) + kAsideCost * std::abs(aside),
+        rung.push_back({q, k, offset,
+                        limitCost(q, scene_.cell.robot().limits) + kOffsetCost * std::abs(offset),
                         false});
     }
   }
@@ -192,7 +193,7 @@ void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>
 
 bool PathLadder::widen(std::size_t rung, const base::RunContext& ctx) {
   std::vector<std::size_t> todo;
-  if (canStandAside())
+  if (canOffset())
     for (std::size_t r = rung < kWidenReach ? 0 : rung - kWidenReach;
          r < std::min(rung + kWidenReach + 1, places_.size()); ++r)
       if (!places_[r].widened)
@@ -234,7 +235,7 @@ double PathLadder::clearanceAt(const JointVector& q, std::size_t waypoint,
       scene_.collision.clearance(frames, scene_.options.enoughMm, &nearest));
 }
 
-bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx) {
+bool PathLadder::seekClearance(const LadderPath& path, const base::RunContext& ctx) {
   if (scene_.options.nearCost <= 0.0)
     return false;
   const base::Stopwatch watch;
@@ -242,12 +243,12 @@ bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx
   base::parallelChunks(ctx, places_.size(), kJudgeChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t r = b; r < e; ++r) {
       Place& place = places_[r];
-      if (place.cleared || place.clearNode == way.node[r])
+      if (place.cleared || place.clearNode == path.node[r])
         continue;
-      const LadderNode& here = rungs_[r][static_cast<std::size_t>(way.node[r])];
+      const LadderNode& here = rungs_[r][static_cast<std::size_t>(path.node[r])];
       std::size_t nearest = 0;
       if (clearanceAt(here.q, place.waypoint, nearest) >= scene_.options.enoughMm) {
-        place.clearNode = way.node[r];
+        place.clearNode = path.node[r];
         continue;
       }
       isNear[r] = 1;
@@ -309,10 +310,10 @@ Refused PathLadder::refusalOf(std::size_t rung) const {
   std::map<std::pair<int, int>, int> counts;
   for (const collision::Contact& c : place.contacts)
     ++counts[{c.first, c.second}];
-  int most = 0;
+  int maximum = 0;
   for (const auto& [pair, times] : counts)
-    if (times > most) {
-      most = times;
+    if (times > maximum) {
+      maximum = times;
       r.contact = {pair.first, pair.second};
       r.why = Refusal::Collision;
     }
@@ -352,7 +353,8 @@ std::vector<LadderStart> PathLadder::startsNear(const JointVector& near,
       const auto& limit = scene_.cell.limits()[static_cast<std::size_t>(j)];
       if (limit.kind == robot::JointKind::Sliding)
         continue;
-      const double q = start.q[j] + base::kTurn * std::round((near[j] - start.q[j]) / base::kTurn);
+      const double q =
+          start.q[j] + base::kTwoPi * std::round((near[j] - start.q[j]) / base::kTwoPi);
       if (q >= limit.min && q <= limit.max)
         start.q[j] = q;
     }
@@ -361,14 +363,14 @@ std::vector<LadderStart> PathLadder::startsNear(const JointVector& near,
   return starts;
 }
 
-LadderWay PathLadder::bestWay(const base::RunContext& ctx) const {
+LadderPath PathLadder::bestPath(const base::RunContext& ctx) const {
   std::vector<LadderStart> asFound;
   for (const LadderNode& node : rungs_.front())
     asFound.push_back({node.q});
   const std::vector<LadderStart> near = startsNear(from_.q, std::move(asFound));
   const std::vector<LadderStart> unwound = startsNear(scene_.cell.home(), near);
   const auto search = [&](const std::vector<LadderStart>& starts) {
-    return shortestWay(rungs_, starts, scene_.cell.robot().limits, options_);
+    return shortestPath(rungs_, starts, scene_.cell.robot().limits, options_);
   };
   const auto same = [&](std::size_t n) { return near[n].q == unwound[n].q; };
   bool changed = false;
@@ -377,40 +379,42 @@ LadderWay PathLadder::bestWay(const base::RunContext& ctx) const {
   if (!changed)
     return search(near);
 
-  LadderWay nearWay, unwoundWay;
+  LadderPath nearPath, unwoundPath;
   std::atomic<bool> unwinds = true; // False: the unwound search is not needed
   const auto nothingToUnwind = [&] {
-    return nearWay.reached == rungs_.size() && same(static_cast<std::size_t>(nearWay.node.front()));
+    return nearPath.reached == rungs_.size() &&
+           same(static_cast<std::size_t>(nearPath.node.front()));
   };
   base::parallelChunks(ctx, 2, 1, [&](std::size_t which, std::size_t) {
     if (which == 0) {
-      nearWay = search(near);
+      nearPath = search(near);
       unwinds = !nothingToUnwind();
     } else if (unwinds) {
-      unwoundWay = search(unwound);
+      unwoundPath = search(unwound);
     }
   });
-  const bool further = unwoundWay.reached > nearWay.reached;
-  const bool cheaper = unwoundWay.reached == nearWay.reached && unwoundWay.cost < nearWay.cost;
-  return !nothingToUnwind() && (further || cheaper) ? unwoundWay : nearWay;
+  const bool further = unwoundPath.reached > nearPath.reached;
+  const bool cheaper = unwoundPath.reached == nearPath.reached && unwoundPath.cost < nearPath.cost;
+  return !nothingToUnwind() && (further || cheaper) ? unwoundPath : nearPath;
 }
 
-Course PathLadder::courseOf(const LadderWay& way) const {
+Course PathLadder::courseOf(const LadderPath& path) const {
   const plan::ToolPlan& plan = scene_.plan;
   const int samples = scene_.options.samples;
   Course course;
-  double turn = 0.0, aside = 0.0;
+  double rotation = 0.0, offset = 0.0;
   int last = 0;
-  for (std::size_t r = 0; r < way.reached; ++r) {
-    const LadderNode& node = rungs_[r][static_cast<std::size_t>(way.node[r])];
+  for (std::size_t r = 0; r < path.reached; ++r) {
+    const LadderNode& node = rungs_[r][static_cast<std::size_t>(path.node[r])];
     const int sample = node.sample;
     int change = r == 0 ? sample : (sample - last + samples) % samples;
     if (change > samples / 2)
       change -= samples;
-    const double next = turn + base::kTurn * change / samples, nextAside = kAsideStep * node.aside;
+    const double next = rotation + base::kTwoPi * change / samples,
+                 nextOffset = kOffsetStep * node.offset;
     if (r == 0) {
-      course.turn.push_back(next);
-      course.aside.push_back(nextAside);
+      course.rotation.push_back(next);
+      course.offset.push_back(nextOffset);
     } else {
       const std::size_t b = places_[r - 1].waypoint, e = places_[r].waypoint;
       double length = 0.0;
@@ -421,12 +425,12 @@ Course PathLadder::courseOf(const LadderWay& way) const {
         travelled += (plan.position[i] - plan.position[i - 1]).norm();
         const double t = length > 0.0 ? travelled / length
                                       : static_cast<double>(i - b) / static_cast<double>(e - b);
-        course.turn.push_back(turn + t * (next - turn));
-        course.aside.push_back(aside + t * (nextAside - aside));
+        course.rotation.push_back(rotation + t * (next - rotation));
+        course.offset.push_back(offset + t * (nextOffset - offset));
       }
     }
-    turn = next;
-    aside = nextAside;
+    rotation = next;
+    offset = nextOffset;
     last = sample;
   }
   return course;
@@ -441,7 +445,7 @@ bool PathLadder::liftable(const RobotState& state, std::size_t before) const {
     at.tip = state.tip + height * state.direction();
     if (!solveNear(scene_.cell, at.tip, at.tool, last.q, scene_.options.maxStepRad, scratch,
                    at.q) ||
-        !scene_.goesStraight(last, at) || contactAt(at.q, before))
+        !scene_.movesStraight(last, at) || contactAt(at.q, before))
       return false;
   }
   return true;
@@ -461,7 +465,7 @@ void PathLadder::blockUnliftable(std::size_t rung, std::size_t before,
       const RobotState state{
           scene_.plan.position[place.waypoint],
           turned(toolAt(place.waypoint),
-                 base::kTurn * nodes[n].sample / static_cast<double>(scene_.options.samples)),
+                 base::kTwoPi * nodes[n].sample / static_cast<double>(scene_.options.samples)),
           nodes[n].q};
       bad[n] = contactAt(nodes[n].q, before).has_value() || !liftable(state, before);
     }

@@ -28,8 +28,8 @@ inline constexpr double kRungStepRad = 0.9;
 // At every waypoint from the first rung's on [rad].
 struct Course {
   // Rotation about the nozzle, relative to the tool's orientation without rotation
-  std::vector<double> turn;
-  std::vector<double> aside; // Offset of the last external axis from its schedule
+  std::vector<double> rotation;
+  std::vector<double> offset; // Offset of the last external axis from its schedule
 };
 
 // The arguments are referenced and must outlive this object. Results are independent of the number
@@ -51,9 +51,9 @@ public:
     return rungs_[rung][static_cast<std::size_t>(index)];
   }
   // Return the tool's orientation in the work frame before any rotation about the nozzle, and the
-  // scheduled external axes with the last one offset by `aside` (empty if there are none).
+  // scheduled external axes with the last one offset by `offset` (empty if there are none).
   const Eigen::Quaterniond& toolAt(std::size_t waypoint) const { return tools_[waypoint - first_]; }
-  robot::JointVector axesAt(std::size_t waypoint, double aside = 0.0) const;
+  robot::JointVector axesAt(std::size_t waypoint, double offset = 0.0) const;
 
   // Sets rungs over the stretch's first `count` waypoints, as densely as distance and rotation
   // require. Existing rungs keep their state.
@@ -76,9 +76,9 @@ public:
   // Compares two ways of choosing the whole turns of the start: near the arm's present joints,
   // which may wind it up against its limits, and near home. Returns the path that gets further, of
   // equals the cheaper one.
-  LadderWay bestWay(const base::RunContext& ctx) const;
+  LadderPath bestPath(const base::RunContext& ctx) const;
   // Returns rotation and offset at every waypoint: linear between rungs.
-  Course courseOf(const LadderWay& way) const;
+  Course courseOf(const LadderPath& path) const;
 
   // Returns whether the arm can lift the nozzle from there, far enough for a transfer.
   bool liftable(const RobotState& state, std::size_t before) const;
@@ -93,7 +93,7 @@ public:
   // Where the path is nearer to an obstacle than options.enoughMm, increases the cost of all nodes
   // of that rung with their proximity. Returns false if this was already done along the whole path,
   // or is not enabled.
-  bool seekClearance(const LadderWay& way, const base::RunContext& ctx);
+  bool seekClearance(const LadderPath& path, const base::RunContext& ctx);
   // Returns why all nodes of a rung are unusable.
   Refused refusalOf(std::size_t rung) const;
   // Refuses the first rung's waypoint and all waypoints up to the last consecutive rung without a
@@ -118,7 +118,7 @@ private:
   // As moved by the external axes.
   Eigen::Vector3d pointAt(std::size_t waypoint) const;
   Eigen::Vector3d directionAt(std::size_t waypoint) const;
-  bool canStandAside() const;
+  bool canOffset() const;
   std::vector<std::size_t> rungWaypoints(std::size_t count) const;
   // Moves the first rung's nodes to the whole turns nearest to these joints, where limits allow it.
   std::vector<LadderStart> startsNear(const robot::JointVector& near,
@@ -129,7 +129,7 @@ private:
   double clearanceAt(const robot::JointVector& q, std::size_t waypoint, std::size_t& nearest) const;
   void look(LadderNode& node, Place& place) const;
   void computeJacobianSigns(std::size_t rung);
-  void addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const;
+  void addNodes(const Place& place, Rung& rung, const std::vector<int>& offsets) const;
 
   const MotionScene& scene_;
   PathTimes& times_;

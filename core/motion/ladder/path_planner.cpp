@@ -54,10 +54,10 @@ public:
 private:
   // Handles a path that does not connect all rungs: adds nodes or rungs to extend it, or gives up
   // the rest. Returns false if there is no path and nothing more to try.
-  bool goFurther(const LadderWay& way);
-  std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
+  bool goFurther(const LadderPath& ladderPath);
+  std::size_t refuseStart(const LadderPath& ladderPath, std::vector<Refused>& refused);
   // Fills run_ along a path over all rungs. Returns the failures; empty if the run is valid.
-  std::vector<Failed> follow(const LadderWay& way);
+  std::vector<Failed> follow(const LadderPath& ladderPath);
   // Smooths a run without collisions; its ends stay.
   void smooth();
   // Lowers the greatest jerks of a run whose rotations were evened.
@@ -71,7 +71,7 @@ private:
   bool settle(std::size_t failed);
   // Checks the rungs around each failure; adds rungs where the path's own nodes are free of
   // collisions.
-  void lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll);
+  void lookCloser(const LadderPath& ladderPath, const std::vector<Failed>& failed, bool judgeAll);
 
   // Computes the points of waypoints [first, first + course.turn.size()), divided where the nozzle
   // would deviate from its straight line. Returns false if the joints cannot follow; failedAt is
@@ -88,20 +88,20 @@ private:
   PathLadder ladder_;
   std::size_t count_;
   Run run_;
-  std::vector<RunPoint> laid_; // run_ with the unsmoothed rotations of the ladder
-  bool wantsLift_ = true;      // At both ends
+  std::vector<RunPoint> unsmoothed_; // run_ with the unsmoothed rotations of the ladder
+  bool wantsLift_ = true;            // At both ends
 };
 
 bool Stretch::fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
                    std::size_t& failedAt) const {
   const plan::ToolPlan& plan = scene_.plan;
   points.clear();
-  points.reserve(course.turn.size()); // Most steps are not divided
+  points.reserve(course.rotation.size()); // Most steps are not divided
   std::vector<JointVector> scratch;
   const auto toolAt = [&](std::size_t i) {
-    return turned(ladder_.toolAt(i), course.turn[i - first_]);
+    return turned(ladder_.toolAt(i), course.rotation[i - first_]);
   };
-  const auto axesTo = [&](std::size_t i) { return ladder_.axesAt(i, course.aside[i - first_]); };
+  const auto axesTo = [&](std::size_t i) { return ladder_.axesAt(i, course.offset[i - first_]); };
   JointVector q;
   // With smoothed rotations, the first solution may differ from the ladder's.
   if (!solveNear(scene_.cell, plan.position[first_], toolAt(first_), start, kRungStepRad, scratch,
@@ -111,7 +111,7 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
   }
   points.push_back(
       {{plan.position[first_], toolAt(first_), q, axesTo(first_)}, first_, first_, 0.0, 0.0});
-  for (std::size_t i = first_ + 1; i < first_ + course.turn.size(); ++i) {
+  for (std::size_t i = first_ + 1; i < first_ + course.rotation.size(); ++i) {
     const Quaterniond from = toolAt(i - 1), to = toolAt(i);
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
     const int n = scene_.divisions(a, b, angleBetween(from, to));
@@ -134,7 +134,7 @@ std::vector<Failed> Stretch::failures(const std::vector<RunPoint>& points) const
     for (std::size_t p = b; p < e; ++p)
       if (ladder_.contactAt(points[p].at.q, points[p].next))
         bad[p] = kMeets;
-      else if (p > 0 && !scene_.goesStraight(points[p - 1].at, points[p].at))
+      else if (p > 0 && !scene_.movesStraight(points[p - 1].at, points[p].at))
         bad[p] = kPasses;
   });
   std::vector<Failed> failed;
@@ -147,28 +147,28 @@ std::vector<Failed> Stretch::failures(const std::vector<RunPoint>& points) const
   return failed;
 }
 
-bool Stretch::goFurther(const LadderWay& way) {
-  if (ladder_.widen(way.reached, ctx_))
+bool Stretch::goFurther(const LadderPath& ladderPath) {
+  if (ladder_.widen(ladderPath.reached, ctx_))
     return true;
   // A run that is hard to depart from is better than none.
   if (wantsLift_ && ladder_.allowUnliftable()) {
     wantsLift_ = false;
     return true;
   }
-  if (way.reached == 0)
+  if (ladderPath.reached == 0)
     return false;
-  if (ladder_.refine(way.reached, ctx_))
+  if (ladder_.refine(ladderPath.reached, ctx_))
     return true;
-  if (way.reached == 1)
+  if (ladderPath.reached == 1)
     return false;
   // The connected part is printed, and the rest starts again.
-  ladder_.keepUpTo(way.reached - 1, ctx_);
-  count_ = ladder_.waypointOf(way.reached - 1) - first_ + 1;
+  ladder_.keepUpTo(ladderPath.reached - 1, ctx_);
+  count_ = ladder_.waypointOf(ladderPath.reached - 1) - first_ + 1;
   return true;
 }
 
-std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& refused) {
-  if (way.reached == 0) {
+std::size_t Stretch::refuseStart(const LadderPath& ladderPath, std::vector<Refused>& refused) {
+  if (ladderPath.reached == 0) {
     if (ladder_.movesPart())
       return ladder_.refuseBlocked(ctx_, refused);
     ladder_.judge({0}, ctx_); // To find the reason
@@ -177,23 +177,23 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
   return 1;
 }
 
-std::vector<Failed> Stretch::follow(const LadderWay& way) {
+std::vector<Failed> Stretch::follow(const LadderPath& ladderPath) {
   base::Stopwatch watch;
-  const Course course = ladder_.courseOf(way);
+  const Course course = ladder_.courseOf(ladderPath);
   // On a rod the nozzle often need not rotate at all.
   const bool uneven =
-      !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
-                                          [&](double t) { return t != course.turn.front(); });
-  const bool evens = uneven && scene_.options.smoothing == TurnMethod::Evened;
+      !ladder_.movesPart() || std::any_of(course.rotation.begin(), course.rotation.end(),
+                                          [&](double t) { return t != course.rotation.front(); });
+  const bool evens = uneven && scene_.options.smoothing == SmoothingMethod::Evened;
   bool followed = false, even = false;
   std::size_t failedAt = 0;
   base::parallelChunks(ctx_, evens ? 2 : 1, 1, [&](std::size_t which, std::size_t) {
     if (which == 0) {
-      followed = fill(course, way.q.front(), laid_, failedAt);
+      followed = fill(course, ladderPath.q.front(), unsmoothed_, failedAt);
     } else {
       std::size_t anywhere = 0;
-      even =
-          fill({evened(course.turn, kEvening), course.aside}, way.q.front(), run_.points, anywhere);
+      even = fill({evened(course.rotation, kEvening), course.offset}, ladderPath.q.front(),
+                  run_.points, anywhere);
     }
   });
   times_.ik += watch.seconds();
@@ -202,7 +202,7 @@ std::vector<Failed> Stretch::follow(const LadderWay& way) {
   watch = base::Stopwatch();
   std::vector<Failed> failed;
   if (!even || !failures(run_.points).empty()) {
-    run_.points = laid_;
+    run_.points = unsmoothed_;
     failed = failures(run_.points);
   }
   times_.collision += watch.seconds();
@@ -210,15 +210,15 @@ std::vector<Failed> Stretch::follow(const LadderWay& way) {
 }
 
 void Stretch::smooth() {
-  if (scene_.options.turn != NozzleTurn::Free)
+  if (scene_.options.rotation != NozzleRotation::Free)
     return;
-  if (scene_.options.smoothing != TurnMethod::WholePath) {
-    if (scene_.options.smoothing == TurnMethod::Evened && scene_.options.maxJerk > 0.0)
+  if (scene_.options.smoothing != SmoothingMethod::WholePath) {
+    if (scene_.options.smoothing == SmoothingMethod::Evened && scene_.options.maxJerk > 0.0)
       filterJerk();
     return;
   }
   SmoothedRun smoothed = smoothRun(
-      smoothing_, laid_,
+      smoothing_, unsmoothed_,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
       [&](const RobotState& state, bool last) {
         const std::size_t before = first_ + (last ? count_ : 0);
@@ -228,10 +228,10 @@ void Stretch::smooth() {
   // Reject rotations that take the arm past a singular pose.
   bool straight = true;
   for (std::size_t p = 1; p < smoothed.points.size() && straight; ++p)
-    straight = scene_.goesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
+    straight = scene_.movesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
   if (straight) {
     run_.points = std::move(smoothed.points);
-    laid_ = std::move(smoothed.before);
+    unsmoothed_ = std::move(smoothed.before);
   }
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
@@ -282,7 +282,8 @@ bool Stretch::settle(std::size_t failed) {
   return true;
 }
 
-void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll) {
+void Stretch::lookCloser(const LadderPath& ladderPath, const std::vector<Failed>& failed,
+                         bool judgeAll) {
   std::vector<std::size_t> about;
   if (judgeAll) {
     for (std::size_t r = 0; r < ladder_.size(); ++r)
@@ -302,9 +303,9 @@ void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed
     const std::size_t r = ladder_.rungAt(w);
     if (passes)
       ladder_.keepJacobianSigns(r);
-    LadderNode& here = ladder_.node(r, way.node[r]);
+    LadderNode& here = ladder_.node(r, ladderPath.node[r]);
     if (r > 0) {
-      const LadderNode& last = ladder_.node(r - 1, way.node[r - 1]);
+      const LadderNode& last = ladder_.node(r - 1, ladderPath.node[r - 1]);
       if (last.blocked || last.side * here.side < 0)
         continue;
     }
@@ -329,34 +330,34 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
   for (int tries = 0;; ++tries) {
     ctx_.checkpoint();
     const base::Stopwatch watch;
-    const LadderWay way = ladder_.bestWay(ctx_);
+    const LadderPath ladderPath = ladder_.bestPath(ctx_);
     times_.graph += watch.seconds();
 
-    if (way.reached < ladder_.size()) {
-      if (goFurther(way))
+    if (ladderPath.reached < ladder_.size()) {
+      if (goFurther(ladderPath))
         continue;
-      return refuseStart(way, refused);
+      return refuseStart(ladderPath, refused);
     }
     if (count_ < 2) {
       refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
     // Before following the path, which costs more than measuring the clearance at its rungs.
-    if (seeks < kSeeks && ladder_.seekClearance(way, ctx_)) {
+    if (seeks < kSeeks && ladder_.seekClearance(ladderPath, ctx_)) {
       ++seeks;
       continue;
     }
-    const std::vector<Failed> failed = follow(way);
+    const std::vector<Failed> failed = follow(ladderPath);
     if (failed.empty()) {
       if (wantsLift_ && !endsLift())
         continue;
       smooth();
-      run_.ladder = jointsOf(laid_);
+      run_.ladder = jointsOf(unsmoothed_);
       runs.push_back(std::move(run_));
       return count_;
     }
     if (tries < kTries) {
-      lookCloser(way, failed, tries - seeks >= kTriesBeforeJudgingAll);
+      lookCloser(ladderPath, failed, tries - seeks >= kTriesBeforeJudgingAll);
       continue;
     }
     if (!settle(failed.front().waypoint)) {
@@ -388,7 +389,7 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
   const TimingLimits limits =
       timingLimits(scene_.cell, tooling_.of(scene_.plan.paths[path]).process);
   const bool learns =
-      scene_.options.learnedCollisions && scene_.options.smoothing == TurnMethod::WholePath;
+      scene_.options.learnedCollisions && scene_.options.smoothing == SmoothingMethod::WholePath;
   const RunSmoothing smoothing{scene_, scene_.twists, limits,
                                learns ? learned_.of(path, ctx.quiet()) : nullptr};
   const std::size_t firstRun = runs.size();

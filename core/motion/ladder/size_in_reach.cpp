@@ -28,7 +28,7 @@ bool isReached(const MotionScene& scene, const Vector3d& tip, const Vector3d& di
   const robot::NozzleTurns turns(scene.cell, work_T_tool, scene.cell.home());
   collision::CellCollision::Frames frames;
   for (int k = 0; k < kTurns; ++k) {
-    turns.at(base::kTurn * k / kTurns, solutions);
+    turns.at(base::kTwoPi * k / kTurns, solutions);
     for (const robot::JointVector& q : solutions) {
       scene.cell.framePoses(q, frames);
       if (!scene.collision.bodies(frames, scene.options.printing))
@@ -65,18 +65,18 @@ std::optional<double> sizeInReach(const MotionScene& scene, const std::vector<Re
   for (const Vector3d& p : plan.position)
     box.extend(p);
   const Vector3d middle(box.center().x(), box.center().y(), std::min(box.min().z(), 0.0));
-  const auto most = static_cast<std::size_t>(kMissed * static_cast<double>(sample.size()));
+  const auto limit = static_cast<std::size_t>(kMissed * static_cast<double>(sample.size()));
   std::vector<robot::JointVector> solutions;
   for (int twentieths = kLargest; twentieths >= kSmallest; --twentieths) {
     const double size = static_cast<double>(twentieths) / kSteps;
     std::size_t missed = 0;
-    for (std::size_t k = 0; k < sample.size() && missed <= most; ++k) {
+    for (std::size_t k = 0; k < sample.size() && missed <= limit; ++k) {
       ctx.checkpoint();
       const std::size_t w = sample[k];
       missed += !isReached(scene, middle + size * (plan.position[w] - middle), plan.direction[w],
                            solutions);
     }
-    if (missed <= most)
+    if (missed <= limit)
       return size;
   }
   return std::nullopt;

@@ -30,11 +30,11 @@ public:
   std::vector<RunPoint> run(double maxJerk, const LocalFilter& options) {
     for (int round = 0; round < options.rounds; ++round) {
       ctx_.checkpoint();
-      double most = maxJerk;
+      double maximum = maxJerk;
       std::size_t centre = points_.size();
       for (std::size_t s = 0; s < jerk_.size(); ++s)
-        if (const std::size_t at = middleOf(s); !locked_[at] && jerk_[s] > most) {
-          most = jerk_[s];
+        if (const std::size_t at = middleOf(s); !locked_[at] && jerk_[s] > maximum) {
+          maximum = jerk_[s];
           centre = at;
         }
       if (centre == points_.size())
@@ -65,7 +65,7 @@ private:
       for (std::size_t k = 0; k < 4; ++k)
         if (stencils_[s].last + k >= 3 && stencils_[s].last + k - 3 < points_.size())
           jerk += stencils_[s].weight[k] * points_[stencils_[s].last + k - 3].at.q;
-      jerk_[s] = robot::largestTurn(jerk, limits);
+      jerk_[s] = robot::largestRotation(jerk, limits);
     }
   }
 
@@ -78,10 +78,10 @@ private:
       return all.begin() + static_cast<std::ptrdiff_t>(i);
     };
     const std::vector<RunPoint> piece(at(points_, begin), at(points_, last));
-    const TurnSmoother smoother(by_.scene.cell, by_.twists, piece,
-                                {at(times_, begin), at(times_, last)});
+    const RotationSmoother smoother(by_.scene.cell, by_.twists, piece,
+                                    {at(times_, begin), at(times_, last)});
     std::vector<TurnedPoint> turned = smoother.start(ctx_);
-    std::vector<TurnHold> holds(piece.size(), {kHeld, 0.0, kHeld});
+    std::vector<RotationHold> holds(piece.size(), {kHeld, 0.0, kHeld});
     for (std::size_t i = std::max<std::size_t>(first, 1); i < end && i + 1 < points_.size(); ++i)
       holds[i - begin] = {};
     const double before = smoother.cost(turned, holds);
@@ -90,7 +90,7 @@ private:
       return false;
     std::vector<RunPoint> smoothed = piece;
     for (std::size_t i = 0; i < piece.size(); ++i)
-      if (turned[i].turn != 0.0) {
+      if (turned[i].rotation != 0.0) {
         smoothed[i].at.tool = turned[i].tool(piece[i].at.tool);
         smoothed[i].at.q = turned[i].q;
       }
@@ -112,7 +112,7 @@ private:
           scene.bend(from.tip, to.tip, angle) > kBendSlack * scene.options.deviationMm &&
           angle > angleBetween(own[i - 1].at.tool, own[i].at.tool);
       if (bends || scene.span(from.q, to.q) > scene.options.maxStepRad ||
-          meets_(to.q, smoothed[i].next) || !scene.goesStraight(from, to))
+          meets_(to.q, smoothed[i].next) || !scene.movesStraight(from, to))
         return false;
     }
     return true;

@@ -37,19 +37,19 @@ constexpr double kSameDirection = 1e-6; // [rad]
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
 constexpr std::size_t kMaxFreeAxes = 2;
-constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
+constexpr RotationSmoothing kAfterPull{3, 1e-2, 0.3};
 // For the final smoothing, when no more steps are divided
-constexpr TurnSmoothing kAtLast{12, 1e-3, 0.3};
+constexpr RotationSmoothing kAtLast{12, 1e-3, 0.3};
 // Weight at the ends: they may rotate slightly where that removes a kick, and stay near other
 // paths.
 constexpr double kEndStay = 1e-3;
 
 RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
-  if (at.turn != 0.0 || !at.lean.isZero(0.0) || !at.aside.isZero(0.0)) {
+  if (at.rotation != 0.0 || !at.lean.isZero(0.0) || !at.offset.isZero(0.0)) {
     point.at.tool = at.tool(point.at.tool);
     point.at.q = at.q;
-    if (at.aside.size() > 0)
-      point.at.axes += at.aside;
+    if (at.offset.size() > 0)
+      point.at.axes += at.offset;
   }
   return point;
 }
@@ -85,7 +85,7 @@ std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint
     const double angle = angleBetween(tool(i - 1), tool(i));
     const bool bends = scene.bend(from.tip, to.tip, angle) > slack * scene.options.deviationMm &&
                        angle > angleBetween(from.tool, to.tool);
-    const double step = robot::largestTurn(at[i].q - at[i - 1].q, scene.cell.robot().limits);
+    const double step = robot::largestRotation(at[i].q - at[i - 1].q, scene.cell.robot().limits);
     marks[i] = bends || step > scene.options.maxStepRad;
   }
   return marks;
@@ -109,10 +109,10 @@ struct Marks {
   }
 };
 
-std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>& holds) {
+std::vector<RotationHold> heldWhere(const Marks& marks, const std::vector<RotationHold>& holds) {
   const std::size_t n = holds.size();
   const auto more = [](double hold, double first, double by) { return std::max(first, by * hold); };
-  std::vector<TurnHold> held = holds;
+  std::vector<RotationHold> held = holds;
   for (std::size_t i = 0; i < n; ++i) {
     if (marks.met[i])
       about(i, kMeetingWindow, n, [&](std::size_t m) {
@@ -204,14 +204,14 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
   const double endStay = axesRad == 0.0 ? kEndStay : kHeld;
   for (int division = 0;;) {
     const std::size_t n = points.size();
-    TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
-                          axesRad);
+    RotationSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
+                              axesRad);
     if (by.nearness)
       smoother.avoid(*by.nearness);
     const std::vector<TurnedPoint> start = smoother.start(ctx);
-    const std::vector<TurnHold> free(n);
+    const std::vector<RotationHold> free(n);
     std::vector<TurnedPoint> at = start;
-    std::vector<TurnHold> holds = free;
+    std::vector<RotationHold> holds = free;
     Marks marks;
     look(start, true, marks);
     for (std::size_t i = 0; i < n; ++i)
@@ -219,7 +219,7 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
         holds[i].upright = kHeld;
     // The ladder chose ends near the next path's start from which the nozzle can be lifted. They
     // may rotate and lean a little as long as lifting remains possible.
-    const auto holdEnd = [&](TurnHold& hold, bool isFree) {
+    const auto holdEnd = [&](RotationHold& hold, bool isFree) {
       hold.stay = isFree ? endStay : kHeld;
       if (!isFree)
         hold.upright = kHeld;

@@ -42,38 +42,38 @@ double nearLimit(const robot::JointLimits& l, double q, double& slope) {
 }
 
 // Maps an unbounded number to an offset shorter than `room`, and back.
-double asideAt(double free, double room) {
+double offsetAt(double free, double room) {
   return room * free / std::sqrt(1.0 + free * free);
 }
-double freeOfAside(double aside, double room) {
-  return aside / std::sqrt(room * room - aside * aside);
+double freeOfOffset(double offset, double room) {
+  return offset / std::sqrt(room * room - offset * offset);
 }
 
 } // namespace
 
 Eigen::Quaterniond TurnedPoint::tool(const Eigen::Quaterniond& own) const {
-  return turned(leant(own, lean), turn);
+  return turned(leant(own, lean), rotation);
 }
 
-TurnSmoother::TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
-                           const std::vector<RunPoint>& points, std::vector<double> times,
-                           double coneRad, double axesRad)
+RotationSmoother::RotationSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
+                                   const std::vector<RunPoint>& points, std::vector<double> times,
+                                   double coneRad, double axesRad)
     : cell_(cell), twists_(twists), points_(points), cone_{coneRad} {
-  base::require(points.size() == times.size(), "TurnSmoother: a time for each point");
+  base::require(points.size() == times.size(), "RotationSmoother: a time for each point");
   leans_ = coneRad > 0.0 ? 2 : 0;
   axes_ = axesRad > 0.0 ? static_cast<Eigen::Index>(cell.externalAxes().size()) : 0;
   base::require(axes_ <= kMaxAxes && (axes_ == 0 || !cell.rod()),
-                "TurnSmoother: one or two external axes that carry the platform");
+                "RotationSmoother: one or two external axes that carry the platform");
   stencils_ = jerkStencils(times);
   for (Eigen::Index j = 0; j < cell.armDof() + axes_; ++j)
-    scale_.push_back(robot::asTurn(cell.limits()[static_cast<std::size_t>(j)].kind, 1.0));
+    scale_.push_back(robot::asAngle(cell.limits()[static_cast<std::size_t>(j)].kind, 1.0));
   for (std::size_t i = 0; axes_ > 0 && i < points.size(); ++i) {
     room_.push_back(JointVector::Zero(axes_));
     for (Eigen::Index k = 0; k < axes_; ++k) {
       const auto& l = cell.externalAxes()[static_cast<std::size_t>(k)].limits;
       const double own = points[i].at.axes[k];
       room_[i][k] =
-          std::max(0.0, std::min({robot::fromTurn(l.kind, axesRad), own - l.min, l.max - own}));
+          std::max(0.0, std::min({robot::fromAngle(l.kind, axesRad), own - l.min, l.max - own}));
     }
   }
   bands_.assign(points.size(), {});
@@ -102,30 +102,30 @@ TurnSmoother::TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twis
   limitWeight_ = points.empty() ? 0.0 : sum / static_cast<double>(points.size());
 }
 
-Place TurnSmoother::placeOf(const TurnedPoint& at) const {
+Place RotationSmoother::placeOf(const TurnedPoint& at) const {
   Place place = Place::Zero(1 + leans_ + axes_);
-  place[0] = at.turn;
+  place[0] = at.rotation;
   place.segment(1, leans_) = at.lean.head(leans_);
-  if (at.aside.size() > 0)
-    place.tail(axes_) = at.aside;
+  if (at.offset.size() > 0)
+    place.tail(axes_) = at.offset;
   return place;
 }
 
 // Fixed values do not change and therefore cost nothing.
-Place TurnSmoother::weightOf(const TurnHold& hold, std::size_t i) const {
+Place RotationSmoother::weightOf(const RotationHold& hold, std::size_t i) const {
   Place weight = Place::Constant(1 + leans_ + axes_, hold.stay == kHeld ? 0.0 : hold.stay);
   weight.segment(1, leans_).setConstant(hold.upright == kHeld ? 0.0 : hold.upright);
   return stiffness_[i].cwiseProduct(weight);
 }
 
-JointRates TurnSmoother::scaled(JointRates rates) const {
+JointRates RotationSmoother::scaled(JointRates rates) const {
   for (std::size_t j = 0; j < scale_.size(); ++j)
     rates.row(static_cast<Eigen::Index>(j)) *= scale_[j];
   return rates;
 }
 
 template <typename JointsAt>
-double TurnSmoother::jerksOf(const JointsAt& jointsAt, std::vector<JointVector>& jerks) const {
+double RotationSmoother::jerksOf(const JointsAt& jointsAt, std::vector<JointVector>& jerks) const {
   const auto dof = static_cast<Eigen::Index>(scale_.size());
   jerks.assign(stencils_.size(), JointVector::Zero(dof));
   double sum = 0.0;
@@ -141,7 +141,7 @@ double TurnSmoother::jerksOf(const JointsAt& jointsAt, std::vector<JointVector>&
   return sum;
 }
 
-double TurnSmoother::limitCost(const JointVector& q) const {
+double RotationSmoother::limitCost(const JointVector& q) const {
   double cost = 0.0, slope = 0.0;
   for (Eigen::Index j = 0; j < cell_.armDof(); ++j) {
     const double beyond = nearLimit(cell_.robot().limits[static_cast<std::size_t>(j)], q[j], slope);
@@ -154,8 +154,8 @@ double TurnSmoother::limitCost(const JointVector& q) const {
   return cost;
 }
 
-double TurnSmoother::cost(const std::vector<TurnedPoint>& at,
-                          const std::vector<TurnHold>& holds) const {
+double RotationSmoother::cost(const std::vector<TurnedPoint>& at,
+                              const std::vector<RotationHold>& holds) const {
   std::vector<JointVector> jerks;
   double sum = jerksOf([&](std::size_t i) -> const JointVector& { return at[i].q; }, jerks);
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -170,22 +170,23 @@ double TurnSmoother::cost(const std::vector<TurnedPoint>& at,
 
 // Twists of the flange as the tool turns about its axis and leans: in the same direction if the
 // nozzle moves, inverted if the plate does. External axes carry the tool along with the platform.
-JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian,
-                                 const Isometry3d& base_T_flange, const TurnedPoint& at) const {
+JointRates RotationSmoother::ratesOf(const robot::ArmJacobian& jacobian,
+                                     const Isometry3d& base_T_flange, const TurnedPoint& at) const {
   Isometry3d base_T_tool = cell_.base_T_fixed();
-  double way = -1.0;
+  double sign = -1.0;
   if (cell_.nozzleMount() == robot::Mount::Flange) {
     base_T_tool = base_T_flange * cell_.flange_T_moved();
-    way = 1.0;
+    sign = 1.0;
   }
   Eigen::Matrix3d turns; // one column each, in the tool's axes
   turns.col(0) = Vector3d::UnitZ();
   turns.rightCols<2>() =
-      Eigen::AngleAxisd(-at.turn, Vector3d::UnitZ()).toRotationMatrix() * leanRates(at.lean);
+      Eigen::AngleAxisd(-at.rotation, Vector3d::UnitZ()).toRotationMatrix() * leanRates(at.lean);
   robot::ArmTwistSet twists(6, 1 + leans_ + axes_);
   for (Eigen::Index k = 0; k < 1 + leans_; ++k) {
-    const Vector3d turn = way * (base_T_tool.linear() * turns.col(k));
-    twists.col(k) << turn.cross(base_T_flange.translation() - base_T_tool.translation()), turn;
+    const Vector3d rotation = sign * (base_T_tool.linear() * turns.col(k));
+    twists.col(k) << rotation.cross(base_T_flange.translation() - base_T_tool.translation()),
+        rotation;
   }
   if (axes_ > 0)
     twists.rightCols(axes_) = axisTwists(cell_, axesOf(cell_, at.q), base_T_flange.translation());
@@ -196,14 +197,14 @@ JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian,
   return rates;
 }
 
-bool TurnSmoother::follow(std::size_t i, const TurnedPoint& from, TurnedPoint& to,
-                          std::vector<Isometry3d>& links) const {
+bool RotationSmoother::follow(std::size_t i, const TurnedPoint& from, TurnedPoint& to,
+                              std::vector<Isometry3d>& links) const {
   const RobotState& state = points_[i].at;
   const Eigen::Index dof = cell_.armDof();
   to.q = from.q;
   to.q.head(dof) += from.rate.topRows(dof) * (placeOf(to) - placeOf(from));
   if (axes_ > 0)
-    to.q.tail(axes_) = state.axes + to.aside;
+    to.q.tail(axes_) = state.axes + to.offset;
   const Isometry3d wanted = cell_.base_T_flange(toolPose(state.tip, to.tool(state.tool)), to.q);
   robot::ArmJacobian jacobian;
   if (!twists_.follow(wanted, kLongestStep, to.q, jacobian, links))
@@ -218,14 +219,14 @@ bool TurnSmoother::follow(std::size_t i, const TurnedPoint& from, TurnedPoint& t
   return to.rate.allFinite();
 }
 
-std::vector<TurnedPoint> TurnSmoother::start(const base::RunContext& ctx) const {
+std::vector<TurnedPoint> RotationSmoother::start(const base::RunContext& ctx) const {
   std::vector<TurnedPoint> at(points_.size());
   base::parallelChunks(ctx, points_.size(), kChunk, [&](std::size_t b, std::size_t e) {
     std::vector<Isometry3d> links;
     for (std::size_t i = b; i < e; ++i) {
       Isometry3d base_T_flange;
       at[i].q = points_[i].at.q;
-      at[i].aside = JointVector::Zero(axes_);
+      at[i].offset = JointVector::Zero(axes_);
       const robot::ArmJacobian jacobian = twists_.jacobian(at[i].q, base_T_flange, links);
       at[i].rate = ratesOf(jacobian, base_T_flange, at[i]);
     }
@@ -234,8 +235,9 @@ std::vector<TurnedPoint> TurnSmoother::start(const base::RunContext& ctx) const 
 }
 
 template <int kFree>
-bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
-                          double damping, Step& step) const {
+bool RotationSmoother::stepOf(const std::vector<TurnedPoint>& at,
+                              const std::vector<RotationHold>& holds, double damping,
+                              Step& step) const {
   using Block = Eigen::Matrix<double, kFree, kFree>;
   using Part = Eigen::Matrix<double, kFree, 1>;
   const std::size_t n = points_.size();
@@ -321,8 +323,9 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
   return true;
 }
 
-bool TurnSmoother::anyStepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
-                             double damping, Step& step) const {
+bool RotationSmoother::anyStepOf(const std::vector<TurnedPoint>& at,
+                                 const std::vector<RotationHold>& holds, double damping,
+                                 Step& step) const {
   switch (1 + leans_ + axes_) {
   case 1:
     return stepOf<1>(at, holds, damping, step);
@@ -337,7 +340,8 @@ bool TurnSmoother::anyStepOf(const std::vector<TurnedPoint>& at, const std::vect
   }
 }
 
-PlaceSlope TurnSmoother::slopeOf(std::size_t i, const TurnedPoint& at, const TurnHold& hold) const {
+PlaceSlope RotationSmoother::slopeOf(std::size_t i, const TurnedPoint& at,
+                                     const RotationHold& hold) const {
   PlaceSlope slope = PlaceSlope::Identity(1 + leans_ + axes_, 1 + leans_ + axes_);
   if (leans_ > 0)
     slope.block<2, 2>(1, 1) = cone_.slope(cone_.freeOf(at.lean));
@@ -346,7 +350,7 @@ PlaceSlope TurnSmoother::slopeOf(std::size_t i, const TurnedPoint& at, const Tur
     double& own = slope(1 + leans_ + k, 1 + leans_ + k);
     own = 0.0;
     if (room > kMinRoom) {
-      const double share = at.aside[k] / room; // sine of the angle whose tangent is the unknown
+      const double share = at.offset[k] / room; // sine of the angle whose tangent is the unknown
       own = room * std::pow(1.0 - share * share, 1.5);
     }
   }
@@ -359,25 +363,25 @@ PlaceSlope TurnSmoother::slopeOf(std::size_t i, const TurnedPoint& at, const Tur
   return slope;
 }
 
-TurnedPoint TurnSmoother::stepped(std::size_t i, const TurnedPoint& from, const TurnHold& hold,
-                                  const Place& step) const {
+TurnedPoint RotationSmoother::stepped(std::size_t i, const TurnedPoint& from,
+                                      const RotationHold& hold, const Place& step) const {
   TurnedPoint to = from;
-  to.turn += step[0];
+  to.rotation += step[0];
   if (leans_ > 0 && hold.upright != kHeld)
     to.lean = cone_.at(cone_.freeOf(from.lean) + step.segment<2>(1));
   for (Eigen::Index k = 0; k < axes_; ++k)
     if (const double by = step[1 + leans_ + k]; by != 0.0)
-      to.aside[k] = asideAt(freeOfAside(from.aside[k], room_[i][k]) + by, room_[i][k]);
+      to.offset[k] = offsetAt(freeOfOffset(from.offset[k], room_[i][k]) + by, room_[i][k]);
   return to;
 }
 
-void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHold>& wanted,
-                          const TurnSmoothing& options, const base::RunContext& ctx) const {
+void RotationSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<RotationHold>& wanted,
+                              const RotationSmoothing& options, const base::RunContext& ctx) const {
   const std::size_t n = points_.size();
-  base::require(at.size() == n && wanted.size() == n, "TurnSmoother: as many turns as points");
+  base::require(at.size() == n && wanted.size() == n, "RotationSmoother: as many turns as points");
   if (n < 4)
     return;
-  std::vector<TurnHold> holds = wanted;
+  std::vector<RotationHold> holds = wanted;
   double now = cost(at, holds), damping = kFirstDamping;
   Step step;
   std::vector<TurnedPoint> next(n);
@@ -389,7 +393,7 @@ void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHo
         return false;
       longest = 0.0;
       for (const Place& s : step)
-        longest = std::max({longest, std::abs(s[0]) / options.longestTurn,
+        longest = std::max({longest, std::abs(s[0]) / options.maxRotation,
                             s.segment(1, leans_).norm() / kLongestFree,
                             s.tail(axes_).norm() / kLongestFree});
       return longest <= 1.0;

@@ -23,13 +23,13 @@ class RunContext;
 namespace voluta::motion {
 
 // The arm's state at a point whose tool leans by `lean` from the point's own orientation and is
-// then turned by `turn`, with external axes offset from the point's.
+// then turned by `rotation`, with external axes offset from the point's.
 struct TurnedPoint {
-  double turn = 0.0;                              // rad
+  double rotation = 0.0;                          // rad
   Eigen::Vector2d lean = Eigen::Vector2d::Zero(); // rad: leaning.h
-  robot::JointVector aside = {}; // offset of external axes: rad, mm for sliding axes; empty: none
-  robot::JointVector q;          // of the cell
-  robot::JointRates rate;        // of the cell's joints, one column per component of a Place
+  robot::JointVector offset = {}; // offset of external axes: rad, mm for sliding axes; empty: none
+  robot::JointVector q;           // of the cell
+  robot::JointRates rate;         // of the cell's joints, one column per component of a Place
 
   Eigen::Quaterniond tool(const Eigen::Quaterniond& own) const;
 };
@@ -42,7 +42,7 @@ using PlaceSlope = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 
 // Weights that hold a point in place, in multiples of the jerk cost of turning or leaning that
 // point alone.
-struct TurnHold {
+struct RotationHold {
   double stay = 0.0; // weight of the squares of its turn and offsets; kHeld: these are fixed
   // weight of the squared difference of its place from that of the preceding point
   double together = 0.0;
@@ -50,10 +50,10 @@ struct TurnHold {
 };
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
-struct TurnSmoothing {
+struct RotationSmoothing {
   int rounds = 6;           // maximum number of Gauss-Newton steps
   double enough = 1e-3;     // stops if a step lowers the sum by a smaller share
-  double longestTurn = 0.3; // [rad] maximum turn of any point in one step
+  double maxRotation = 0.3; // [rad] maximum turn of any point in one step
 };
 
 // An estimate of how near joints are to a collision, which a smoother lowers: from 0 on, more is
@@ -63,15 +63,15 @@ struct Nearness {
   std::function<robot::JointVector(const robot::JointVector&)> slope;
 };
 
-class TurnSmoother {
+class RotationSmoother {
 public:
   // `times`: times of the points [s], increasing. References are kept. coneRad: largest lean of a
   // direction, less than pi; 0: none. axesRad: largest offset of external axes from the points' own
-  // (sliding axes by robot::fromTurn), never beyond their limits; 0: fixed. Precondition: if
+  // (sliding axes by robot::fromAngle), never beyond their limits; 0: fixed. Precondition: if
   // external axes may move, there are one or two and no rod.
-  TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
-               const std::vector<RunPoint>& points, std::vector<double> times, double coneRad = 0.0,
-               double axesRad = 0.0);
+  RotationSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
+                   const std::vector<RunPoint>& points, std::vector<double> times,
+                   double coneRad = 0.0, double axesRad = 0.0);
 
   // Adds the squares of `nearness`, weighted by the mean jerk cost of a point, to the cost
   // (Dai 2020, eq. 4.12: the collision constraint). The reference is kept.
@@ -86,13 +86,13 @@ public:
   // their room, since the unknowns are mapped to them by LeanCone and likewise. Points that cannot
   // follow, because of a limit or a singular pose, keep their place. `holds`: one per point. The
   // result does not depend on the number of threads. Throws Cancelled.
-  void smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
-              const TurnSmoothing& options, const base::RunContext& ctx) const;
+  void smooth(std::vector<TurnedPoint>& at, const std::vector<RotationHold>& holds,
+              const RotationSmoothing& options, const base::RunContext& ctx) const;
 
-  // Returns the sum of the squared jerks of all joints (jerkStencils(), sliding joints by asTurn;
+  // Returns the sum of the squared jerks of all joints (jerkStencils(), sliding joints by asAngle;
   // external axes only if they may move), of the penalties near joint limits, and of the costs of
   // `holds`.
-  double cost(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds) const;
+  double cost(const std::vector<TurnedPoint>& at, const std::vector<RotationHold>& holds) const;
 
 private:
   // Returns the sum of the squares of all jerks, and the jerks, one per stencil.
@@ -100,7 +100,7 @@ private:
   double jerksOf(const JointsAt& jointsAt, std::vector<robot::JointVector>& jerks) const;
   double limitCost(const robot::JointVector& q) const;
   Place placeOf(const TurnedPoint& at) const;
-  Place weightOf(const TurnHold& hold, std::size_t i) const;
+  Place weightOf(const RotationHold& hold, std::size_t i) const;
   robot::JointRates ratesOf(const robot::ArmJacobian& jacobian,
                             const Eigen::Isometry3d& base_T_flange, const TurnedPoint& at) const;
   robot::JointRates scaled(robot::JointRates rates) const;
@@ -110,14 +110,14 @@ private:
   // offsets. Returns false if the equations have no solution.
   using Step = std::vector<Place>;
   template <int kFree>
-  bool stepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
+  bool stepOf(const std::vector<TurnedPoint>& at, const std::vector<RotationHold>& holds,
               double damping, Step& step) const;
-  bool anyStepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
+  bool anyStepOf(const std::vector<TurnedPoint>& at, const std::vector<RotationHold>& holds,
                  double damping, Step& step) const;
   // Returns the derivative of the point's place with respect to its unknowns.
-  PlaceSlope slopeOf(std::size_t i, const TurnedPoint& at, const TurnHold& hold) const;
+  PlaceSlope slopeOf(std::size_t i, const TurnedPoint& at, const RotationHold& hold) const;
   // Returns the point after a step; the joints are unchanged.
-  TurnedPoint stepped(std::size_t i, const TurnedPoint& from, const TurnHold& hold,
+  TurnedPoint stepped(std::size_t i, const TurnedPoint& from, const RotationHold& hold,
                       const Place& step) const;
 
   const robot::Cell& cell_;
@@ -129,7 +129,7 @@ private:
   Eigen::Index leans_ = 0, axes_ = 0;
   std::vector<JerkStencil> stencils_;
   BandedRows<4> bands_;       // the part of the equations that depends on the times alone
-  std::vector<double> scale_; // of joints whose jerk counts: robot::asTurn
+  std::vector<double> scale_; // of joints whose jerk counts: robot::asAngle
   // jerk cost of moving a point alone, relative to the square of its place
   std::vector<Place> stiffness_;
   double limitWeight_ = 0.0;

@@ -4,10 +4,10 @@
 
 namespace voluta::motion {
 
-std::string KnownTransfers::keyOf(Way way, const RobotState& from, const RobotState& to,
+std::string KnownTransfers::keyOf(Purpose purpose, const RobotState& from, const RobotState& to,
                                   std::size_t fromWaypoint, std::size_t toWaypoint,
                                   const PrintedBounds& surround) {
-  return base::keyText(way, fromWaypoint, toWaypoint, from.q, from.tip, from.tool.coeffs(),
+  return base::keyText(purpose, fromWaypoint, toWaypoint, from.q, from.tip, from.tool.coeffs(),
                        from.axes, to.q, to.tip, to.tool.coeffs(), to.axes, surround.centre,
                        surround.radius);
 }

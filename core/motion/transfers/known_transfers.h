@@ -16,7 +16,7 @@ namespace voluta::motion {
 // take longest. Thread-safe.
 class KnownTransfers {
 public:
-  enum class Way {
+  enum class Purpose {
     Between,
     BetweenHigh,
     Leave,
@@ -31,10 +31,10 @@ public:
   // transfer, the states at its ends, the waypoints there (which determine the printed material and
   // the seed) and the surroundings.
   template <typename Find>
-  std::optional<Transfer> of(Way way, const RobotState& from, const RobotState& to,
+  std::optional<Transfer> of(Purpose purpose, const RobotState& from, const RobotState& to,
                              std::size_t fromWaypoint, std::size_t toWaypoint,
                              const PrintedBounds& surround, Find&& find) {
-    const std::string key = keyOf(way, from, to, fromWaypoint, toWaypoint, surround);
+    const std::string key = keyOf(purpose, from, to, fromWaypoint, toWaypoint, surround);
     {
       const std::lock_guard lock(mutex_);
       if (const auto known = known_.find(key); known != known_.end())
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  static std::string keyOf(Way way, const RobotState& from, const RobotState& to,
+  static std::string keyOf(Purpose purpose, const RobotState& from, const RobotState& to,
                            std::size_t fromWaypoint, std::size_t toWaypoint,
                            const PrintedBounds& surround);
 

@@ -27,11 +27,11 @@ using Space = ob::RealVectorStateSpace;
 
 using Kinds = std::vector<robot::JointKind>;
 
-// States hold revolute coordinates; sliding joints are converted by robot::asTurn.
+// States hold revolute coordinates; sliding joints are converted by robot::asAngle.
 JointVector jointsOf(const ob::State* state, const Kinds& kinds) {
   JointVector q(static_cast<Eigen::Index>(kinds.size()));
   for (unsigned j = 0; j < kinds.size(); ++j)
-    q[j] = robot::fromTurn(kinds[j], (*state->as<Space::StateType>())[j]);
+    q[j] = robot::fromAngle(kinds[j], (*state->as<Space::StateType>())[j]);
   return q;
 }
 
@@ -93,38 +93,39 @@ private:
   Free free_;
 };
 
-void shorten(std::vector<JointVector>& way,
+void shorten(std::vector<JointVector>& jointPath,
              const std::function<bool(const JointVector&, const JointVector&)>& segmentFree,
              int tries, std::uint64_t seed, const base::RunContext& ctx) {
   std::mt19937_64 engine(seed);
-  for (int t = 0; t < tries && way.size() > 2; ++t) {
+  for (int t = 0; t < tries && jointPath.size() > 2; ++t) {
     ctx.checkpoint();
-    const std::size_t a = engine() % way.size(), b = engine() % way.size();
+    const std::size_t a = engine() % jointPath.size(), b = engine() % jointPath.size();
     const std::size_t low = std::min(a, b), high = std::max(a, b);
-    if (high - low >= 2 && segmentFree(way[low], way[high]))
-      way.erase(way.begin() + static_cast<std::ptrdiff_t>(low) + 1,
-                way.begin() + static_cast<std::ptrdiff_t>(high));
+    if (high - low >= 2 && segmentFree(jointPath[low], jointPath[high]))
+      jointPath.erase(jointPath.begin() + static_cast<std::ptrdiff_t>(low) + 1,
+                      jointPath.begin() + static_cast<std::ptrdiff_t>(high));
   }
 }
 
 } // namespace
 
 std::vector<JointVector>
-treeWay(const JointVector& from, const JointVector& to,
-        const std::vector<robot::JointLimits>& limits,
-        const std::function<bool(const JointVector&)>& free,
-        const std::function<bool(const JointVector&, const JointVector&)>& segmentFree,
-        const TreeOptions& options, const base::RunContext& ctx) {
+treePath(const JointVector& from, const JointVector& to,
+         const std::vector<robot::JointLimits>& limits,
+         const std::function<bool(const JointVector&)>& free,
+         const std::function<bool(const JointVector&, const JointVector&)>& segmentFree,
+         const TreeOptions& options, const base::RunContext& ctx) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const auto dof = static_cast<unsigned>(from.size());
   auto space = std::make_shared<Space>(dof);
   ob::RealVectorBounds bounds(dof);
   const Kinds kinds = robot::kindsOf(limits);
   for (unsigned j = 0; j < dof; ++j) {
-    const auto turn = [&](double value) { return robot::asTurn(limits[j].kind, value); };
-    bounds.low[j] = std::max(turn(limits[j].min), std::min(turn(from[j]), turn(to[j])) - base::kPi);
+    const auto angle = [&](double value) { return robot::asAngle(limits[j].kind, value); };
+    bounds.low[j] =
+        std::max(angle(limits[j].min), std::min(angle(from[j]), angle(to[j])) - base::kPi);
     bounds.high[j] =
-        std::min(turn(limits[j].max), std::max(turn(from[j]), turn(to[j])) + base::kPi);
+        std::min(angle(limits[j].max), std::max(angle(from[j]), angle(to[j])) + base::kPi);
   }
   space->setBounds(bounds);
   space->setStateSamplerAllocator([&options](const ob::StateSpace* s) {
@@ -142,8 +143,8 @@ treeWay(const JointVector& from, const JointVector& to,
   auto problem = std::make_shared<ob::ProblemDefinition>(info);
   ob::ScopedState<Space> start(space), goal(space);
   for (unsigned j = 0; j < dof; ++j) {
-    start[j] = robot::asTurn(kinds[j], from[j]);
-    goal[j] = robot::asTurn(kinds[j], to[j]);
+    start[j] = robot::asAngle(kinds[j], from[j]);
+    goal[j] = robot::asAngle(kinds[j], to[j]);
   }
   problem->setStartAndGoalStates(start, goal);
   og::RRTConnect planner(info);
@@ -161,13 +162,13 @@ treeWay(const JointVector& from, const JointVector& to,
     return {};
 
   const auto& path = *problem->getSolutionPath()->as<og::PathGeometric>();
-  std::vector<JointVector> way;
+  std::vector<JointVector> jointPath;
   for (std::size_t i = 0; i < path.getStateCount(); ++i)
-    way.push_back(jointsOf(path.getState(static_cast<unsigned>(i)), kinds));
-  way.front() = from;
-  way.back() = to;
-  shorten(way, segmentFree, options.shortcuts, options.seed, ctx);
-  return way;
+    jointPath.push_back(jointsOf(path.getState(static_cast<unsigned>(i)), kinds));
+  jointPath.front() = from;
+  jointPath.back() = to;
+  shorten(jointPath, segmentFree, options.shortcuts, options.seed, ctx);
+  return jointPath;
 }
 
 } // namespace voluta::motion

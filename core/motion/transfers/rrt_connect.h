@@ -15,7 +15,7 @@ namespace voluta::motion {
 
 struct TreeOptions {
   int iterations = 4000; // maximum number of growth steps; there is no time limit
-  double rangeRad = 0.5; // longest step of the trees, sliding joints by robot::asTurn
+  double rangeRad = 0.5; // longest step of the trees, sliding joints by robot::asAngle
   std::uint64_t seed = 1;
   int shortcuts = 60; // attempts to shorten the path found
 };
@@ -24,7 +24,7 @@ struct TreeOptions {
 // accepts every segment; empty if none was found. Sampling stays within the limits and within one
 // turn of the straight path. Deterministic for the same seed. Throws Cancelled. Precondition: from
 // and to are within the limits.
-std::vector<robot::JointVector> treeWay(
+std::vector<robot::JointVector> treePath(
     const robot::JointVector& from, const robot::JointVector& to,
     const std::vector<robot::JointLimits>& limits,
     const std::function<bool(const robot::JointVector&)>& free,

@@ -44,7 +44,7 @@ collision::Margins widened(collision::Margins margins, double byMm) {
 void appendReversed(const std::vector<TransferPoint>& points, const RobotState& first,
                     std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
-    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].most});
+    out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].peakDisplacement});
 }
 
 // Merges the pieces of one straight move.
@@ -55,20 +55,21 @@ TransferPoint joined(const Vector3d& from, const std::vector<TransferPoint>& pie
   for (const TransferPoint& piece : pieces) {
     const double own = (piece.at.tip - last).norm();
     if (own > 0.0)
-      whole.most = whole.most.cwiseMax(piece.most * (length / own));
+      whole.peakDisplacement =
+          whole.peakDisplacement.cwiseMax(piece.peakDisplacement * (length / own));
     last = piece.at.tip;
   }
   return whole;
 }
 
 Vector3d slerped(const Vector3d& a, const Vector3d& b, double t) {
-  return Quaterniond::Identity().slerp(t, geometry::leastTurn(a, b)) * a;
+  return Quaterniond::Identity().slerp(t, geometry::shortestRotation(a, b)) * a;
 }
 
 // Returns the distance along a ray from p at which it finally leaves the ball; 0 if it misses the
 // ball.
-double wayOut(const Vector3d& p, const Vector3d& direction, const PrintedBounds& ball,
-              double radius) {
+double exitDistance(const Vector3d& p, const Vector3d& direction, const PrintedBounds& ball,
+                    double radius) {
   const Vector3d r = p - ball.centre;
   const double b = r.dot(direction), c = r.squaredNorm() - radius * radius;
   const double discriminant = b * b - c;
@@ -93,7 +94,7 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
   const int checks = std::max(
       1, static_cast<int>(std::ceil(std::max(length / kStepMm, angle / kStepRad) / written)));
   std::vector<JointVector> scratch;
-  JointVector q = from.q, most = JointVector::Zero(q.size());
+  JointVector q = from.q, peakDisplacement = JointVector::Zero(q.size());
   Vector3d lastTip = from.tip;
   Quaterniond lastTool = from.tool;
   const int steps = written * checks;
@@ -103,14 +104,15 @@ bool TransferPlanner::linear(const RobotState& from, const Vector3d& tip, const 
     const Quaterniond r = k == steps ? tool : from.tool.slerp(t, tool);
     const JointVector last = q;
     if (!solveNear(scene_.cell, p, r, last, kLinearJointStep, scratch, q) ||
-        !scene_.goesStraight({lastTip, lastTool, last}, {p, r, q}) || !free(q, before, margins))
+        !scene_.movesStraight({lastTip, lastTool, last}, {p, r, q}) || !free(q, before, margins))
       return false;
     lastTip = p;
     lastTool = r;
-    most = most.cwiseMax((q - last).cwiseAbs());
+    peakDisplacement = peakDisplacement.cwiseMax((q - last).cwiseAbs());
     if (k % checks == 0) {
-      points.push_back({{p, r, q, axesOf(scene_.cell, q)}, MoveKind::Linear, checks * most});
-      most.setZero();
+      points.push_back(
+          {{p, r, q, axesOf(scene_.cell, q)}, MoveKind::Linear, checks * peakDisplacement});
+      peakDisplacement.setZero();
     }
   }
   return true;
@@ -172,22 +174,22 @@ bool TransferPlanner::arc(const RobotState& from, const RobotState& to,
   return true;
 }
 
-void TransferPlanner::appendJointWay(const std::vector<JointVector>& way, const RobotState& to,
-                                     Points& points) const {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const JointVector step = way[i] - way[i - 1];
-    const double arm = robot::largestTurn(step, scene_.cell.robot().limits);
-    double most = arm / kJointPiece;
+void TransferPlanner::appendJointPath(const std::vector<JointVector>& path, const RobotState& to,
+                                      Points& points) const {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const JointVector step = path[i] - path[i - 1];
+    const double arm = robot::largestRotation(step, scene_.cell.robot().limits);
+    double maximum = arm / kJointPiece;
     for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k)
-      most =
-          std::max(most, std::abs(step[scene_.cell.armDof() + static_cast<Eigen::Index>(k)]) /
+      maximum = std::max(maximum,
+                         std::abs(step[scene_.cell.armDof() + static_cast<Eigen::Index>(k)]) /
                              (scene_.cell.externalAxes()[k].limits.kind == robot::JointKind::Turning
                                   ? kAxisPiece
                                   : kSlidePieceMm));
-    const int pieces = std::max(1, static_cast<int>(std::ceil(most)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(maximum)));
     for (int k = 1; k <= pieces; ++k) {
       const JointVector wanted =
-          k == pieces ? way[i] : JointVector(way[i - 1] + static_cast<double>(k) / pieces * step);
+          k == pieces ? path[i] : JointVector(path[i - 1] + static_cast<double>(k) / pieces * step);
       const JointVector q = withAxes(scene_.cell, wanted, axesOf(scene_.cell, wanted));
       const Eigen::Isometry3d pose = scene_.cell.work_T_tool(q);
       points.push_back({{pose.translation(), Quaterniond(pose.linear()), q, axesOf(scene_.cell, q)},
@@ -202,12 +204,12 @@ std::vector<TransferPoint> TransferPlanner::wipe(const Run& run, double lengthMm
   constexpr double kSameMm = 1e-6, kSameToolRad = base::degreesToRadians(5.0);
   const std::size_t n = run.points.size();
   const RobotState &first = run.points.front().at, &end = run.points.back().at;
-  const bool goesOn =
+  const bool continues =
       (end.tip - first.tip).norm() < kSameMm && angleBetween(end.tool, first.tool) < kSameToolRad;
   Points points;
   RobotState last = end;
   for (std::size_t k = 1; k < n && lengthMm > 0.0; ++k) {
-    const RobotState& to = run.points[goesOn ? k : n - 1 - k].at;
+    const RobotState& to = run.points[continues ? k : n - 1 - k].at;
     const double step = (to.tip - last.tip).norm();
     const double share = step > lengthMm ? lengthMm / step : 1.0;
     if (!linear(last, last.tip + share * (to.tip - last.tip), last.tool.slerp(share, to.tool),
@@ -235,7 +237,7 @@ std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const
   const Care close{scene_.options.travelling, kCloseJointCheck};
   for (const Care& care : {wide, close})
     if (jointSegmentFree(from.q, to.q, before, care.margins, care.checkRad)) {
-      appendJointWay({from.q, to.q}, to, points);
+      appendJointPath({from.q, to.q}, to, points);
       return TransferKind::Joint;
     }
   for (const Care& care : {wide, close}) {
@@ -244,15 +246,15 @@ std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const
     TreeOptions options;
     options.iterations = effort_ * scene_.options.treeIterations;
     options.seed = seed;
-    const auto way = treeWay(
+    const auto path = treePath(
         from.q, to.q, scene_.cell.limits(),
         [&](const JointVector& q) { return free(q, before, care.margins); },
         [&](const JointVector& a, const JointVector& b) {
           return jointSegmentFree(a, b, before, care.margins, care.checkRad);
         },
         options, ctx);
-    if (!way.empty()) {
-      appendJointWay(way, to, points);
+    if (!path.empty()) {
+      appendJointPath(path, to, points);
       return TransferKind::Tree;
     }
   }
@@ -286,7 +288,7 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
       if (!jointSegmentFree(high.q, low.q, before, options.travelling, kCloseJointCheck))
         continue;
       transfer.points = up[h];
-      appendJointWay({high.q, low.q}, low, transfer.points);
+      appendJointPath({high.q, low.q}, low, transfer.points);
       appendReversed(down[h], to, transfer.points);
       transfer.kind = TransferKind::Joint;
       return transfer;
@@ -311,7 +313,7 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
 
   const auto outer = [&](const RobotState& state) {
     const double out =
-        wayOut(state.tip, state.direction(), surround, surround.radius + kBallMarginMm);
+        exitDistance(state.tip, state.direction(), surround, surround.radius + kBallMarginMm);
     std::vector<double> outHeights = {10.0 * options.liftMm};
     if (out > outHeights.back())
       outHeights.push_back(out);
@@ -331,16 +333,16 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
       return transfer;
     }
   }
-  const Points& upWay = !farUp.empty() ? farUp.back() : !up.empty() ? up.back() : stay;
-  const Points& downWay = !farDown.empty() ? farDown.back() : !down.empty() ? down.back() : stay;
-  transfer.points = upWay;
-  const RobotState high = upWay.empty() ? from : upWay.back().at;
-  const RobotState low = downWay.empty() ? to : downWay.back().at;
+  const Points& upPath = !farUp.empty() ? farUp.back() : !up.empty() ? up.back() : stay;
+  const Points& downPath = !farDown.empty() ? farDown.back() : !down.empty() ? down.back() : stay;
+  transfer.points = upPath;
+  const RobotState high = upPath.empty() ? from : upPath.back().at;
+  const RobotState low = downPath.empty() ? to : downPath.back().at;
   const auto kind = swing(high, low, before, seed, ctx, transfer.points);
   if (!kind)
     return std::nullopt;
   transfer.kind = *kind;
-  appendReversed(downWay, to, transfer.points);
+  appendReversed(downPath, to, transfer.points);
   return transfer;
 }
 
@@ -349,7 +351,7 @@ std::optional<Transfer> TransferPlanner::approach(const RobotState& home, const 
                                                   std::uint64_t seed,
                                                   const base::RunContext& ctx) const {
   const double out =
-      wayOut(start.tip, start.direction(), surround, surround.radius + kBallMarginMm);
+      exitDistance(start.tip, start.direction(), surround, surround.radius + kBallMarginMm);
   std::vector<Points> down =
       lifts(start, {10.0 * scene_.options.liftMm, std::max(50.0, out)}, before);
   if (down.empty())
@@ -394,7 +396,7 @@ std::optional<Transfer> TransferPlanner::straight(const RobotState& from, const 
   if (!jointSegmentFree(from.q, to.q, before, scene_.options.travelling, kCloseJointCheck))
     return std::nullopt;
   Transfer transfer;
-  appendJointWay({from.q, to.q}, to, transfer.points);
+  appendJointPath({from.q, to.q}, to, transfer.points);
   transfer.kind = TransferKind::Joint;
   return transfer;
 }

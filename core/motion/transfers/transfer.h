@@ -23,7 +23,7 @@ struct TransferPoint {
   plan::MoveKind move = plan::MoveKind::Linear; // move from the preceding point
   // For straight moves: displacement of each joint if it moved at its peak speed throughout. Empty:
   // constant speed.
-  robot::JointVector most = {};
+  robot::JointVector peakDisplacement = {};
 };
 
 // Kind of the transfer found, simplest first.
@@ -117,8 +117,8 @@ private:
   std::optional<TransferKind> swing(const RobotState& from, const RobotState& to,
                                     std::size_t before, std::uint64_t seed,
                                     const base::RunContext& ctx, Points& points) const;
-  void appendJointWay(const std::vector<robot::JointVector>& way, const RobotState& to,
-                      Points& points) const;
+  void appendJointPath(const std::vector<robot::JointVector>& path, const RobotState& to,
+                       Points& points) const;
   // Lifts along the nozzle to increasing heights; returns the stations reached, each with the
   // points on the way.
   std::vector<Points> lifts(const RobotState& from, const std::vector<double>& heights,

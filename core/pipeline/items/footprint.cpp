@@ -18,12 +18,12 @@ Eigen::Vector3d flat(const Vector2d& p) {
 
 // Returns the least distance of the corners of `a` to the sides of `b`.
 double cornersToSides(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Vector2d& p : a)
     for (std::size_t i = 0; i < b.size(); ++i)
-      least = std::min(
-          least, geometry::distanceToSegment(flat(p), flat(b[i]), flat(b[(i + 1) % b.size()])));
-  return least;
+      minimum = std::min(
+          minimum, geometry::distanceToSegment(flat(p), flat(b[i]), flat(b[(i + 1) % b.size()])));
+  return minimum;
 }
 
 // Returns whether a side of `a` has all of `b` outside. Two convex polygons without such a side

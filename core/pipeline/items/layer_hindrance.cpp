@@ -194,11 +194,11 @@ private:
     if (clears(t))
       return true;
     constexpr int kSphere = 500; // as toolpath::orientDirections(), coarser
-    const double least = std::cos(base::degreesToRadians(75.0));
+    const double minCosine = std::cos(base::degreesToRadians(75.0));
     const Vector3d u = t.unitOrthogonal(), v = t.cross(u);
     for (int k = 0; k < kSphere; ++k) {
       const Vector3d p = geometry::onSpiral(k, 1.0 - (2.0 * k + 1.0) / kSphere);
-      if (p.z() < least)
+      if (p.z() < minCosine)
         return false;
       if (clears(p.x() * u + p.y() * v + p.z() * t))
         return true;
@@ -208,14 +208,14 @@ private:
 
   // Returns the item beside which most of the tips are blocked.
   std::size_t neighbourAt(std::size_t item, const std::vector<std::size_t>& hindered) const {
-    std::size_t neighbour = item == 0 ? 1 : 0, most = 0;
+    std::size_t neighbour = item == 0 ? 1 : 0, maximum = 0;
     for (std::size_t other = 0; other < centres_.size(); ++other) {
       if (other == item || centres_[other].isEmpty())
         continue;
       const Scene pair = scene([&](std::size_t i) { return i == item || i == other; });
       const std::size_t count = blockedIn(pair, hindered).size();
-      if (count > most) {
-        most = count;
+      if (count > maximum) {
+        maximum = count;
         neighbour = other;
       }
     }
@@ -275,9 +275,10 @@ base::Message helpFor(const LayerHindrance& hindrance, const std::string& neighb
 } // namespace
 
 bool tiltsHead(const layers::LayerStack& stack) {
-  const double least = std::cos(base::degreesToRadians(kTiltedDeg));
+  const double minCosine = std::cos(base::degreesToRadians(kTiltedDeg));
   return std::ranges::any_of(stack.patches, [&](const layers::Patch& patch) {
-    return std::ranges::any_of(patch.direction, [&](const Vector3d& d) { return d.z() < least; });
+    return std::ranges::any_of(patch.direction,
+                               [&](const Vector3d& d) { return d.z() < minCosine; });
   });
 }
 

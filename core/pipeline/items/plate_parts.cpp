@@ -39,7 +39,7 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
     RequestedItem& item = request.item(i);
     if (!item.loaded)
       item.loaded = project::loadPart(item.part, request.choices.item(i).repair, ctx);
-    const Resolved own = resolve(wayOrFirst(project::onlyItem(request.choices, i)));
+    const Resolved own = resolve(strategyOrFirst(project::onlyItem(request.choices, i)));
     const auto& [choices, values, process] = own.modeChoices();
     const auto placed = loadStage(*item.loaded, own, ctx);
     parts.push_back(footprintOf(*placed->part, mayLean(request.choices.item(i))));

@@ -11,31 +11,31 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Enlarges `most` to the largest distance of a motion's samples from the path of the same motion in
-// another run.
-void stretch(Apart& most, const replay::ExecutedPath& path, std::size_t motion,
-             const replay::ExecutedPath& way, std::size_t same, double reachMm) {
-  const std::size_t begin = way.firstSample[same], end = way.firstSample[same + 1];
+// Enlarges `maximum` to the largest distance of a motion's samples from the path of the same motion
+// in another run.
+void stretch(Apart& maximum, const replay::ExecutedPath& path, std::size_t motion,
+             const replay::ExecutedPath& other, std::size_t same, double reachMm) {
+  const std::size_t begin = other.firstSample[same], end = other.firstSample[same + 1];
   for (std::size_t s = path.firstSample[motion]; s < path.firstSample[motion + 1]; ++s) {
     double nearest = INFINITY;
-    Vector3d tip = way.tip[begin], direction = way.direction[begin];
+    Vector3d tip = other.tip[begin], direction = other.direction[begin];
     for (std::size_t k = std::max<std::size_t>(begin, 1); k < end; ++k) {
-      const Vector3d ab = way.tip[k] - way.tip[k - 1];
+      const Vector3d ab = other.tip[k] - other.tip[k - 1];
       const double squared = ab.squaredNorm();
       const double t = squared > 0.0
-                           ? std::clamp(ab.dot(path.tip[s] - way.tip[k - 1]) / squared, 0.0, 1.0)
+                           ? std::clamp(ab.dot(path.tip[s] - other.tip[k - 1]) / squared, 0.0, 1.0)
                            : 1.0;
-      const Vector3d q = way.tip[k - 1] + t * ab;
+      const Vector3d q = other.tip[k - 1] + t * ab;
       if (const double d = (q - path.tip[s]).squaredNorm(); d < nearest) {
         nearest = d;
         tip = q;
-        direction = (1.0 - t) * way.direction[k - 1] + t * way.direction[k];
+        direction = (1.0 - t) * other.direction[k - 1] + t * other.direction[k];
       }
     }
     const Vector3d off = path.tip[s] - tip;
-    most.tipMm = std::max(most.tipMm, off.norm());
-    most.headMm = std::max(most.headMm,
-                           (off + reachMm * (path.direction[s] - direction.normalized())).norm());
+    maximum.tipMm = std::max(maximum.tipMm, off.norm());
+    maximum.headMm = std::max(
+        maximum.headMm, (off + reachMm * (path.direction[s] - direction.normalized())).norm());
   }
 }
 

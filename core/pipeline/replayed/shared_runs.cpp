@@ -58,15 +58,16 @@ public:
       moved += mine * off[m].tipMm;
       volume += mine;
     }
-    const auto laid = std::ranges::count_if(other_.run.volumeMm3, [](double v) { return v > 0.0; });
-    return beads == static_cast<std::size_t>(laid) && moved <= kSameInTheMean * cell * volume;
+    const auto deposited =
+        std::ranges::count_if(other_.run.volumeMm3, [](double v) { return v > 0.0; });
+    return beads == static_cast<std::size_t>(deposited) && moved <= kSameInTheMean * cell * volume;
   }
 
   // Precondition: printTheSame() returned true.
   replay::KnownResults results() {
     numberMine();
     replay::KnownResults known;
-    known.laid = other_.laid;
+    known.deposited = other_.deposited;
     known.figures = other_.figures;
     known.beads = other_.beads;
     for (replay::BeadFinding& f : known.beads)
@@ -95,7 +96,7 @@ private:
   std::vector<std::uint32_t> firstPieces() const {
     const std::size_t motions = mine_.path.motionCount();
     const std::vector<std::uint32_t> its =
-        replay::firstPieceOfMotions(other_.laid->pieces, other_.run.path.motionCount());
+        replay::firstPieceOfMotions(other_.deposited->pieces, other_.run.path.motionCount());
     std::vector<std::uint32_t> mine(motions + 1, its.back());
     for (std::size_t m = motions; m-- > 0;)
       mine[m] = otherOf_[m] != kUnmatched ? its[otherOf_[m]] : mine[m + 1];
@@ -128,8 +129,8 @@ private:
     if (other.dof != path.dof || otherOf_[motion] == kUnmatched)
       return false;
     for (int k = 0; k < path.dof; ++k)
-      if (std::abs(path.turnOf(k, other.jointsAt(otherOf_[motion])[k] - path.jointsAt(motion)[k])) >
-          kSameRad)
+      if (std::abs(path.angleOf(k, other.jointsAt(otherOf_[motion])[k] -
+                                       path.jointsAt(motion)[k])) > kSameRad)
         return false;
     return true;
   }
@@ -168,7 +169,7 @@ replay::KnownResults SharedRuns::knownOf(const replay::Run& run, const process::
 
 void SharedRuns::add(replay::JudgedRun run) {
   replay::ExecutedPath& path = run.run.path;
-  base::freeStorage(path.targetTip, path.targetDirection, path.commandedMm, path.turnRad,
+  base::freeStorage(path.targetTip, path.targetDirection, path.commandedMm, path.angleRad,
                     path.cornerRad, path.durationS, path.violations, run.run.pointOf,
                     run.run.knowledge);
   runs_.push_back(std::move(run));

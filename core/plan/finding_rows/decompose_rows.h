@@ -15,18 +15,19 @@ inline constexpr base::Text kOverhangs = "{area:.3g} overhangs by more than {ang
 inline constexpr base::Text kPlacesOverhang =
     "{places} smaller place overhangs too far, {area:.3g}|{places} smaller places overhang too far, {area:.3g} in all; this is the largest"_plural;
 inline constexpr std::span<const RemedyId> kForShadowed =
-    kOffers<ShrinkPlatform, AddSupports, TurnPart>;
+    kOffers<ShrinkPlatform, AddSupports, OrientPart>;
 inline constexpr std::span<const RemedyId> kForUnreached =
-    kOffers<DropToPlate, AddSupports, TurnPart>;
-inline constexpr std::span<const RemedyId> kForOverhang = kOffers<AddSupports, TurnLeastRisky>;
+    kOffers<DropToPlate, AddSupports, OrientPart>;
+inline constexpr std::span<const RemedyId> kForOverhang =
+    kOffers<AddSupports, RotateToMinRiskyArea>;
 inline constexpr std::span<const RemedyId> kNarrow = kOffers<NarrowVoxels>;
-inline constexpr base::Text kTurnOrShrink =
+inline constexpr base::Text kRotateOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
 inline constexpr base::Text kNarrowTo = "use a voxel width of at most {fits}"_text;
 inline constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
 inline constexpr base::Text kCutThere =
     "add supports (`supports=auto`), cut there, or use curved mode"_text;
-inline constexpr base::Text kTurnOrModes =
+inline constexpr base::Text kRotateOrModes =
     "turn the part (`orient=leastRisky`), add supports, or use planar or curved mode"_text;
 inline constexpr base::Text kMoreVoxels =
     "{what}; another voxel depends on this|{what}; {more} more voxels depend on this"_plural;
@@ -39,12 +40,12 @@ inline constexpr FindingRow kDecomposeRows[] = {
     error(
         ShadowedUnderFacet, "shadowedUnderFacet",
         "{voxels} voxel is shadowed: covered by the convex front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm|{voxels} voxels are shadowed: covered by the convex front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm"_plural,
-        kTurnOrShrink,
+        kRotateOrShrink,
         {.reportId = "shadowedVoxels", .remedies = kForShadowed, .more = kMoreVoxels}),
     error(
         ShadowedUnreached, "shadowedUnreached",
         "{voxels} voxel is shadowed: covered by the convex front before growth reached it|{voxels} voxels are shadowed: covered by the convex front before growth reached them"_plural,
-        kTurnOrShrink,
+        kRotateOrShrink,
         {.reportId = "shadowedVoxels", .remedies = kForShadowed, .more = kMoreVoxels}),
     error(
         Unreached, "unreached",
@@ -78,7 +79,7 @@ inline constexpr FindingRow kDecomposeRows[] = {
         NoSupport, "noSupport",
         "no support column from the platform reaches {voxels} voxel that would be missed|no support column from the platform reaches {voxels} voxels that would be missed"_plural,
         "use a larger platform, or turn the part"_text,
-        {.remedies = kOffers<WidenPlatform, TurnPart, PrintFlat>}),
+        {.remedies = kOffers<WidenPlatform, OrientPart, PrintFlat>}),
     info(ThinWall, "thinWall", kWallThinner, kNarrowTo,
          {.reportId = "thinWalls", .remedies = kNarrow}),
     info(WallTooThin, "wallTooThin", kWallThinner, kThicken, {.reportId = "thinWalls"}),
@@ -88,9 +89,9 @@ inline constexpr FindingRow kDecomposeRows[] = {
          {.reportId = "overhang", .remedies = kForOverhang}),
     info(OverhangsOfPieces, "overhangsOfPieces", kPlacesOverhang, kCutThere,
          {.reportId = "overhang", .remedies = kForOverhang}),
-    info(OverhangOfFlat, "overhangOfFlat", kOverhangs, kTurnOrModes,
+    info(OverhangOfFlat, "overhangOfFlat", kOverhangs, kRotateOrModes,
          {.reportId = "overhang", .remedies = kForOverhang}),
-    info(OverhangsOfFlat, "overhangsOfFlat", kPlacesOverhang, kTurnOrModes,
+    info(OverhangsOfFlat, "overhangsOfFlat", kPlacesOverhang, kRotateOrModes,
          {.reportId = "overhang", .remedies = kForOverhang}),
     info(
         OverhangOverRod, "overhangOverRod",
@@ -113,7 +114,7 @@ inline constexpr FindingRow kDecomposeRows[] = {
         "place the part on a larger face, or use other cutting planes (`cutPlanes`)"_text),
     info(UniformMisses, "uniformMisses",
          "unsupported voxels: {missed} of {voxels}|unsupported voxels: {missed} of {voxels}"_plural,
-         kTurnOrOther, {.remedies = kOffers<TurnLeastRisky>}),
+         kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
 };
 
 } // namespace voluta::plan::finding_rows

@@ -23,7 +23,7 @@ inline constexpr FindingRow kLayersRows[] = {
     error(
         BeginsInAir, "beginsInAir",
         "{pieces} piece of a layer begins in the air|{pieces} pieces of layers begin in the air"_plural,
-        kTurnOrOther, {.remedies = kOffers<AddSupports, TurnLeastRisky, ChooseWay>}),
+        kRotateOrOther, {.remedies = kOffers<AddSupports, RotateToMinRiskyArea, ChooseStrategy>}),
     error(
         BeginsInAirOverRod, "beginsInAirOverRod",
         "a piece of a layer begins in the air, over neither the rod nor an earlier layer|{pieces} pieces of layers begin in the air, over neither the rod nor an earlier layer"_plural,
@@ -34,13 +34,14 @@ inline constexpr FindingRow kLayersRows[] = {
         "a piece of a layer begins in the air, over neither the surface nor an earlier layer|{pieces} pieces of layers begin in the air, over neither the surface nor an earlier layer"_plural,
         "move the part on the surface, or extend it down to the surface there"_text,
         {.reportId = "beginsInAir", .remedies = kForAirOverGround}),
-    error(NotLaid, "notLaid", "not covered by layers: {left:.3g#} of {whole:.4g} of the part"_text,
+    error(NotPrinted, "notLaid",
+          "not covered by layers: {left:.3g#} of {whole:.4g} of the part"_text,
           "choose layers that reach all of it (`layerShape`, `layerCentre`, `endSurface`)"_text,
           {.remedies = kForAirOverGround}),
     info(UnheldOverhang, "unheldOverhang",
          "{area:.3g} overhangs where a support would have no footing"_text,
          "use a larger platform (fit:MARGIN), or turn the part"_text,
-         {.remedies = kOffers<WidenPlatform, TurnLeastRisky>}),
+         {.remedies = kOffers<WidenPlatform, RotateToMinRiskyArea>}),
     info(
         WalledSupport, "walledSupport",
         "support in closed hollows of the part cannot be removed: {volume:.3g}"_text,

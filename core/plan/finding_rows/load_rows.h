@@ -68,7 +68,7 @@ inline constexpr FindingRow kLoadRows[] = {
         "use that orientation, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose another one"_text,
         {.remedies = kOffers<StandBest>}),
     info(
-        TurnedLeastRisky, "turnedLeastRisky",
+        TurnedMinRiskyArea, "turnedLeastRisky",
         "the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang {overhang:.0f} instead of {overhangBefore:.0f#}"_text,
         kKeepOrientation, {.reportId = "turned"}),
     info(
@@ -76,11 +76,11 @@ inline constexpr FindingRow kLoadRows[] = {
         "the part was turned by {angle:.0f} about ({x}, {y}, {z}): {missed} missed voxel ({voxel:.2f} wide) instead of {missedBefore}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}|the part was turned by {angle:.0f} about ({x}, {y}, {z}): {missed} missed voxels ({voxel:.2f} wide) instead of {missedBefore}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}"_plural,
         kKeepOrientation, {.reportId = "turned"}),
     info(
-        TurnedLeastResidual, "turnedLeastResidual",
+        TurnedMinResidualArea, "turnedLeastResidual",
         "the part was turned by {angle:.0f} about ({x}, {y}, {z}): residual area on XY {xy:.0f} instead of {xyBefore:.0f#}, on XZ {xz:.0f} instead of {xzBefore:.0f#}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}"_text,
         kKeepOrientation, {.reportId = "turned"}),
     info(
-        TurnedLeastAfterCuts, "turnedLeastAfterCuts",
+        TurnedMinAfterCuts, "turnedLeastAfterCuts",
         "the part was turned by {angle:.0f} about ({x}, {y}, {z}): estimated overhang after cutting {left:.0f} (pieces: {pieces}) instead of {leftBefore:.0f#} (pieces: {piecesBefore}); uncut {overhang:.0f} instead of {overhangBefore:.0f#}"_text,
         kKeepOrientation, {.reportId = "turned"}),
     info(

@@ -9,7 +9,7 @@ inline constexpr std::span<const RemedyId> kForOutOfReach =
     kOffers<ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat>;
 inline constexpr std::span<const RemedyId> kForCollision =
     kOffers<LessClearance, MoreTurns, Shrink, CentrePart>;
-inline constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
+inline constexpr base::Text kRotateOrClearance = "turn the part, or allow less clearance"_text;
 inline constexpr base::Text kMoreWaypoints =
     "{count} more waypoint: {what}|{count} more waypoints, the first: {what}"_plural;
 
@@ -49,7 +49,7 @@ inline constexpr FindingRow kMotionRows[] = {
     error(HeadInPart, "headInPart", "{place}: the print head would cut into printed material"_text,
           "use a slimmer print head or thinner layers"_text,
           {.reportId = "collision",
-           .remedies = kOffers<LowerLayers, FinerProcess, PrintFlat, ChooseWay>,
+           .remedies = kOffers<LowerLayers, FinerProcess, PrintFlat, ChooseStrategy>,
            .more = kMoreWaypoints}),
     error(HeadInPlatform, "headInPlatform",
           "{place}: the print head would cut into the platform"_text,
@@ -63,10 +63,10 @@ inline constexpr FindingRow kMotionRows[] = {
         "turn the part, use a smaller platform, or allow less clearance"_text,
         {.remedies = kForCollision, .more = kMoreWaypoints}),
     error(MeetsOnCloserLook, "meetsOnCloserLook",
-          "{place}: skipped, because of a collision on the way to it"_text, kTurnOrClearance,
+          "{place}: skipped, because of a collision on the way to it"_text, kRotateOrClearance,
           {.reportId = "collision", .remedies = kForCollision, .more = kMoreWaypoints}),
     error(CollisionInMotion, "collisionInMotion",
-          "{first} collides with {second} in the finished motion"_text, kTurnOrClearance,
+          "{first} collides with {second} in the finished motion"_text, kRotateOrClearance,
           {.reportId = "collision", .remedies = kForCollision}),
     error(
         HomeMeets, "homeMeets",
@@ -74,18 +74,18 @@ inline constexpr FindingRow kMotionRows[] = {
         "choose another home pose for the cell; if only the enclosing shapes of two links overlap, list the pair under neverMeet in the robot's file"_text,
         {.reportId = "collision", .remedies = kForHome, .whyNoRemedy = kCellFile}),
     error(
-        NoWayTo, "noWayTo",
+        NoPathTo, "noWayTo",
         "{place}: no collision-free transfer to {pieces} piece of a path|{place}: no collision-free transfer to {pieces} pieces of paths"_plural,
-        kTurnOrClearance, {.reportId = "transfer", .remedies = kForCollision}),
-    error(NoWayBack, "noWayBack",
+        kRotateOrClearance, {.reportId = "transfer", .remedies = kForCollision}),
+    error(NoPathBack, "noWayBack",
           "{place}: no collision-free transfer from home to the place where the print resumes"_text,
           "choose an earlier or a later bead"_text,
           {.reportId = "transfer",
            .whyNoRemedy = "choose the bead to resume from on the Simulate page"_text}),
     error(
-        NoWayFrom, "noWayFrom",
+        NoPathFrom, "noWayFrom",
         "{place}: no collision-free transfer away from the end of {pieces} piece of a path|{place}: no collision-free transfer away from the ends of {pieces} pieces of paths"_plural,
-        kTurnOrClearance, {.reportId = "transfer", .remedies = kForCollision}),
+        kRotateOrClearance, {.reportId = "transfer", .remedies = kForCollision}),
     info(
         LeftOut, "leftOut",
         "{waypoints} waypoint ({share:.2g} of the material) is skipped; see the findings above|{waypoints} waypoints ({share:.2g} of the material) are skipped; see the findings above"_plural,

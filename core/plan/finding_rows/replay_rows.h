@@ -18,7 +18,8 @@ inline constexpr base::Text kSupportBeads =
     "add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building"_text;
 inline constexpr base::Text kBridgeLength =
     "{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}"_text;
-inline constexpr std::span<const RemedyId> kForFill = kOffers<LowerLayers, FinerProcess, ChooseWay>;
+inline constexpr std::span<const RemedyId> kForFill =
+    kOffers<LowerLayers, FinerProcess, ChooseStrategy>;
 inline constexpr std::span<const RemedyId> kForLimits =
     kOffers<MoreTurns, Shrink, CentrePart, PrintFlat>;
 inline constexpr base::Text kSlicersPaths =
@@ -84,7 +85,7 @@ inline constexpr FindingRow kReplayRows[] = {
              "a bead is printed by a joint motion instead of a straight one"_text),
     mismatch(FlowsWhileStanding, "flowsWhileStanding",
              "{volume:.3f} is extruded here while the nozzle does not move for {time:.3f}"_text),
-    mismatch(StandsAmidPrint, "standsAmidPrint",
+    mismatch(StandsDuringPrint, "standsAmidPrint",
              "the robot dwells here for {time:.2f} with the hot nozzle touching the part"_text),
     mismatch(PrimeChanged, "primeChanged",
              "{volume:.3f} is extruded before the first bead instead of {planned:.3f}"_text),
@@ -124,14 +125,17 @@ inline constexpr FindingRow kReplayRows[] = {
         {.remedies = kOffers<LongerMotions>}),
     error(Uncovered, "uncovered", kUncoveredShare,
           "use lower layers or a finer nozzle, or print the part larger"_text,
-          {.remedies = kOffers<AdaptLayers, LowerLayers, FinerProcess, ChooseWay>}),
+          {.remedies = kOffers<AdaptLayers, LowerLayers, FinerProcess, ChooseStrategy>}),
     error(Overfill, "overfill", kOverfillShares,
           "reduce the flow, or space the beads further apart"_text, {.remedies = kForFill}),
     error(Mass, "mass", kDepositedShare, "check the flow and the infill density"_text,
           {.remedies = kForFill}),
-    error(Unsupported, "unsupported", kUnsupportedLength, kSupportBeads,
-          {.remedies = kOffers<AddSupports, TurnLeastRisky, PrintFlat, ChooseWay, PrintOnPlate>}),
-    info(LongBridge, "longBridge", kBridgeLength, kSupportBeads, {.remedies = kOffers<ChooseWay>}),
+    error(
+        Unsupported, "unsupported", kUnsupportedLength, kSupportBeads,
+        {.remedies =
+             kOffers<AddSupports, RotateToMinRiskyArea, PrintFlat, ChooseStrategy, PrintOnPlate>}),
+    info(LongBridge, "longBridge", kBridgeLength, kSupportBeads,
+         {.remedies = kOffers<ChooseStrategy>}),
     error(
         CoolingTime, "coolingTime",
         "the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads"_text,

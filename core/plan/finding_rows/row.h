@@ -61,7 +61,7 @@ inline constexpr base::Text kWriteAgain =
 inline constexpr base::Text kOthersHelp = "see the remedies of the findings before this one"_text;
 inline constexpr base::Text kCellFile = "change the cell's file: Edit, Edit cell"_text;
 inline constexpr base::Text kBreakOff = "break it off after printing"_text;
-inline constexpr base::Text kTurnOrOther =
+inline constexpr base::Text kRotateOrOther =
     "turn the part (`orient=leastRisky`), or use planar or curved mode"_text;
 inline constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
 

@@ -64,7 +64,7 @@ inline constexpr FindingRow kToolpathRows[] = {
     byAmount(Gouge, "gouge",
              "the print head would cut into printed material, however it is tilted"_text,
              "use a slimmer print head, turn the part, or print it larger"_text,
-             {.remedies = kOffers<FinerProcess, Enlarge, PrintFlat, ChooseWay>}),
+             {.remedies = kOffers<FinerProcess, Enlarge, PrintFlat, ChooseStrategy>}),
     byAmount(
         Overload, "overload",
         "the flange carries {carried:.3g} kg, {material:.3g} kg of it printed material; the robot is rated for {most:.3g} kg"_text,

@@ -34,8 +34,8 @@ double uniform(std::mt19937& random) {
 Plane perturbed(const Plane& plane, const Vector3d& middle, double shiftMm, std::mt19937& random) {
   const PlaneFrame frame = frameOf(plane.normal);
   const double tilt = kTiltRad * std::sqrt(uniform(random)),
-               turn = 2.0 * base::kPi * uniform(random);
-  const Vector3d axis = std::cos(turn) * frame.across + std::sin(turn) * frame.along;
+               angle = 2.0 * base::kPi * uniform(random);
+  const Vector3d axis = std::cos(angle) * frame.across + std::sin(angle) * frame.along;
   const Vector3d normal = Eigen::AngleAxisd(tilt, axis) * plane.normal;
   return {normal, normal.dot(middle) + shiftMm * (2.0 * uniform(random) - 1.0)};
 }
@@ -48,10 +48,10 @@ std::size_t holderOf(const RegionPlane& at, const std::vector<Piece>& pieces) {
     queries.emplace_back(piece.solid.mesh);
   for (const Vector3d& p : at.rim) {
     std::size_t nearest = 0;
-    double least = 1e300;
+    double minimum = 1e300;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (const double d = queries[i].closest(p, least).distance; d < least) {
-        least = d;
+      if (const double d = queries[i].closest(p, minimum).distance; d < minimum) {
+        minimum = d;
         nearest = i;
       }
     ++votes[nearest];
@@ -68,19 +68,19 @@ std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : at.rim)
     middle += p / static_cast<double>(at.rim.size());
-  double most = std::numeric_limits<double>::infinity(); // largest area of the section
+  double maximum = std::numeric_limits<double>::infinity(); // largest area of the section
   std::optional<Plane> best;
   double gain = 0.0;
   const auto consider = [&](const Plane& plane) {
     const PlaneGain planned = planeGain(piece, faces, rule, plane, top, kAnyFoot);
-    if (plane.normal.z() >= options.lowestZ && planned.allowed && planned.sectionMm2 <= most &&
+    if (plane.normal.z() >= options.lowestZ && planned.allowed && planned.sectionMm2 <= maximum &&
         (!best || planned.gainMm2 > gain)) {
       gain = planned.gainMm2;
       best = plane;
     }
     return planned;
   };
-  most = kSectionGrows * consider(at.plane).sectionMm2;
+  maximum = kSectionGrows * consider(at.plane).sectionMm2;
   for (int i = 0; i < kTries; ++i)
     consider(perturbed(at.plane, middle, shiftMm, random));
   return best;
@@ -94,19 +94,19 @@ std::optional<PieceCut> cutAt(const Piece& piece, const Plane& plane, const Vect
   const auto distance = [&](const TaggedMesh& solid) {
     return geometry::MeshQuery(solid.mesh).closest(beyond).distance;
   };
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   constrainedCut(
       piece, plane, tag,
       [&](const TaggedMesh& solid) {
-        least = std::min(least, distance(solid));
+        minimum = std::min(minimum, distance(solid));
         return false;
       },
       options, footing, SectionContact::Apart);
   return constrainedCut(
       piece, plane, tag,
       [&](const TaggedMesh& solid) {
-        return distance(solid) <= least + kMovedMm &&
-               geometry::volume(solid.mesh) >= options.leastVolumeMm3;
+        return distance(solid) <= minimum + kMovedMm &&
+               geometry::volume(solid.mesh) >= options.minVolumeMm3;
       },
       options, footing, SectionContact::Apart);
 }
@@ -116,7 +116,7 @@ void mergePieces(std::vector<Piece>& pieces, const RiskRule& rule, const base::R
   while (true) {
     ctx.checkpoint();
     std::optional<Piece> best;
-    double most = -kSame;
+    double maximum = -kSame;
     std::size_t lower = 0, upper = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (std::size_t j = 0; j < pieces.size(); ++j) {
@@ -127,9 +127,9 @@ void mergePieces(std::vector<Piece>& pieces, const RiskRule& rule, const base::R
           continue;
         const double gain =
             riskyArea(pieces[i], rule) + riskyArea(pieces[j], rule) - riskyArea(*one, rule);
-        if (gain <= most)
+        if (gain <= maximum)
           continue;
-        most = gain;
+        maximum = gain;
         best = std::move(one);
         lower = i;
         upper = j;

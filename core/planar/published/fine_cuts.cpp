@@ -37,7 +37,7 @@ struct Candidate {
 struct Queued {
   Piece piece;
   double riskyMm2 = 0.0;
-  std::size_t way = 0;               // its number in PieceWays
+  std::size_t pieceIndex = 0;        // its number in PieceWays
   std::size_t level = 0;             // the next to search
   std::vector<Candidate> candidates; // best last
 };
@@ -77,10 +77,10 @@ private:
 };
 
 struct PlaneLimits {
-  double stepMm = 5.0;      // between offsets
-  bool mayTouch = false;    // false: planes do not meet the sections of other cuts
-  double leastMm2 = 1.0;    // smaller gains do not count
-  double leastStands = 0.0; // contact area of the piece that remains [mm2]
+  double stepMm = 5.0;       // between offsets
+  bool mayTouch = false;     // false: planes do not meet the sections of other cuts
+  double minMm2 = 1.0;       // smaller gains do not count
+  double minStandsMm2 = 0.0; // contact area of the piece that remains [mm2]
 };
 
 // Computes the risky area that each plane perpendicular to the normal removes, for planes that
@@ -118,8 +118,9 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
     if (!limits.mayTouch && piece.solid.tag[t] != kSkin)
       std::fill(forbidden.begin() + static_cast<std::ptrdiff_t>(begin),
                 forbidden.begin() + static_cast<std::ptrdiff_t>(end), 1);
-    const double weight = (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
-                          (!faces.laid[t] && isRisky(faces.normal[t], normal, rule) ? 1.0 : 0.0);
+    const double weight =
+        (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
+        (!faces.onPrinted[t] && isRisky(faces.normal[t], normal, rule) ? 1.0 : 0.0);
     if (weight == 0.0 && !faces.stands[t])
       continue;
     const double contact = faces.stands[t] ? faces.area[t] : 0.0;
@@ -133,8 +134,8 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
   }
   const std::vector<double> gains = gain.sums(), contactLoss = stands.sums();
   for (std::size_t k = count; k-- > 0;)
-    if (!forbidden[k] && gains[k] >= limits.leastMm2 &&
-        faces.standsMm2 - contactLoss[k] >= limits.leastStands)
+    if (!forbidden[k] && gains[k] >= limits.minMm2 &&
+        faces.standsMm2 - contactLoss[k] >= limits.minStandsMm2)
       out.push_back({{normal, offsetOf(k)}, gains[k]});
 }
 
@@ -204,7 +205,7 @@ private:
     Queued q;
     q.riskyMm2 = riskyArea(piece, rule());
     q.piece = std::move(piece);
-    q.way = ways_.add(q.piece);
+    q.pieceIndex = ways_.add(q.piece);
     return q;
   }
 
@@ -224,12 +225,12 @@ private:
     const std::size_t blocked = blockedWith(made, at);
     if (blocked > blocked_) {
       for (const Queued& q : made)
-        ways_.remove(q.way);
+        ways_.remove(q.pieceIndex);
       return false;
     }
     blocked_ = blocked;
     tag_ += static_cast<std::int32_t>(made.size()) - 1;
-    ways_.remove(queue_[at].way);
+    ways_.remove(queue_[at].pieceIndex);
     queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(at));
     queue_.insert(queue_.end(), std::make_move_iterator(made.begin()),
                   std::make_move_iterator(made.end()));
@@ -242,7 +243,7 @@ private:
     std::size_t looked = 0, best = queue_.size();
     for (std::size_t i = 0; i < queue_.size() && looked < fine_.pieces; ++i) {
       Queued& q = queue_[i];
-      if (q.riskyMm2 < fine_.leastMm2)
+      if (q.riskyMm2 < fine_.minMm2)
         break;
       while (q.candidates.empty() && q.level < kLevels.size())
         search(q);
@@ -263,9 +264,9 @@ private:
     PlaneLimits limits;
     limits.stepMm = level.stepShare * fine_.stepMm;
     limits.mayTouch = sections_ == SectionContact::MayTouch;
-    limits.leastMm2 = fine_.leastMm2;
-    limits.leastStands = optionsFor(q).keptContact *
-                         (q.piece.baseTag == kPlate ? fine_.footing.contactMm2 : faces.standsMm2);
+    limits.minMm2 = fine_.minMm2;
+    limits.minStandsMm2 = optionsFor(q).keptContact *
+                          (q.piece.baseTag == kPlate ? fine_.footing.contactMm2 : faces.standsMm2);
     std::vector<std::vector<Candidate>> found(normals_.size());
     base::parallelChunks(ctx_.quiet(), normals_.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -289,12 +290,12 @@ private:
   std::optional<Halves> halves(const Queued& q, const Plane& plane, const Wanted& wanted) const {
     const PlanarOptions& options = optionsFor(q);
     auto cut = constrainedCut(q.piece, plane, tag_, wanted, options, fine_.footing, sections_);
-    if (!cut || geometry::volume(cut->below.solid.mesh) < options.leastVolumeMm3)
+    if (!cut || geometry::volume(cut->below.solid.mesh) < options.minVolumeMm3)
       return std::nullopt;
     double risky = riskyArea(cut->below, rule());
     for (const Piece& piece : cut->above)
       risky += riskyArea(piece, rule());
-    if (q.riskyMm2 - risky < fine_.leastMm2)
+    if (q.riskyMm2 - risky < fine_.minMm2)
       return std::nullopt;
     return Halves{std::move(*cut), risky};
   }
@@ -305,7 +306,7 @@ private:
   bool cutBy(std::size_t at, const Plane& plane) {
     std::size_t solids = 0;
     const auto large = [&](const TaggedMesh& solid) {
-      return geometry::volume(solid.mesh) >= levelOptions_[0].leastVolumeMm3;
+      return geometry::volume(solid.mesh) >= levelOptions_[0].minVolumeMm3;
     };
     const auto all = halves(queue_[at], plane, [&](const TaggedMesh& solid) {
       ++solids;
@@ -330,9 +331,9 @@ private:
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < queue_.size(); ++i)
       if (i != replaced)
-        numbers.push_back(queue_[i].way);
+        numbers.push_back(queue_[i].pieceIndex);
     for (const Queued& q : made)
-      numbers.push_back(q.way);
+      numbers.push_back(q.pieceIndex);
     return ways_.blocked(numbers);
   }
 
@@ -353,8 +354,8 @@ std::vector<Piece> fineCuts(std::vector<Piece> pieces, const PlanarOptions& opti
                             const FineCutOptions& fine, std::int32_t& firstTag,
                             const base::RunContext& ctx) {
   FineCutting cutting(std::move(pieces), options, fine, firstTag, ctx);
-  for (int cuts = 0; cuts < options.mostCuts && cutting.riskyMm2() > fine.targetMm2; ++cuts) {
-    ctx.report(static_cast<double>(cuts) / options.mostCuts, "pieces"_text);
+  for (int cuts = 0; cuts < options.maxCuts && cutting.riskyMm2() > fine.targetMm2; ++cuts) {
+    ctx.report(static_cast<double>(cuts) / options.maxCuts, "pieces"_text);
     if (!cutting.cutOnce())
       break;
   }

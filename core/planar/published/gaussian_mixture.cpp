@@ -21,15 +21,15 @@ double logDensity(const Gaussian& g, double x) {
 // Returns the logarithm of the sum of share x density; the logarithms of the components in `logs`.
 double logSum(const std::vector<Gaussian>& parts, double x, std::vector<double>& logs) {
   logs.resize(parts.size());
-  double most = -1e300;
+  double maximum = -1e300;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     logs[k] = std::log(std::max(1e-300, parts[k].share)) + logDensity(parts[k], x);
-    most = std::max(most, logs[k]);
+    maximum = std::max(maximum, logs[k]);
   }
   double sum = 0.0;
   for (const double l : logs)
-    sum += std::exp(l - most);
-  return most + std::log(sum);
+    sum += std::exp(l - maximum);
+  return maximum + std::log(sum);
 }
 
 Gaussian overAll(const std::vector<double>& values, const std::vector<double>& weights) {
@@ -125,18 +125,18 @@ GaussianMixture fitMixture(const std::vector<double>& values, const std::vector<
 }
 
 GaussianMixture bestMixture(const std::vector<double>& values, const std::vector<double>& weights,
-                            std::size_t most) {
-  base::require(most >= 1, "bestMixture: a part at least");
+                            std::size_t maxComponents) {
+  base::require(maxComponents >= 1, "bestMixture: a part at least");
   GaussianMixture best;
-  double least = 0.0;
-  for (std::size_t k = 1; k <= most; ++k) {
+  double minimum = 0.0;
+  for (std::size_t k = 1; k <= maxComponents; ++k) {
     GaussianMixture mixture = fitMixture(values, weights, k);
     const double criterion =
         -2.0 * mixture.logLikelihood +
         (3.0 * static_cast<double>(k) - 1.0) * std::log(static_cast<double>(values.size())) +
         twiceEntropy(mixture, values, weights);
-    if (k == 1 || criterion < least) {
-      least = criterion;
+    if (k == 1 || criterion < minimum) {
+      minimum = criterion;
       best = std::move(mixture);
     }
   }

@@ -25,12 +25,12 @@ struct GaussianMixture {
 GaussianMixture fitMixture(const std::vector<double>& values, const std::vector<double>& weights,
                            std::size_t count);
 
-// Returns the mixture of 1 to `most` components with the minimum integrated completed likelihood
-// (Biernacki, Celeux, Govaert, Assessing a mixture model for clustering with the integrated
-// completed likelihood, 2000): the Bayesian information criterion, -2 log L + (3 k - 1) log n, plus
-// twice the entropy of the values' shares. BIC alone selects as many components as approximate the
-// distribution; this criterion selects as many as are distinct.
+// Returns the mixture of 1 to `maxComponents` components with the minimum integrated completed
+// likelihood (Biernacki, Celeux, Govaert, Assessing a mixture model for clustering with the
+// integrated completed likelihood, 2000): the Bayesian information criterion, -2 log L + (3 k - 1)
+// log n, plus twice the entropy of the values' shares. BIC alone selects as many components as
+// approximate the distribution; this criterion selects as many as are distinct.
 GaussianMixture bestMixture(const std::vector<double>& values, const std::vector<double>& weights,
-                            std::size_t most);
+                            std::size_t maxComponents);
 
 } // namespace voluta::planar

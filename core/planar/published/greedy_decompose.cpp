@@ -54,9 +54,8 @@ std::vector<RegionPlane> planesOutwards(const geometry::TriangleMesh& part, cons
 
 } // namespace
 
-PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
-                                    const PlanarOptions& given, const GreedyOptions& greedy,
-                                    const base::RunContext& ctx) {
+PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part, const PlanarOptions& given,
+                                    const GreedyOptions& greedy, const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
     throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
                       "repair it, or use curved mode, which takes any mesh"_text);
@@ -76,7 +75,7 @@ PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
     fine.footing = footingOf(whole, options.rule);
     fine.spacingMm = kOrderSpacingMm;
     pieces = coarsePieces(std::move(whole), planes, options, tag, ctx.sub(0.4, 0.6));
-    fine.leastMm2 = kMinGain * out.riskyBeforeMm2;
+    fine.minMm2 = kMinGain * out.riskyBeforeMm2;
     fine.targetMm2 = options.target * out.riskyBeforeMm2;
     pieces = fineCuts(std::move(pieces), options, fine, tag, ctx.sub(0.6, 1.0));
   } else {

@@ -21,7 +21,7 @@ struct GreedyOptions {
 // by greedy fine cuts until options.target or no further gain. Without a skeleton there are only
 // fine cuts. Deviations from the source:
 // - The part keeps its orientation; the source turns it to the root's best direction (see
-//   placement::Objective::LeastAfterCuts).
+//   placement::Objective::MinAfterCuts).
 // - Constraint I, a substitute for the head's shape, holds in the coarse cuts. In the fine cuts, if
 //   options.head is given, sections may end at one another, and a cut is refused if it increases
 //   the number of pieces that the head's true shape does not reach past the others. Without a head
@@ -31,8 +31,8 @@ struct GreedyOptions {
 // - Pieces that would have no base are not cut off.
 // - A fine cut gains 0.2 % of the initial risky area at least.
 // blockedPieces counts the pieces that the head does not reach: those of the coarse cuts, which
-// only constraints I and II limit. Uses options.rule, head, plate, leastVolumeMm3, target,
-// searchTriangles and mostCuts. Precondition: `part` is closed, its faces point outward and it is
+// only constraints I and II limit. Uses options.rule, head, plate, minVolumeMm3, target,
+// searchTriangles and maxCuts. Precondition: `part` is closed, its faces point outward and it is
 // on z = 0. The result does not depend on the number of threads. Throws Error{UnusableInput} if the
 // part is not closed or the root is not on the plate; Cancelled.
 PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,

@@ -22,7 +22,8 @@ std::optional<Piece> merged(const Piece& lower, const Piece& upper) {
     return std::nullopt;
   if (std::any_of(upper.solid.mesh.vertices.begin(), upper.solid.mesh.vertices.end(),
                   [&](const Eigen::Vector3d& v) { return lower.base.heightOf(v) < -kBelowMm; }) ||
-      std::find(upper.solid.tag.begin(), upper.solid.tag.end(), kLaid) != upper.solid.tag.end())
+      std::find(upper.solid.tag.begin(), upper.solid.tag.end(), kOnPrinted) !=
+          upper.solid.tag.end())
     return std::nullopt;
   std::map<Place, int> joined; // points of the section on the side of `lower`
   Piece out;

@@ -22,7 +22,7 @@ std::size_t PieceWays::add(const Piece& piece) {
   return added_++;
 }
 
-bool PieceWays::inTheWay(std::size_t of, std::size_t what) {
+bool PieceWays::isBlocking(std::size_t of, std::size_t what) {
   const auto [at, isNew] = ways_.try_emplace({of, what}, false);
   if (isNew)
     at->second = head_.blocked(known_.at(of).tips, known_.at(what).obstacles->blocks(),
@@ -40,7 +40,7 @@ std::size_t PieceWays::blocked(const std::vector<std::size_t>& pieces) {
     holds.push_back(known_.at(p).holds);
   }
   return orderOf(standsOnTag, holds,
-                 [&](std::size_t i, std::size_t j) { return inTheWay(pieces[i], pieces[j]); })
+                 [&](std::size_t i, std::size_t j) { return isBlocking(pieces[i], pieces[j]); })
       .blocked;
 }
 

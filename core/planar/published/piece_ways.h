@@ -38,7 +38,7 @@ private:
     std::vector<Eigen::Vector3d> tips;
     std::unique_ptr<PointBlocks> obstacles; // with the plate and the bodies that carry it
   };
-  bool inTheWay(std::size_t of, std::size_t what);
+  bool isBlocking(std::size_t of, std::size_t what);
 
   const PlanarOptions& options_;
   double spacingMm_;

@@ -18,15 +18,16 @@ std::vector<double> shapeDiameters(const geometry::TriangleMesh& mesh,
   base::parallelChunks(ctx, out.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const Vector3d p = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
-      double least = 1e300;
+      double minimum = 1e300;
       for (const Vector3d& q : skeleton.points)
-        least = std::min(least, (p - q).squaredNorm());
+        minimum = std::min(minimum, (p - q).squaredNorm());
       for (const auto& e : skeleton.edges) {
         const Vector3d& a = skeleton.points[static_cast<std::size_t>(e[0])];
         const Vector3d& b = skeleton.points[static_cast<std::size_t>(e[1])];
-        least = std::min(least, (a + geometry::nearestShare(p, a, b) * (b - a) - p).squaredNorm());
+        minimum =
+            std::min(minimum, (a + geometry::nearestShare(p, a, b) * (b - a) - p).squaredNorm());
       }
-      out[t] = std::sqrt(least);
+      out[t] = std::sqrt(minimum);
     }
   });
   return out;

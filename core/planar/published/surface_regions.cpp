@@ -42,8 +42,8 @@ std::vector<Border> bordersOf(const geometry::TriangleMesh& mesh) {
       const Vector3d n = geometry::triangleNormal(mesh, border.a),
                      m = geometry::triangleNormal(mesh, border.b);
       const Vector3d& opposite = mesh.corner(border.b, (f.side + 2) % 3);
-      const double turn = std::acos(std::clamp(n.dot(m), -1.0, 1.0)) / base::kPi;
-      border.angle = n.dot(opposite - p) > 0.0 ? turn : kConvexShare * turn;
+      const double bend = std::acos(std::clamp(n.dot(m), -1.0, 1.0)) / base::kPi;
+      border.angle = n.dot(opposite - p) > 0.0 ? bend : kConvexShare * bend;
       out.push_back(border);
     }
   });
@@ -85,23 +85,23 @@ void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& 
     into[r] = static_cast<int>(r);
   std::vector<bool> merged(count, false);
   while (true) {
-    std::size_t least = count;
+    std::size_t smallest = count;
     for (std::size_t r = 0; r < count; ++r)
       if (!merged[r] && !common[r].empty() && size[r] < kMinShare * all &&
-          (least == count || size[r] < size[least]))
-        least = r;
-    if (least == count)
+          (smallest == count || size[r] < size[smallest]))
+        smallest = r;
+    if (smallest == count)
       break;
     const auto longest =
-        std::max_element(common[least].begin(), common[least].end(),
+        std::max_element(common[smallest].begin(), common[smallest].end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
     const auto host = static_cast<std::size_t>(longest->first);
-    merged[least] = true;
-    into[least] = longest->first;
-    size[host] += size[least];
-    for (const auto& [other, length] : common[least]) {
+    merged[smallest] = true;
+    into[smallest] = longest->first;
+    size[host] += size[smallest];
+    for (const auto& [other, length] : common[smallest]) {
       auto& theirs = common[static_cast<std::size_t>(other)];
-      theirs.erase(static_cast<int>(least));
+      theirs.erase(static_cast<int>(smallest));
       if (static_cast<std::size_t>(other) == host)
         continue;
       theirs[static_cast<int>(host)] += length;

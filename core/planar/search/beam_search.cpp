@@ -25,12 +25,12 @@ namespace {
 // Returns the face whose centroid is nearest to a point.
 int faceAt(const geometry::TriangleMesh& mesh, const Vector3d& p) {
   int best = 0;
-  double least = 1e300;
+  double minimum = 1e300;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double d =
         ((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0 - p).squaredNorm();
-    if (d < least) {
-      least = d;
+    if (d < minimum) {
+      minimum = d;
       best = static_cast<int>(t);
     }
   }
@@ -46,7 +46,7 @@ struct Pieces {
 // search, on which later steps depend, it is polished again. A step that the part's finer shape
 // does not allow is skipped, together with the steps that build on it.
 Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const PlanarOptions& options,
-                 double leastGainMm2) {
+                 double minGainMm2) {
   std::map<int, Piece> pieces; // by the numbers of the search
   pieces[0] = part;
   Pieces out;
@@ -70,11 +70,11 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
           std::min(planned.footMm2 + 0.02 * faces.standsMm2, 0.9 * faces.standsMm2);
       polish.footPrice = 1e-3;
       const Plane plane = polished(piece, faces, options.rule, step.plane, top, polish);
-      const CutRules rules{options.rule, leastGainMm2, options.leastVolumeMm3,
+      const CutRules rules{options.rule, minGainMm2, options.minVolumeMm3,
                            polish.maxContactLossMm2};
       cut = cutPiece(piece, plane, tag, rules);
       CutRules any = rules;
-      any.leastGainMm2 = 0.0;
+      any.minGainMm2 = 0.0;
       any.maxContactLossMm2 = std::max(polish.maxContactLossMm2, 0.5 * faces.standsMm2);
       for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
         if (!cut || cut->above.size() != step.above.size())
@@ -164,13 +164,13 @@ std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t tr
 // Cuts further by single planes, each with the largest gain: the search passes over small gains,
 // because an additional piece has a price there.
 std::vector<Piece> finished(std::vector<Piece> pieces, const PlanarOptions& options,
-                            const Footing& footing, double leastMm2, double targetMm2,
+                            const Footing& footing, double minMm2, double targetMm2,
                             const base::RunContext& ctx) {
   FineCutOptions fine;
   fine.normals = options.normals;
   fine.stepMm = options.stepMm;
   fine.spacingMm = kReachSpacingMm;
-  fine.leastMm2 = leastMm2;
+  fine.minMm2 = minMm2;
   fine.targetMm2 = targetMm2;
   fine.footing = footing;
   std::int32_t tag = 0;
@@ -193,7 +193,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   out.riskyBeforeMm2 = riskyArea(whole, options.rule);
   const Footing footing = footingOf(whole, options.rule);
   const double goal = options.target * out.riskyBeforeMm2;
-  const double least = 5e-4 * out.riskyBeforeMm2;
+  const double minimum = 5e-4 * out.riskyBeforeMm2;
   Tried best = judged({whole}, options);
   double share = 0.0;
   const std::vector<PlanarOptions> steps = searches(options, part.triangles.size());
@@ -223,7 +223,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     for (std::size_t i = 0; i < std::min(found.size(), kTriedOnThePart); ++i) {
       ctx.checkpoint();
       Pieces made =
-          asIs ? Pieces{found[i].pieces, true} : onThePart(whole, found[i].steps, step, least);
+          asIs ? Pieces{found[i].pieces, true} : onThePart(whole, found[i].steps, step, minimum);
       if (!made.stand)
         continue;
       Tried tried = judged(std::move(made.pieces), options);
@@ -254,7 +254,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   }
   if (!best.good(kAbout * goal)) {
     Tried tried =
-        judged(finished(best.pieces, options, footing, least, goal, ctx.quiet()), options);
+        judged(finished(best.pieces, options, footing, minimum, goal, ctx.quiet()), options);
     if (tried.betterThan(best, goal))
       best = std::move(tried);
   }

@@ -13,11 +13,11 @@ constexpr double kMin = 1e-4; // of the initial risky area: minimum gain of a mo
 // Returns the face that reaches highest along a direction.
 int highestFace(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& direction) {
   int best = 0;
-  double most = -1e300;
+  double maximum = -1e300;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
-      if (const double h = direction.dot(mesh.corner(t, k)); h > most) {
-        most = h;
+      if (const double h = direction.dot(mesh.corner(t, k)); h > maximum) {
+        maximum = h;
         best = static_cast<int>(t);
       }
   return best;
@@ -51,10 +51,10 @@ CutSearch::pairsOf(const State& state) {
 }
 
 bool CutSearch::movePlanes(State& state) {
-  const double least = kMin * before_;
+  const double minimum = kMin * before_;
   for (const auto& [lower, upper] : pairsOf(state)) {
     ctx_.checkpoint();
-    if (lower->risky + upper->risky < least || !moved_.insert({lower->id, upper->id}).second)
+    if (lower->risky + upper->risky < minimum || !moved_.insert({lower->id, upper->id}).second)
       continue;
     auto joined = merged(lower->piece, upper->piece);
     if (!joined)
@@ -69,7 +69,7 @@ bool CutSearch::movePlanes(State& state) {
     const int top = highestFace(whole->piece.solid.mesh, upper->piece.base.normal);
     const Plane plane =
         polished(whole->piece, whole->faces, options_.rule, upper->piece.base, top, polish);
-    const CutRules rules{options_.rule, least, options_.leastVolumeMm3, maxContactLoss(*whole)};
+    const CutRules rules{options_.rule, minimum, options_.minVolumeMm3, maxContactLoss(*whole)};
     if (!keepsContact(*whole, plane))
       continue;
     auto cut = cutPiece(whole->piece, plane, tags_, rules);
@@ -85,7 +85,7 @@ bool CutSearch::movePlanes(State& state) {
       if (n->id < 0)
         n->id = ids_++;
     weigh(made);
-    if (made.risky > state.risky - least)
+    if (made.risky > state.risky - minimum)
       continue;
     weighHead(made);
     if (!gains(made, state))
@@ -102,7 +102,7 @@ bool CutSearch::cutAnew(State& state) {
     ctx_.checkpoint();
     if (anew_.size() == kPairs)
       return false;
-    if (lower->risky + upper->risky < least_ || !anew_.insert({lower->id, upper->id}).second)
+    if (lower->risky + upper->risky < minimum_ || !anew_.insert({lower->id, upper->id}).second)
       continue;
     auto joined = merged(lower->piece, upper->piece);
     if (!joined)

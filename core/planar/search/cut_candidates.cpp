@@ -20,7 +20,7 @@ std::vector<Vector3d> evenDirections(int count, double zMin) {
   return directions;
 }
 
-std::vector<Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double leastShare,
+std::vector<Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double minShare,
                                      std::size_t count, double zMin) {
   constexpr double kSame = 0.9998; // cosine: about a degree
   struct Look {
@@ -41,7 +41,7 @@ std::vector<Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double 
     else
       same->area += area;
   }
-  std::erase_if(looks, [&](const Look& l) { return l.area < leastShare * all; });
+  std::erase_if(looks, [&](const Look& l) { return l.area < minShare * all; });
   std::stable_sort(looks.begin(), looks.end(),
                    [](const Look& a, const Look& b) { return a.area > b.area; });
   std::vector<Vector3d> out;
@@ -86,10 +86,10 @@ void sortFalling(std::vector<Entry>& entries) {
   constexpr std::size_t kBuckets = 1U << kBits;
   if (entries.empty())
     return;
-  const auto [least, most] = std::minmax_element(
+  const auto [minimum, maximum] = std::minmax_element(
       entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.low < b.low; });
-  const double high = most->low;
-  const double scale = 4294967295.0 / std::max(1e-9, high - least->low);
+  const double high = maximum->low;
+  const double scale = 4294967295.0 / std::max(1e-9, high - minimum->low);
   struct Keyed {
     std::uint32_t key;
     Entry entry;
@@ -171,7 +171,7 @@ private:
     Above& own = part_[t];
     own.before = faces_.risky[t];
     own.after =
-        !faces_.laid[t] && faces_.normal[t].dot(normal_) < riskyCosine_ ? faces_.area[t] : 0.0;
+        !faces_.onPrinted[t] && faces_.normal[t].dot(normal_) < riskyCosine_ ? faces_.area[t] : 0.0;
     own.stands = faces_.stands[t] ? faces_.area[t] : 0.0;
     own.top = face;
     for (const int w : faces_.neighbour[t]) {
@@ -203,7 +203,7 @@ private:
   void noteGain(int root, double level) {
     Above& p = part_[static_cast<std::size_t>(root)];
     const double gain = p.before - p.after - options_.footPrice * p.stands;
-    if (p.stands > options_.maxContactLossMm2 || gain < options_.leastMm2 || gain <= p.bestGain)
+    if (p.stands > options_.maxContactLossMm2 || gain < options_.minMm2 || gain <= p.bestGain)
       return;
     if (p.bestGain < 0.0)
       fresh_.push_back(root);
@@ -215,7 +215,7 @@ private:
   void keep() {
     for (const int r : fresh_) {
       Above& p = part_[static_cast<std::size_t>(r)];
-      if (sets_.find(r) != r || p.bestGain < options_.leastMm2)
+      if (sets_.find(r) != r || p.bestGain < options_.minMm2)
         continue;
       CutCandidate c;
       c.plane = {normal_, p.bestOffset};

@@ -15,9 +15,9 @@ namespace voluta::planar {
 std::vector<Eigen::Vector3d> evenDirections(int count, double zMin);
 
 // Returns normals of the part's own flat faces, in both signs: the directions of faces with at
-// least `leastShare` of the surface; at most `count`, largest area first; followed by the axes'
+// least `minShare` of the surface; at most `count`, largest area first; followed by the axes'
 // directions. z >= zMin.
-std::vector<Eigen::Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double leastShare,
+std::vector<Eigen::Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double minShare,
                                             std::size_t count, double zMin);
 
 // A plane and the connected part above it, which would be printed along the plane's normal instead
@@ -34,7 +34,7 @@ struct CutCandidate {
 
 struct CandidateOptions {
   double stepMm = 2.0;            // between the offsets of a normal
-  double leastMm2 = 1.0;          // smaller gains are not worth a cut
+  double minMm2 = 1.0;            // smaller gains are not worth a cut
   double maxContactLossMm2 = 0.0; // contact area of the piece's base that may be cut off, at most
   double footPrice = 0.0;         // risky area that a mm² of contact is worth
   std::size_t perNormal = 4;      // maximum per normal

@@ -35,7 +35,7 @@ double gainAbove(const Piece& piece, const FaceTable& faces, const RiskRule& rul
          plane.heightOf(mesh.corner(t, 2))) <= 0.0)
       continue;
     gain += faces.risky[t];
-    if (!faces.laid[t] && isRisky(faces.normal[t], plane.normal, rule))
+    if (!faces.onPrinted[t] && isRisky(faces.normal[t], plane.normal, rule))
       gain -= faces.area[t];
   }
   return gain;
@@ -86,7 +86,7 @@ std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& wh
     if (choices[i].gain < -kCosts * before_)
       break;
     const auto wanted = [&](const TaggedMesh& solid) {
-      if (geometry::volume(solid.mesh) < options_.leastVolumeMm3)
+      if (geometry::volume(solid.mesh) < options_.minVolumeMm3)
         return false;
       const std::vector<Vector3d> surface = surfaceSamples(solid.mesh, kReachSpacingMm);
       return !head_.inside(of.tips, {surface}, up, first).empty();
@@ -115,8 +115,8 @@ std::shared_ptr<CutSearch::Cutting> CutSearch::clearing(const Node& of, Node& wh
   return nullptr;
 }
 
-bool CutSearch::clearWays(State& state, std::size_t mostBlocked) {
-  for (int round = 0; round < kRounds && state.blocked > mostBlocked; ++round) {
+bool CutSearch::clearWays(State& state, std::size_t maxBlocked) {
+  for (int round = 0; round < kRounds && state.blocked > maxBlocked; ++round) {
     ctx_.checkpoint();
     const PieceOrder order = orderKnown(state);
     if (order.late.empty())
@@ -134,7 +134,7 @@ bool CutSearch::clearWays(State& state, std::size_t mostBlocked) {
     weigh(state);
     weighHead(state);
   }
-  return state.blocked <= mostBlocked;
+  return state.blocked <= maxBlocked;
 }
 
 } // namespace voluta::planar

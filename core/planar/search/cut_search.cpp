@@ -44,7 +44,7 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
     : options_(options), ctx_(ctx), head_(options.head, headMarginMm),
       normals_(evenDirections(options.normals, options.lowestZ)),
       carrier_(carrierSamples(options.platform, kReachSpacingMm)), before_(riskyBeforeMm2),
-      least_(kMinGain * riskyBeforeMm2), footing_(footing) {
+      minimum_(kMinGain * riskyBeforeMm2), footing_(footing) {
   constexpr double kFlatShare = 0.004;
   geometry::TriangleMesh all;
   for (const Piece& piece : pieces) {
@@ -123,7 +123,7 @@ bool CutSearch::keepsContact(const Node& n, const Plane& plane) const {
 
 // Returns whether the head clears plate and carrier while printing all that is above the plane,
 // which may be more than the candidate cuts off. The remainder of the piece is below.
-bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
+bool CutSearch::approachIsFree(const Node& n, const CutCandidate& c) const {
   if (head_.empty())
     return true;
   std::vector<Vector3d> tips, obstacles;
@@ -153,7 +153,7 @@ void CutSearch::findCandidates(Node& n) {
   n.faces = faceTable(n.piece, options_.rule);
   CandidateOptions options;
   options.stepMm = options_.stepMm;
-  options.leastMm2 = least_;
+  options.minMm2 = minimum_;
   options.maxContactLossMm2 = maxContactLoss(n);
   options.footPrice = footPrice(n);
   std::vector<CutCandidate> found =
@@ -176,7 +176,7 @@ void CutSearch::findCandidates(Node& n) {
     std::vector<char> free(checked.size(), 0);
     base::parallelChunks(ctx_, free.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        free[i] = wayIsFree(n, checked[i]);
+        free[i] = approachIsFree(n, checked[i]);
     });
     for (std::size_t i = 0; i < free.size() && n.candidates.size() < kCutsTried; ++i) {
       std::vector<CutCandidate>& to = free[i] != 0 ? n.candidates : behind;
@@ -197,7 +197,7 @@ std::vector<CutSearch::Option> CutSearch::optionsOf(const std::vector<State>& be
                      [](const NodePtr& a, const NodePtr& b) { return a->risky > b->risky; });
     std::size_t pieces = 0;
     for (const NodePtr& n : worst) {
-      if (n->risky < least_ || pieces == kPiecesTried)
+      if (n->risky < minimum_ || pieces == kPiecesTried)
         break;
       if (n->id < firstId)
         continue;
@@ -240,7 +240,7 @@ void CutSearch::tryCuts(const std::vector<Option>& options, std::size_t begin, s
       polish.footPrice = footPrice(n);
       polish.shiftMm = options_.stepMm;
       const Plane plane = polished(n.piece, n.faces, options_.rule, c.plane, c.top, polish);
-      const CutRules rules{options_.rule, least_, options_.leastVolumeMm3, maxContactLoss(n)};
+      const CutRules rules{options_.rule, minimum_, options_.minVolumeMm3, maxContactLoss(n)};
       auto cut =
           cutPiece(n.piece, plane, tags_ + static_cast<std::int32_t>(i) * kTagsPerCut, rules);
       if (!cut)
@@ -325,7 +325,7 @@ void CutSearch::weighStart(State& state) {
       state = std::move(free);
 }
 
-bool CutSearch::inTheWay(const Node& of, const Node& what) const {
+bool CutSearch::isBlocking(const Node& of, const Node& what) const {
   const Vector3d& up = of.piece.base.normal;
   const Eigen::AlignedBox3d& box = what.box;
   const double highest = up.dot(box.center()) + 0.5 * up.cwiseAbs().dot(box.sizes());
@@ -333,18 +333,18 @@ bool CutSearch::inTheWay(const Node& of, const Node& what) const {
          head_.blocked(of.tips, what.obstacles(), up, firstTipMm(of.piece, options_.rule));
 }
 
-bool CutSearch::carrierInTheWay(const Node& of) const {
+bool CutSearch::carrierBlocks(const Node& of) const {
   return head_.blocked(of.tips, {carrier_}, of.piece.base.normal,
                        firstTipMm(of.piece, options_.rule));
 }
 
 // Computes the head checks that the states need and that are not cached yet.
 void CutSearch::askHead(const std::vector<State>& states) {
-  struct Way {
+  struct Check {
     const Node *of = nullptr, *what = nullptr; // nullptr: the carrier
     char blocked = 0;
   };
-  std::vector<Way> ways;
+  std::vector<Check> ways;
   for (const State& state : states)
     orderIn(state, [&](const Node& of, const Node& what) {
       if (ways_.try_emplace({of.id, what.id}, false).second)
@@ -356,10 +356,10 @@ void CutSearch::askHead(const std::vector<State>& states) {
   base::parallelChunks(ctx_, ways.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       ways[i].blocked =
-          ways[i].what ? inTheWay(*ways[i].of, *ways[i].what) : carrierInTheWay(*ways[i].of);
+          ways[i].what ? isBlocking(*ways[i].of, *ways[i].what) : carrierBlocks(*ways[i].of);
   });
-  for (const Way& way : ways)
-    ways_[{way.of->id, way.what ? way.what->id : kCarrier}] = way.blocked != 0;
+  for (const Check& check : ways)
+    ways_[{check.of->id, check.what ? check.what->id : kCarrier}] = check.blocked != 0;
 }
 
 PieceOrder
@@ -378,12 +378,13 @@ CutSearch::orderIn(const State& state,
 
 // Returns the first dissimilar states: the same cuts in another order give about the same risky
 // area.
-std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states, std::size_t most) const {
+std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states,
+                                              std::size_t maxCount) const {
   constexpr double kAlikeRisk = 5e-4; // of the risky area before
   std::vector<State> out;
   std::set<std::array<long, 3>> seen;
   for (State& state : states) {
-    if (out.size() == most)
+    if (out.size() == maxCount)
       break;
     double foot = 0.0;
     for (const NodePtr& n : state.nodes)
@@ -417,7 +418,7 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
   const std::size_t blockedBefore = start.blocked;
   std::vector<State> beam{start}, best{start};
   const double goal = options_.target * before_;
-  for (int level = 0; level < options_.mostCuts && best.front().risky > goal; ++level) {
+  for (int level = 0; level < options_.maxCuts && best.front().risky > goal; ++level) {
     if (level == kWideLevels)
       width = (width + 1) / 2;
     const std::vector<Option> options = optionsOf(beam, firstId);
@@ -431,7 +432,7 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
         if (options[i].node->cuttings[options[i].candidate]) {
           made.push_back(after(options[i]));
           weigh(made.back());
-          if (made.back().risky >= options[i].state->risky - 0.5 * least_)
+          if (made.back().risky >= options[i].state->risky - 0.5 * minimum_)
             made.pop_back();
         }
       weighHead(made);
@@ -442,7 +443,7 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
                      [](const State& a, const State& b) { return a.cost < b.cost; });
     for (State& state : kept(std::move(hidden), width)) {
       const double asItWas = state.risky;
-      if (clearWays(state, blockedBefore) && state.risky <= asItWas + 0.5 * least_)
+      if (clearWays(state, blockedBefore) && state.risky <= asItWas + 0.5 * minimum_)
         next.push_back(std::move(state));
     }
     if (next.empty())

@@ -76,25 +76,25 @@ private:
   double maxContactLoss(const Node& node) const;
   double footPrice(const Node& node) const; // risky area that a mm² of contact is worth
   bool keepsContact(const Node& node, const Plane& plane) const;
-  bool wayIsFree(const Node& node, const CutCandidate& candidate) const;
+  bool approachIsFree(const Node& node, const CutCandidate& candidate) const;
   void findCandidates(Node& node);
   // Considers the pieces numbered firstId and up.
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option);
   static void replace(State& state, const NodePtr& cut, std::shared_ptr<const Cutting> cutting);
-  bool inTheWay(const Node& of, const Node& what) const;
-  bool carrierInTheWay(const Node& of) const;
+  bool isBlocking(const Node& of, const Node& what) const;
+  bool carrierBlocks(const Node& of) const;
   void askHead(const std::vector<State>& states);
   PieceOrder orderKnown(const State& state) const;
-  // Cuts pieces that block others, until the head reaches all but mostBlocked pieces. Returns
+  // Cuts pieces that block others, until the head reaches all but maxBlocked pieces. Returns
   // whether that succeeds.
-  bool clearWays(State& state, std::size_t mostBlocked);
+  bool clearWays(State& state, std::size_t maxBlocked);
   // Returns a cut of `what` that leaves nothing of it in the way of `of`; nullptr if there is none.
   std::shared_ptr<Cutting> clearing(const Node& of, Node& what);
   static PieceOrder orderIn(const State& state,
                             const std::function<bool(const Node& of, const Node& what)>& blocked);
-  std::vector<State> kept(std::vector<State> states, std::size_t most) const;
+  std::vector<State> kept(std::vector<State> states, std::size_t maxCount) const;
   bool better(const State& a, const State& b) const;
   void weigh(State& state);
   void weighHead(std::vector<State>& states);
@@ -118,11 +118,11 @@ private:
   std::vector<Eigen::Vector3d> carrier_; // points on the carrier of the plate
   // Samples of the plate; null: made for the piece on it.
   std::shared_ptr<const PointBlocks> plate_;
-  double before_ = 0.0, least_ = 0.0;
+  double before_ = 0.0, minimum_ = 0.0;
   Footing footing_;
   int ids_ = 0;
   std::int32_t tags_ = 0;
-  std::map<std::pair<int, int>, bool> ways_; // cached results of inTheWay; second -1: the carrier
+  std::map<std::pair<int, int>, bool> ways_; // cached results of isBlocking; second -1: the carrier
   std::map<std::pair<int, int>, std::shared_ptr<Cutting>> clearings_; // tried clearings: of, what
   std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };

@@ -57,7 +57,7 @@ PlaneGain planeGain(const Piece& piece, const FaceTable& faces, const RiskRule& 
       out.footMm2 += area;
     if (faces.risky[t] > 0.0)
       out.gainMm2 += area;
-    if (!faces.laid[t] && faces.normal[t].dot(plane.normal) < riskyCosine)
+    if (!faces.onPrinted[t] && faces.normal[t].dot(plane.normal) < riskyCosine)
       out.gainMm2 -= area;
     for (std::size_t k = 0; k < 3; ++k) {
       const int w = faces.neighbour[t][k];
@@ -85,7 +85,7 @@ Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
   // Tilt about a point of the piece near the plane, not about the distant origin.
   const Vector3d& pivot = piece.solid.mesh.corner(static_cast<std::size_t>(top), 0);
   Plane best = plane;
-  double most = gainOf(best);
+  double maximum = gainOf(best);
   double tilt = 0.5 * options.tiltRad, shift = 0.5 * options.shiftMm;
   for (int round = 0; round < options.rounds; ++round) {
     bool better = false;
@@ -96,14 +96,14 @@ Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
         tried.offsetMm += sign * shift;
       } else {
         const PlaneFrame frame = frameOf(best.normal);
-        const Vector3d way = move < 4 ? frame.across : frame.along;
-        tried.normal = (best.normal + sign * std::tan(tilt) * way).normalized();
+        const Vector3d direction = move < 4 ? frame.across : frame.along;
+        tried.normal = (best.normal + sign * std::tan(tilt) * direction).normalized();
         const Vector3d foot = pivot - best.heightOf(pivot) * best.normal;
         tried.offsetMm = tried.normal.dot(foot);
       }
       const double gain = gainOf(tried);
-      if (gain > most + 1e-9) {
-        most = gain;
+      if (gain > maximum + 1e-9) {
+        maximum = gain;
         best = tried;
         better = true;
       }

@@ -1,7 +1,7 @@
 #include "planar/slicing/corrected_mesh.h"
 
-#include "geometry/symmetric_axes.h"
 #include "geometry/measures.h"
+#include "geometry/symmetric_axes.h"
 #include "geometry/triangle_queries.h"
 #include "planar/slicing/section_paths.h"
 
@@ -29,7 +29,7 @@ public:
     if (found == loops_.end())
       found = loops_.emplace(level, loopsOf(sections_.at(p.z()), frame_)).first;
     const Vector3d at = kPathUnits * Vector3d(frame_.across.dot(p), frame_.along.dot(p), 0.0);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     bool hole = false;
     for (const ClipperLib::Path& loop : found->second)
       for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -37,8 +37,8 @@ public:
         const double d = geometry::distanceToSegment(
             at, {static_cast<double>(a.X), static_cast<double>(a.Y), 0.0},
             {static_cast<double>(b.X), static_cast<double>(b.Y), 0.0});
-        if (d < least) {
-          least = d;
+        if (d < minimum) {
+          minimum = d;
           hole = !ClipperLib::Orientation(loop);
         }
       }

@@ -51,7 +51,7 @@ double topOf(const Piece& piece) {
 
 // Returns the heights, ascending, of the relevant flat faces above `from` that layers can all end
 // on; includes the top if it is flat.
-std::vector<double> shelvesOf(const Piece& piece, double fromMm, double top, double leastMm) {
+std::vector<double> shelvesOf(const Piece& piece, double fromMm, double top, double minGapMm) {
   struct Face {
     double height, areaMm2;
   };
@@ -81,7 +81,7 @@ std::vector<double> shelvesOf(const Piece& piece, double fromMm, double top, dou
   std::ranges::stable_sort(shelves, std::ranges::greater(), &Face::areaMm2);
   for (const Face& shelf : shelves) {
     const auto near = [&](double height) {
-      return std::abs(shelf.height - height) < leastMm - kRounding;
+      return std::abs(shelf.height - height) < minGapMm - kRounding;
     };
     if (shelf.height > fromMm && !near(fromMm) && !near(top) && std::ranges::none_of(chosen, near))
       chosen.push_back(shelf.height);
@@ -102,9 +102,9 @@ void appendEven(std::vector<double>& bounds, double to, int count) {
 // if none is within them, the smallest number that does not exceed the maximum height.
 int evenCount(double height, const HeightOptions& o) {
   const int count = std::max(1, static_cast<int>(std::lround(height / o.wantedMm)));
-  const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kRounding)));
-  const int least = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kRounding)));
-  return std::max(least, std::min(count, most));
+  const int maximum = std::max(1, static_cast<int>(std::floor(height / o.minMm + kRounding)));
+  const int minimum = std::max(1, static_cast<int>(std::ceil(height / o.maxMm - kRounding)));
+  return std::max(minimum, std::min(count, maximum));
 }
 
 // Returns the height of the layer above `z` that the surface alone requires.

@@ -160,13 +160,13 @@ void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
     (patch.group == layers::kSupportGroup ? result.supportVolumeMm3
                                           : result.volumeOfPiece[at(patch.group)]) +=
         volumeOf(patch);
-  double laid = 0.0;
+  double deposited = 0.0;
   for (const double volume : result.volumeOfPiece)
-    laid += volume;
-  const layers::NotLaid dropped = layers::notLaid(absorbed.dropped);
+    deposited += volume;
+  const layers::NotPrinted dropped = layers::notPrinted(absorbed.dropped);
   result.slivers = dropped.pieces;
   result.sliverVolumeMm3 = dropped.volumeMm3;
-  if (auto finding = layers::sliversFinding(dropped, laid, plan::kBlockingShare))
+  if (auto finding = layers::sliversFinding(dropped, deposited, plan::kBlockingShare))
     result.findings.push_back(std::move(*finding));
 
   result.statistics =

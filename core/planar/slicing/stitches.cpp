@@ -34,7 +34,7 @@ constexpr int kSides = 96;    // inscribed: 0.07 % less than the round section
 constexpr int kAzimuths = 24; // at which the material around a pocket is probed
 
 Vector3d around(double radius, int k, int of) {
-  const double angle = base::kTurn * k / of;
+  const double angle = base::kTwoPi * k / of;
   return {radius * std::cos(angle), radius * std::sin(angle), 0.0};
 }
 
@@ -87,12 +87,12 @@ private:
           return false;
       return true;
     };
-    if (!isSolid(floor, pocketRadius(pocket, 0.0, rule_.shape)) || !isSolid(roof, 0.5 * pocket.openingMm))
+    if (!isSolid(floor, pocketRadius(pocket, 0.0, rule_.shape)) ||
+        !isSolid(roof, 0.5 * pocket.openingMm))
       return false;
     for (int l = 0; l < kLevels; ++l) {
       const double height = pocket.depthMm * (l + 0.5) / kLevels;
-      if (!isSolid(bottom.z() + height,
-                   pocketRadius(pocket, height, rule_.shape) + rule_.marginMm))
+      if (!isSolid(bottom.z() + height, pocketRadius(pocket, height, rule_.shape) + rule_.marginMm))
         return false;
     }
     return true;
@@ -101,8 +101,8 @@ private:
   bool isApart(const layers::Pocket& pocket) const {
     const double apart = rule_.diameterMm + rule_.marginMm;
     return std::ranges::none_of(pockets_, [&](const layers::Pocket& other) {
-      const Vector3d way = pocket.top - other.top;
-      return way.z() < pocket.depthMm + rule_.marginMm && way.head<2>().norm() < apart;
+      const Vector3d step = pocket.top - other.top;
+      return step.z() < pocket.depthMm + rule_.marginMm && step.head<2>().norm() < apart;
     });
   }
 
@@ -152,7 +152,8 @@ layers::Pocket pocketAt(const Vector3d& top, double diameterMm, PocketShape shap
   double share = 0.0; // of the diameter's cube: the sum of frusta
   for (std::size_t i = 1; i < outline.size(); ++i) {
     const double a = outline[i - 1].radius, b = outline[i].radius;
-    share += base::kPi * (outline[i].height - outline[i - 1].height) * (a * a + a * b + b * b) / 3.0;
+    share +=
+        base::kPi * (outline[i].height - outline[i - 1].height) * (a * a + a * b + b * b) / 3.0;
   }
   pocket.volumeMm3 = share * std::pow(diameterMm, 3);
   return pocket;

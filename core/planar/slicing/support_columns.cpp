@@ -15,12 +15,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kArcMm = 0.05;         // of round corners
-constexpr double kSliverMm = 0.1;       // half of the minimum width
-constexpr double kNarrowest = 0.25;     // of a bead: smaller overhangs need no column
-constexpr double kNarrowestLaid = 0.5;  // of a bead: narrower areas stay empty
-constexpr double kNarrowColumn = 0.9;   // of a bead
-constexpr double kNarrowFooting = 0.45; // of a bead: its middle is supported
+constexpr double kArcMm = 0.05;          // of round corners
+constexpr double kSliverMm = 0.1;        // half of the minimum width
+constexpr double kNarrowest = 0.25;      // of a bead: smaller overhangs need no column
+constexpr double kMinPrintedWidth = 0.5; // of a bead: narrower areas stay empty
+constexpr double kNarrowColumn = 0.9;    // of a bead
+constexpr double kNarrowFooting = 0.45;  // of a bead: its middle is supported
 constexpr double kTaper = 0.5; // of a layer's permitted overhang: a bead's middle stays supported
 constexpr double kTrunk = 4.0; // beads: minimum width to which columns taper downwards
 // Of the first layer: depth below a base at which its support is checked
@@ -80,7 +80,7 @@ Paths tapered(const Paths& a, double byMm, double beadWidthMm) {
     return a;
   const double half = byMm + 0.5 * kTrunk * beadWidthMm;
   const Paths wide = shared(a, grown(grown(a, -half), half, ClipperLib::jtMiter));
-  const Paths thin = opened(without(a, wide), 0.5 * kNarrowestLaid * beadWidthMm);
+  const Paths thin = opened(without(a, wide), 0.5 * kMinPrintedWidth * beadWidthMm);
   // The overlap joins both
   return united(grown(wide, -byMm), shared(a, grown(thin, byMm + kSliverMm)));
 }
@@ -97,8 +97,8 @@ Paths wideEnough(const Paths& a, double byMm) {
 
 // Removes areas that cannot be printed and therefore carry nothing: components too small for a bead
 // (layers::makePatches) and areas too narrow for one.
-Paths laid(const Paths& a, double beadWidthMm) {
-  const double quarter = 0.5 * kNarrowestLaid * beadWidthMm;
+Paths printable(const Paths& a, double beadWidthMm) {
+  const double quarter = 0.5 * kMinPrintedWidth * beadWidthMm;
   Paths out;
   for (const Paths& one : components(grown(grown(a, -quarter), quarter, ClipperLib::jtMiter)))
     if (geometry::areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm)
@@ -137,7 +137,7 @@ public:
       : sections_(sections), piece_(piece), base_(pieces[piece].base),
         frame_(frameOf(pieces[piece].base.normal)), bounds_(bounds) {
     for (std::size_t k = 0; k < count(); ++k)
-      own_.push_back(laid(at(piece, middle(k)), beadWidthMm));
+      own_.push_back(printable(at(piece, middle(k)), beadWidthMm));
   }
 
   std::size_t count() const { return bounds_.size() - 1; }

@@ -86,10 +86,10 @@ bool holds(const UserPlane& p, const Vector3d& point) {
 std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane>& planes,
                                   std::size_t layer) {
   const Vector3d& n = planes[layer].plane.normal;
-  std::optional<double> least;
+  std::optional<double> minimum;
   const auto take = [&](double distance) {
-    if (distance > kThinnestMm && (!least || distance < *least))
-      least = distance;
+    if (distance > kThinnestMm && (!minimum || distance < *minimum))
+      minimum = distance;
   };
   if (n.z() > kMinFacing)
     take(2.0 * p.z() / n.z());
@@ -101,7 +101,7 @@ std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane
     if (holds(planes[j], p - distance * n))
       take(distance);
   }
-  return least;
+  return minimum;
 }
 
 } // namespace

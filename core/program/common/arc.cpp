@@ -24,8 +24,8 @@ double Arc::angleOf(const Vector3d& point) const {
 
 double Arc::distanceMm(const Vector3d& point) const {
   const double x = (point - centre).dot(u), y = (point - centre).dot(v);
-  const double aside = (point - centre).dot(u.cross(v));
-  return std::hypot(std::hypot(x, y) - radiusMm, aside);
+  const double offset = (point - centre).dot(u.cross(v));
+  return std::hypot(std::hypot(x, y) - radiusMm, offset);
 }
 
 std::optional<Arc> arcThrough(const Vector3d& from, const Vector3d& via, const Vector3d& to) {

@@ -10,14 +10,14 @@ std::optional<base::Message> setArc(const Eigen::Vector3d& from, const Eigen::Ve
   if (!arc)
     return "the three points of an arc are on a line"_text;
   for (const Eigen::Vector3d& point : pointsAlong(*arc))
-    motion.way.push_back({point, Eigen::Vector3d::UnitZ()});
+    motion.viaPoints.push_back({point, Eigen::Vector3d::UnitZ()});
   return std::nullopt;
 }
 
 double lengthMm(const Eigen::Vector3d& from, const plan::ProgramMotion& motion) {
   Eigen::Vector3d last = from;
   double length = 0.0;
-  for (const plan::NozzlePoint& point : motion.way) {
+  for (const plan::NozzlePoint& point : motion.viaPoints) {
     length += (point.position - last).norm();
     last = point.position;
   }

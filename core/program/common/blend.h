@@ -24,15 +24,15 @@ struct BlendSegment {
 };
 
 // Returns the angle between two directions, in [0, pi]; 0 if one has no length.
-double turnRad(const Eigen::Vector3d& in, const Eigen::Vector3d& out);
+double angleRad(const Eigen::Vector3d& in, const Eigen::Vector3d& out);
 
 // Maximum share of the shorter neighbour that a blend takes: two blends on one segment never
 // overlap.
 inline constexpr double kBlendShare = 0.45;
 
-// Returns the distance of the corner from the arc that rounds it [mm]. turnRad in [0, pi]: 0 is
+// Returns the distance of the corner from the arc that rounds it [mm]. angleRad in [0, pi]: 0 is
 // straight on.
-double blendDeviationMm(double radiusMm, double turnRad);
+double blendDeviationMm(double radiusMm, double angleRad);
 
 // Returns the largest blend radius (TCP, mm) at the corner of `in` and `out` that takes at most
 // kBlendShare of either TCP path and deviates from the nozzle's corner by at most `toleranceMm`. 0

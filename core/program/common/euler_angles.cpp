@@ -18,7 +18,7 @@ Eigen::Vector3d xyzAngles(const Eigen::Quaterniond& q) {
 Eigen::Vector3d xyzAnglesNear(const Eigen::Quaterniond& q, const Eigen::Vector3d& previous) {
   const auto near = [&](Eigen::Vector3d angles) {
     for (int k = 0; k < 3; ++k)
-      angles[k] += base::kTurn * std::round((previous[k] - angles[k]) / base::kTurn);
+      angles[k] += base::kTwoPi * std::round((previous[k] - angles[k]) / base::kTwoPi);
     return angles;
   };
   const Eigen::Vector3d direct = xyzAngles(q);

@@ -37,11 +37,11 @@ std::optional<std::string> WrittenOutputs::flow(double mm3PerS) {
   return flowText_;
 }
 
-bool WrittenOutputs::turn(bool on) {
+bool WrittenOutputs::setExtruder(bool on) {
   return std::exchange(on_, on) != on;
 }
 
-void ReadOutputs::turn(bool on) {
+void ReadOutputs::setExtruder(bool on) {
   on_ = on;
   offSaid_ = !on;
 }

@@ -38,7 +38,7 @@ public:
   // Returns the share, 0..1, to be written; nullopt if it is unchanged.
   std::optional<std::string> flow(double mm3PerS);
   // Returns whether the digital output has to be written.
-  bool turn(bool on);
+  bool setExtruder(bool on);
 
 private:
   double full_;
@@ -51,7 +51,7 @@ class ReadOutputs {
 public:
   // At the beginning of a file nothing is known.
   void begin() { *this = {}; }
-  void turn(bool on);
+  void setExtruder(bool on);
   void flow(double share); // 0..1
   // Sets the extrusion of the motion. Returns false if an output was never set, which counts as
   // off.

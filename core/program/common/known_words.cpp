@@ -13,8 +13,8 @@ const KnownWord* findWord(std::span<const KnownWord> table, std::string_view wor
 void WordPlaces::word(std::string_view word, std::uint8_t places, std::size_t file,
                       std::size_t line, bool extruderOn) {
   const std::uint8_t here = !moved_      ? kBeforeMotion
-                            : extruderOn ? kAmidOn
-                            : laid_      ? kAmidOff
+                            : extruderOn ? kDuringPrintOn
+                            : deposited_ ? kDuringPrintOff
                                          : kBeforeMaterial;
   if ((places & here) != 0)
     return;
@@ -32,7 +32,7 @@ void WordPlaces::motion() {
 }
 
 void WordPlaces::material() {
-  laid_ = true;
+  deposited_ = true;
 }
 
 void WordPlaces::refuse(std::string_view word, std::size_t file, std::size_t line) {

@@ -18,8 +18,8 @@ namespace voluta::program {
 enum : std::uint8_t {
   kBeforeMotion = 1,   // before the first motion
   kBeforeMaterial = 2, // after it, before any material flows
-  kAmidOff = 4,        // between the first bead and the last motion, the extruder off
-  kAmidOn = 8,         // there, the extruder on
+  kDuringPrintOff = 4, // between the first bead and the last motion, the extruder off
+  kDuringPrintOn = 8,  // there, the extruder on
   kAtEnd = 16          // after the last motion
 };
 // Does not affect the printed part.
@@ -27,9 +27,9 @@ inline constexpr std::uint8_t kAnywhere = 31;
 // Sets the machine up.
 inline constexpr std::uint8_t kSetUp = kBeforeMotion;
 // Affects other equipment than arm and extruder, or waits for the operator.
-inline constexpr std::uint8_t kAside = kBeforeMotion | kBeforeMaterial | kAtEnd;
+inline constexpr std::uint8_t kOutsidePrint = kBeforeMotion | kBeforeMaterial | kAtEnd;
 // Stops the arm.
-inline constexpr std::uint8_t kAtRest = kAside | kAmidOff;
+inline constexpr std::uint8_t kAtRest = kOutsidePrint | kDuringPrintOff;
 
 struct KnownWord {
   std::string_view word; // in lower case if the language is not case-sensitive
@@ -67,7 +67,7 @@ private:
   void refuse(std::string_view word, std::size_t file, std::size_t line);
 
   Defects& defects_;
-  bool moved_ = false, laid_ = false;
+  bool moved_ = false, deposited_ = false;
   std::vector<Waiting> waiting_; // allowed at the end only: refused if another motion follows
 };
 

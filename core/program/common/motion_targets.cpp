@@ -76,7 +76,7 @@ void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<Motio
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Eigen::Isometry3d pose =
         input.cell.work_T_tool(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof));
-    targets[i].tcpTurn = Eigen::Quaterniond(pose.linear());
+    targets[i].tcpRotation = Eigen::Quaterniond(pose.linear());
     for (int k = 0; k < 3; ++k)
       targets[i].tcpMm[k] = roundedTo(pose.translation()[k], decimals);
   }
@@ -91,14 +91,14 @@ double leadingJointRad(const ProgramInput& input, std::size_t point) {
   if (point == 0)
     return 0.0;
   const Eigen::Map<const Eigen::VectorXd> from(t.at(point - 1), t.dof), to(t.at(point), t.dof);
-  return robot::largestTurn(to - from, input.cell.limits());
+  return robot::largestRotation(to - from, input.cell.limits());
 }
 
 double rampedSpeed(double rad, double seconds, double radPerS2) {
   // twice the maximum speed of a motion without a constant-speed phase
-  const double most = radPerS2 * seconds;
-  const double spare = most * most - 4.0 * radPerS2 * rad;
-  return spare >= 0.0 ? 0.5 * (most - std::sqrt(spare))
+  const double maximum = radPerS2 * seconds;
+  const double spare = maximum * maximum - 4.0 * radPerS2 * rad;
+  return spare >= 0.0 ? 0.5 * (maximum - std::sqrt(spare))
                       : std::min(std::sqrt(radPerS2 * rad), 2.0 * rad / seconds);
 }
 

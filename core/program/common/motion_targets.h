@@ -13,10 +13,10 @@
 namespace voluta::program {
 
 struct MotionTarget {
-  Eigen::Quaterniond tcpTurn; // base_T_tcp; TCP = the cell's flange_T_moved
-  Eigen::Vector3d tcpMm;      // base_T_tcp
-  Eigen::Vector3d tipMm;      // nozzle's tip, work frame
-  Eigen::Vector3d direction;  // from the bead into the nozzle, work frame, unit
+  Eigen::Quaterniond tcpRotation; // base_T_tcp; TCP = the cell's flange_T_moved
+  Eigen::Vector3d tcpMm;          // base_T_tcp
+  Eigen::Vector3d tipMm;          // nozzle's tip, work frame
+  Eigen::Vector3d direction;      // from the bead into the nozzle, work frame, unit
 };
 
 // Computes the target of an arm with its external axes at `q` by forward kinematics.
@@ -37,7 +37,7 @@ void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<Motio
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);
 // Returns the largest joint displacement of the motion to `point`, including external axes [rad];
-// sliding axes are converted by robot::asTurn.
+// sliding axes are converted by robot::asAngle.
 double leadingJointRad(const ProgramInput& input, std::size_t point);
 // Returns the speed [rad/s] at which a joint motion from rest to rest takes `seconds` (> 0), with
 // ramps of `radPerS2`; the maximum speed that it reaches if it takes longer.

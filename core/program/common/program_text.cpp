@@ -106,17 +106,17 @@ bool takeFormatted(std::string_view& text, double& value, std::chars_format form
 }
 } // namespace
 
-std::optional<int> wholeNumber(double value, int least, int most) {
-  if (!(value >= least && value <= most) || value != std::floor(value))
+std::optional<int> wholeNumber(double value, int minimum, int maximum) {
+  if (!(value >= minimum && value <= maximum) || value != std::floor(value))
     return std::nullopt;
   return static_cast<int>(value);
 }
 
-std::optional<int> parseWholeNumber(std::string_view text, int least, int most) {
+std::optional<int> parseWholeNumber(std::string_view text, int minimum, int maximum) {
   double value = 0.0;
   if (!std::ranges::all_of(text, isDigit) || !parseNumber(text, value))
     return std::nullopt;
-  return wholeNumber(value, least, most);
+  return wholeNumber(value, minimum, maximum);
 }
 
 bool takeNumber(std::string_view& text, double& value) {

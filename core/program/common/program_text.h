@@ -36,11 +36,11 @@ std::string joined(std::initializer_list<std::string_view> pieces);
 std::string_view trimmed(std::string_view text);
 // Parses the whole of `text` as a finite number. Returns false if it is none.
 bool parseNumber(std::string_view text, double& value);
-// Returns the integer that `value` is; nullopt if it is none from `least` to `most`. Outputs,
+// Returns the integer that `value` is; nullopt if it is none from `minimum` to `maximum`. Outputs,
 // inputs and tools have such numbers.
-std::optional<int> wholeNumber(double value, int least, int most);
+std::optional<int> wholeNumber(double value, int minimum, int maximum);
 // Parses the whole of `text`, digits only, as such a number.
-std::optional<int> parseWholeNumber(std::string_view text, int least, int most);
+std::optional<int> parseWholeNumber(std::string_view text, int minimum, int maximum);
 // Parses a number at the beginning of `text` and removes it.
 bool takeNumber(std::string_view& text, double& value);
 // As takeNumber, but an E ends the number instead of starting an exponent.

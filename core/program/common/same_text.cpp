@@ -12,8 +12,8 @@ std::string_view withoutEnd(std::string_view line) {
 }
 } // namespace
 
-void tellOtherText(std::string_view text, std::string_view expected, std::size_t line,
-                   ProgramBuilder& out) {
+void reportOtherText(std::string_view text, std::string_view expected, std::size_t line,
+                     ProgramBuilder& out) {
   LineReader own(text), wanted(expected);
   while (true) {
     std::string_view a, b;
@@ -28,8 +28,8 @@ void tellOtherText(std::string_view text, std::string_view expected, std::size_t
   }
 }
 
-void tellOtherSteps(std::string_view text, const std::vector<std::string>& steps,
-                    const CodeOf& codeOf, const OtherSteps& told, ProgramBuilder& out) {
+void reportOtherSteps(std::string_view text, const std::vector<std::string>& steps,
+                      const CodeOf& codeOf, const OtherSteps& refusals, ProgramBuilder& out) {
   std::size_t next = 0;
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
@@ -38,13 +38,13 @@ void tellOtherSteps(std::string_view text, const std::vector<std::string>& steps
     if (code.empty())
       continue;
     if (next == steps.size() || code != steps[next]) {
-      out.defect(base::message(told.other, code.substr(0, 60)));
+      out.defect(base::message(refusals.other, code.substr(0, 60)));
       return;
     }
     ++next;
   }
   if (next < steps.size())
-    out.defect(told.cutShort);
+    out.defect(refusals.cutShort);
 }
 
 } // namespace voluta::program

@@ -15,8 +15,8 @@ namespace voluta::program {
 
 // Adds a defect at the first line of the text that differs from the expected one; trailing blanks
 // and line ends are ignored. `line`: number of the text's first line.
-void tellOtherText(std::string_view text, std::string_view expected, std::size_t line,
-                   ProgramBuilder& out);
+void reportOtherText(std::string_view text, std::string_view expected, std::size_t line,
+                     ProgramBuilder& out);
 
 // Returns the code of a line without values that the user sets there; empty for a remark.
 using CodeOf = std::function<std::string(std::string_view line)>;
@@ -26,7 +26,7 @@ struct OtherSteps {
   base::TextWithPlaces<1> other;
   base::Text cutShort;
 };
-void tellOtherSteps(std::string_view text, const std::vector<std::string>& steps,
-                    const CodeOf& codeOf, const OtherSteps& told, ProgramBuilder& out);
+void reportOtherSteps(std::string_view text, const std::vector<std::string>& steps,
+                      const CodeOf& codeOf, const OtherSteps& refusals, ProgramBuilder& out);
 
 } // namespace voluta::program

@@ -43,15 +43,15 @@ std::string_view assumedLoadText(const ProgramInput& input) {
 ViaTarget viaTarget(const ProgramInput& input, const std::vector<MotionTarget>& targets,
                     TcpFrame frame, const ArcVia& arc) {
   const MotionTarget& to = targets[arc.point];
-  ViaTarget via{targets[arc.point - 1].tcpTurn.slerp(0.5, to.tcpTurn), arc.tipMm};
+  ViaTarget via{targets[arc.point - 1].tcpRotation.slerp(0.5, to.tcpRotation), arc.tipMm};
   if (frame == TcpFrame::Work)
     return via;
   // The TCP moves with the tip, or the part against it.
   const robot::Cell& cell = input.cell;
-  const Eigen::Vector3d way = arc.tipMm - to.tipMm;
+  const Eigen::Vector3d step = arc.tipMm - to.tipMm;
   via.mm = cell.nozzleMount() == robot::Mount::World
-               ? Eigen::Vector3d(to.tcpMm - to.tcpTurn * way)
-               : Eigen::Vector3d(to.tcpMm + cell.base_T_work(cell.home()).linear() * way);
+               ? Eigen::Vector3d(to.tcpMm - to.tcpRotation * step)
+               : Eigen::Vector3d(to.tcpMm + cell.base_T_work(cell.home()).linear() * step);
   return via;
 }
 
@@ -150,7 +150,7 @@ double TcpMotions::blendMm(std::size_t i) const {
     return 0.0;
   const BlendSegment in{tcpMm(i), tipAlong(i, End::Stop)};
   const BlendSegment out{tcpMm(i + 1), tipAlong(i + 1, End::Start)};
-  if (turnRad(in.nozzle, out.nozzle) > kTurnsBackRad)
+  if (angleRad(in.nozzle, out.nozzle) > kTurnsBackRad)
     return 0.0;
   // Round down, so that the allowed radius is not exceeded.
   double radius = blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm);

@@ -30,13 +30,13 @@ double assumedLoadKg(const ProgramInput& input);
 // Describes that load, for a remark in the program.
 std::string_view assumedLoadText(const ProgramInput& input);
 
-// The frame of the targets' tcpMm and tcpTurn (MotionTarget, placeInWorkFrame).
+// The frame of the targets' tcpMm and tcpRotation (MotionTarget, placeInWorkFrame).
 enum class TcpFrame { Base, Work };
 
 // Returns the orientation and position of the TCP at the point of an arc that its motion passes, in
 // the frame of `targets`.
 struct ViaTarget {
-  Eigen::Quaterniond turn;
+  Eigen::Quaterniond rotation;
   Eigen::Vector3d mm;
 };
 ViaTarget viaTarget(const ProgramInput& input, const std::vector<MotionTarget>& targets,

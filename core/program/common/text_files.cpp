@@ -35,8 +35,8 @@ std::size_t longestTextOf(std::string_view line, std::string_view remark) {
 }
 } // namespace
 
-bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
-                 std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
+bool reportNoTexts(const std::vector<plan::ProgramFile>& files,
+                   std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
   for (std::size_t f = 0; f < files.size(); ++f) {
     const std::string_view text = files[f].text;
     if (mayBe != nullptr && mayBe(text))
@@ -52,8 +52,8 @@ bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
   return !defects.empty();
 }
 
-void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
-                       std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
+void reportMixedLineEnds(const std::vector<plan::ProgramFile>& files,
+                         std::vector<plan::ProgramDefect>& defects, IsNoText mayBe) {
   for (std::size_t f = 0; f < files.size(); ++f) {
     const std::string_view text = files[f].text;
     if (mayBe != nullptr && mayBe(text))
@@ -73,8 +73,8 @@ void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
   }
 }
 
-void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
-                   std::vector<plan::ProgramDefect>& defects) {
+void reportLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
+                     std::vector<plan::ProgramDefect>& defects) {
   for (std::size_t f = 0; f < files.size(); ++f) {
     bool line = limits.line == 0, text = limits.text == 0; // already reported, or no limit
     LineReader lines(files[f].text);
@@ -87,13 +87,13 @@ void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits
                  one.size(), limits.line)});
         line = true;
       }
-      if (const std::size_t most = text ? 0 : longestTextOf(one, limits.remark);
-          !text && most > limits.text) {
+      if (const std::size_t longestText = text ? 0 : longestTextOf(one, limits.remark);
+          !text && longestText > limits.text) {
         defects.push_back(
             {f, lines.number(),
              base::message(
                  "a text has {characters} characters; the controller accepts at most {most}"_text,
-                 most, limits.text)});
+                 longestText, limits.text)});
         text = true;
       }
     }

@@ -16,13 +16,13 @@ using IsNoText = bool (*)(std::string_view bytes);
 
 // Adds one defect per file that begins with a byte-order mark or contains non-text characters.
 // Returns true if there is one; such files must not be parsed.
-bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
-                 std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
+bool reportNoTexts(const std::vector<plan::ProgramFile>& files,
+                   std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
 // Adds one defect per file with mixed line ends (LF and CR LF), or with CR alone, at the first
 // difference.
-void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
-                       std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
+void reportMixedLineEnds(const std::vector<plan::ProgramFile>& files,
+                         std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
 // Line limits of a controller: characters of a line, and of a text in double quotation marks
 // outside remarks, which begin with `remark`. 0: unlimited.
@@ -31,7 +31,7 @@ struct LineLimits {
   std::string_view remark;
 };
 // Adds one defect per file and limit, for the first line that exceeds it.
-void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
-                   std::vector<plan::ProgramDefect>& defects);
+void reportLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
+                     std::vector<plan::ProgramDefect>& defects);
 
 } // namespace voluta::program

@@ -21,7 +21,7 @@ namespace voluta::program {
 namespace {
 
 // Returns whether the event stops the extruder if it happens at a bead.
-bool isAmidBead(const plan::TrajectoryEvent& event) {
+bool isInsideBead(const plan::TrajectoryEvent& event) {
   return event.kind != plan::EventKind::StartLag && event.kind != plan::EventKind::StopLag;
 }
 
@@ -71,8 +71,8 @@ private:
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       emitter_.remark(path);
     // Amid a bead too, the extruder is off while the arm waits.
-    const bool amidBead = isPrint(t, i) && std::ranges::any_of(t.eventsBefore(i), isAmidBead);
-    if (amidBead) {
+    const bool insideBead = isPrint(t, i) && std::ranges::any_of(t.eventsBefore(i), isInsideBead);
+    if (insideBead) {
       extruder(false);
       events(i);
     }
@@ -100,7 +100,7 @@ private:
           emitter_.wait(robot::kChangerS);
       }
     }
-    if (!amidBead)
+    if (!insideBead)
       events(i);
     if (zeroesAt(i))
       emitter_.zeroAxis();
@@ -297,7 +297,7 @@ private:
   void extruder(bool on) {
     if (walk_.outputs == nullptr || extruder_.byAxis)
       return;
-    const bool turns = outputs_.turn(on);
+    const bool turns = outputs_.setExtruder(on);
     if (extruder_.text)
       say(extruder_.text(on ? flow_ : 0.0));
     else if (turns)
@@ -393,15 +393,15 @@ double liftAt(const ProgramInput& input, std::size_t point) {
 // Returns where the file that begins at `begin` ends; nullopt if there is no suitable travel up to
 // `last`.
 std::optional<std::size_t> cutBehindLift(const ProgramInput& input, std::size_t begin,
-                                         std::size_t most, std::size_t last) {
+                                         std::size_t limit, std::size_t last) {
   constexpr double kSlackMm = 0.01;
   std::optional<std::size_t> cut;
   double highest = 0.0;
-  for (std::size_t i = begin + std::max<std::size_t>(1, most / 2); i <= last; ++i) {
+  for (std::size_t i = begin + std::max<std::size_t>(1, limit / 2); i <= last; ++i) {
     if (!standsClear(input.trajectory, i))
       continue;
     const double lift = std::min(liftAt(input, i - 1), kClearMm - kSlackMm);
-    if (!cut || (i - begin > most ? lift > highest : lift >= highest)) {
+    if (!cut || (i - begin > limit ? lift > highest : lift >= highest)) {
       cut = i;
       highest = lift;
     }
@@ -410,13 +410,13 @@ std::optional<std::size_t> cutBehindLift(const ProgramInput& input, std::size_t 
 }
 } // namespace
 
-std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most) {
+std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t limit) {
   const std::size_t n = input.trajectory.pointCount();
-  const std::size_t hard = most + std::max<std::size_t>(most / 10, 100);
+  const std::size_t hard = limit + std::max<std::size_t>(limit / 10, 100);
   std::vector<std::size_t> cuts = {0};
-  while (most > 0 && n - cuts.back() > most) {
+  while (limit > 0 && n - cuts.back() > limit) {
     const std::size_t begin = cuts.back(), last = std::min(begin + hard, n - 1);
-    const auto cut = cutBehindLift(input, begin, most, last);
+    const auto cut = cutBehindLift(input, begin, limit, last);
     if (!cut && n - begin <= hard)
       break;
     cuts.push_back(cut.value_or(last));

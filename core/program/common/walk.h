@@ -83,11 +83,11 @@ void walkTrajectory(const ProgramInput& input, const Walk& walk, ProgramEmitter&
 // a travel that lifts it so far.
 inline constexpr double kClearMm = 10.0;
 
-// Returns the start indices of files with at most `most` motions (0: one file). Files are cut after
-// the lift of a travel: the last one of kClearMm or more in the second half of a file; otherwise
-// the highest. If there is none in time, a file extends beyond `most`, by a tenth of it or 100
-// motions, whichever is more, to the first travel or the program's end; without any it is cut there
-// at a bead's point.
-std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most);
+// Returns the start indices of files with at most `limit` motions (0: one file). Files are cut
+// after the lift of a travel: the last one of kClearMm or more in the second half of a file;
+// otherwise the highest. If there is none in time, a file extends beyond `limit`, by a tenth of it
+// or 100 motions, whichever is more, to the first travel or the program's end; without any it is
+// cut there at a bead's point.
+std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t limit);
 
 } // namespace voluta::program

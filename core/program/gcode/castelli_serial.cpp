@@ -49,7 +49,7 @@ std::string castelliHeatText(int celsius) {
 
 std::optional<CastelliCommand> readCastelli(std::string_view text) {
   CastelliCommand command;
-  if (text.size() < 3 || text.size() > kCastelliMostBytes || text.back() != 'n' ||
+  if (text.size() < 3 || text.size() > kCastelliMaxBytes || text.back() != 'n' ||
       std::string_view("GMTFR").find(text.front()) == std::string_view::npos)
     return std::nullopt;
   command.word = text.front();

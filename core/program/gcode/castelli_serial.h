@@ -11,7 +11,7 @@
 namespace voluta::program {
 
 inline constexpr double kCastelliStepsPerMm = 1674.18, kCastelliFilamentMm = 3.0;
-inline constexpr std::size_t kCastelliMostBytes = 16;
+inline constexpr std::size_t kCastelliMaxBytes = 16;
 inline constexpr double kCastelliFullFan = 255.0;
 // Default address of the board in programs.
 inline constexpr std::string_view kCastelliAddress = "192.168.0.30";

@@ -18,7 +18,7 @@ base::ParameterSpec extruderAxisMm() {
 
 AxisCount axisCount(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
-  const double most = numberOf(extruderAxisMm(), input.options) * filamentArea();
+  const double limit = numberOf(extruderAxisMm(), input.options) * filamentArea();
   // The prime or purge before the first bead, and the retraction within the range.
   double spare =
       (primesStanding(input) ? process::primeFlow(input.process()) : 0.0) * input.process().primeS +
@@ -31,18 +31,18 @@ AxisCount axisCount(const ProgramInput& input) {
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
     if (standsClear(t, i))
       lifted = i;
-    const auto laidSince = [&](std::size_t point) {
+    const auto extrudedSince = [&](std::size_t point) {
       return t.extrudedMm3[i] - t.extrudedMm3[point == 0 ? 0 : point - 1] + spare;
     };
-    if (laidSince(count.zeros.back()) > most)
+    if (extrudedSince(count.zeros.back()) > limit)
       count.zeros.push_back(lifted);
-    count.mostMm = std::max(count.mostMm, laidSince(count.zeros.back()) / filamentArea());
-    if (laidSince(count.zeros.back()) > most)
+    count.maxMm = std::max(count.maxMm, extrudedSince(count.zeros.back()) / filamentArea());
+    if (extrudedSince(count.zeros.back()) > limit)
       throw base::Error(
           base::ErrorCode::Usage,
           base::message("more than {length:.0f} of filament is needed between two lifts: beyond "
                         "the extruder axis' range"_text,
-                        base::mm(most / filamentArea())),
+                        base::mm(limit / filamentArea())),
           {}, base::message("increase {option}"_text, "extruderAxisMm"_name));
   }
   return count;
@@ -53,7 +53,7 @@ std::string axisNote(std::string_view axis, const AxisCount& count) {
                  kDiameterNote, fixedText(kFilamentDiameterMm, 3),
                  " mm; set to 0 at the start, it "
                  "goes to ",
-                 fixedText(count.mostMm, 1), " mm"});
+                 fixedText(count.maxMm, 1), " mm"});
 }
 
 } // namespace voluta::program

@@ -28,7 +28,7 @@ struct AxisCount {
   // Points, ascending, before whose motions the axis is reset to 0: the first, and as many others
   // as the range requires.
   std::vector<std::size_t> zeros;
-  double mostMm = 0.0; // the largest axis value
+  double maxMm = 0.0; // the largest axis value
 };
 // Throws Error{Usage} if more is printed between two lifts than the range.
 AxisCount axisCount(const ProgramInput& input);

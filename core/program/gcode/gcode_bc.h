@@ -53,7 +53,7 @@ plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext&
 // the speed along X Y Z, or degrees per minute if none of them moves; G0 requires G94. In a program
 // with Voluta's head (kTableNote) every motion requires G93. G92 C may change the count by whole
 // turns. Z up, C by whole turns, one per motion, and Z back is read as winding back
-// (plan::ProgramMotion::aside). The table must not turn before Z is known, and X and Y must not
+// (plan::ProgramMotion::detour). The table must not turn before Z is known, and X and Y must not
 // move before B and C are. The motions before all five are known, in a program with that head those
 // before G93, are approaches (plan::ProgramApproach); the motion that follows must not turn the
 // table.

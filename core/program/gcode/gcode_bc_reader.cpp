@@ -12,7 +12,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kSameTurn = 1e-6; // of a turn; rounding of C
+constexpr double kSameRevolution = 1e-6; // of a turn; rounding of C
 
 class TableReader : public GcodeReader {
 public:
@@ -28,10 +28,11 @@ private:
 
   // Accepts a change of C's count by whole turns.
   bool setsCount(GcodeWords& w) override {
-    if (w['A'] || w['B'] || !w['C'] || !turn_)
+    if (w['A'] || w['B'] || !w['C'] || !rotation_)
       return false;
-    const double back = (base::radiansToDegrees(sense_ * *turn_) - countedDeg_ - *w['C']) / 360.0;
-    if (std::abs(back - std::round(back)) > kSameTurn || !(std::abs(back) < 1e6))
+    const double back =
+        (base::radiansToDegrees(sense_ * *rotation_) - countedDeg_ - *w['C']) / 360.0;
+    if (std::abs(back - std::round(back)) > kSameRevolution || !(std::abs(back) < 1e6))
       return false;
     countedDeg_ += 360.0 * std::round(back);
     return true;
@@ -89,25 +90,25 @@ private:
       defect("table motion before Z is known: the nozzle may be down"_text);
       return false;
     }
-    if (w.any("XY") && !(tilt_ && turn_)) {
+    if (w.any("XY") && !(tilt_ && rotation_)) {
       defect("X or Y motion before B and C are known"_text);
       return false;
     }
-    const bool isAbove = knows('X') && knows('Y') && tilt_ && turn_;
-    const std::optional<double> tilt = tilt_, turn = turn_;
+    const bool isAbove = knows('X') && knows('Y') && tilt_ && rotation_;
+    const std::optional<double> tilt = tilt_, rotation = rotation_;
     if (w['B'])
       tilt_ = sense_ * base::degreesToRadians(*w['B']);
     if (w['C'])
-      turn_ = sense_ * base::degreesToRadians(*w['C'] + countedDeg_);
+      rotation_ = sense_ * base::degreesToRadians(*w['C'] + countedDeg_);
     if (inverseTime_ && g == 0.0)
       defect("a G0 under G93 has no defined time"_text);
     else if (inverseTime_ && !w['F'])
       defect("a motion without F: under G93 each motion needs its own"_text);
     const TablePose last = pose_;
     const Eigen::Vector3d from = position_;
-    const bool allKnown = takePosition(w) && tilt_ && turn_;
-    const bool isOnTheWay = ours_ && !placed_ && !inverseTime_ && !w.any("ZBC");
-    if (!allKnown || isOnTheWay) {
+    const bool allKnown = takePosition(w) && tilt_ && rotation_;
+    const bool isIntermediate = ours_ && !placed_ && !inverseTime_ && !w.any("ZBC");
+    if (!allKnown || isIntermediate) {
       if (extruding)
         defect("material before X, Y, Z, B and C are all known"_text);
       if (inverseTime_)
@@ -115,13 +116,13 @@ private:
       approach(w);
       return false;
     }
-    if (!placed_ && tilt && turn && (tilt != tilt_ || turn != turn_))
+    if (!placed_ && tilt && rotation && (tilt != tilt_ || rotation != rotation_))
       defect("the table turns while the nozzle goes to its start"_text);
     if (ours_ && !placed_ && !isAbove)
       defect("the nozzle is not above its start: its way has no speed"_text);
     if (ours_ && !inverseTime_)
       defect("a motion without G93: its F is not a time"_text);
-    pose_ = {position_, {*tilt_, *turn_}};
+    pose_ = {position_, {*tilt_, *rotation_}};
     const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
     m.position = nozzle.position;
     m.direction = nozzle.direction;
@@ -130,7 +131,7 @@ private:
     if (!placed_ && isAbove && inverseTime_)
       m.speedMmPerS = (position_ - from).norm() * perS_;
     if (placed_)
-      m.way = wayOnPart(frame_, last, pose_);
+      m.viaPoints = pathOnPart(frame_, last, pose_);
     placed_ = true;
     poses_.push_back(pose_);
     return true;
@@ -139,12 +140,12 @@ private:
   // Returns the number of motions with which the table is wound back here (up, by whole turns, down
   // again); 0 if it is not.
   std::size_t windingAt(std::size_t first) {
-    const auto differs = [&](std::size_t m, bool z, bool turn) {
+    const auto differs = [&](std::size_t m, bool z, bool rotation) {
       const TablePose &a = poses_[m - 1], &b = poses_[m];
-      const double turns = (b.angles.turn - a.angles.turn) / (2.0 * base::kPi);
+      const double turns = (b.angles.rotation - a.angles.rotation) / (2.0 * base::kPi);
       return !out_.program().motions[m].extruding && a.axesMm.head<2>() == b.axesMm.head<2>() &&
              a.angles.tilt == b.angles.tilt && (a.axesMm.z() != b.axesMm.z()) == z &&
-             (turn ? std::abs(std::abs(turns) - 1.0) <= kSameTurn : turns == 0.0);
+             (rotation ? std::abs(std::abs(turns) - 1.0) <= kSameRevolution : turns == 0.0);
     };
     std::size_t m = first;
     if (!differs(m, true, false) || poses_[m].axesMm.z() < poses_[m - 1].axesMm.z())
@@ -169,7 +170,7 @@ private:
     for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
       if (const std::size_t count = windingAt(m)) {
         for (std::size_t k = 0; k < count; ++k, ++m) {
-          motions[m].aside = true;
+          motions[m].detour = true;
           if (k > 0 && k + 1 < count)
             out_.program().approaches.push_back({.file = motions[m].file,
                                                  .line = motions[m].line,
@@ -185,10 +186,10 @@ private:
       return 0.0;
     if (inverseTime_)
       return 1.0 / perS_;
-    const double way = (pose_.axesMm - last.axesMm).norm();
-    const double turn =
-        std::hypot(pose_.angles.tilt - last.angles.tilt, pose_.angles.turn - last.angles.turn);
-    return (way > 0.0 ? way : base::radiansToDegrees(turn)) / perS_;
+    const double distance = (pose_.axesMm - last.axesMm).norm();
+    const double rotation = std::hypot(pose_.angles.tilt - last.angles.tilt,
+                                       pose_.angles.rotation - last.angles.rotation);
+    return (distance > 0.0 ? distance : base::radiansToDegrees(rotation)) / perS_;
   }
 
   TableFrame frame_;
@@ -196,7 +197,7 @@ private:
   std::vector<TablePose> poses_; // of each motion
   double sense_ = 1.0;
   double countedDeg_ = 0.0; // whole turns removed from C's count
-  std::optional<double> tilt_, turn_;
+  std::optional<double> tilt_, rotation_;
   bool inverseTime_ = false, placed_ = false;
   bool statesUnit_ = false; // has G93 or G94 been stated
   bool ours_ = false;       // Voluta's head was read: every motion states its time

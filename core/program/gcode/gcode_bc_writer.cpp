@@ -26,7 +26,7 @@ namespace {
 constexpr int kAngleDecimals = 5; // 1e-7 rad
 constexpr double kAboveMm = 10.0; // above everything that the table can lift when it turns
 constexpr double kStartDegPerS = 10.0, kWindDegPerS = 180.0, kMinS = 1e-3;
-constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kTwoPi = 2.0 * base::kPi;
 constexpr std::string_view kCounts = "count", kWinds = "wind";
 
 class TableWriter : private ProgramEmitter {
@@ -37,15 +37,15 @@ public:
                       : TableFrame{numberOf(tableXMm(), input.options),
                                    numberOf(tableZMm(), input.options)}),
         sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0),
-        mostTurns_(numberOf(tableTurns(), input.options)),
+        maxRevolutions_(numberOf(tableTurns(), input.options)),
         winds_(chosenOf(tableUnwind(), input.options) == kWinds) {
     program_.format = "gcode-bc";
     program_.foreign = input.foreign;
     findStations();
     if (winds_)
       findWindings();
-    else if (!(mostTurns_ > 0.0))
-      mostTurns_ = 1.0;
+    else if (!(maxRevolutions_ > 0.0))
+      maxRevolutions_ = 1.0;
     upMm_ = heightAbove();
   }
 
@@ -88,13 +88,13 @@ private:
     if (!table_)
       angles_ = tableAngles(directions);
     for (TableAngles& a : angles_)
-      a = {rounded(a.tilt), rounded(a.turn)};
+      a = {rounded(a.tilt), rounded(a.rotation)};
   }
 
   // Winds the table back where a travel has lifted off, so that each stretch between two such
   // points stays within the range.
   void findWindings() {
-    std::vector<TurnRange> stretches;
+    std::vector<AngleRange> stretches;
     std::vector<std::size_t> begins; // stations
     for (std::size_t i = 0; i < targets_.size(); ++i)
       if (i == 0 || standsClear(in_.trajectory, i))
@@ -104,22 +104,22 @@ private:
       // Start at the end of the stretch before.
       const auto from = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k] - (k > 0 ? 1 : 0)),
                  to = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k + 1]);
-      const auto [low, high] = std::ranges::minmax_element(from, to, {}, &TableAngles::turn);
-      stretches.push_back({low->turn, high->turn});
+      const auto [low, high] = std::ranges::minmax_element(from, to, {}, &TableAngles::rotation);
+      stretches.push_back({low->rotation, high->rotation});
     }
-    if (!(mostTurns_ > 0.0))
-      mostTurns_ = leastTurns(stretches);
-    if (!fitWithin(stretches, kTurn * mostTurns_))
+    if (!(maxRevolutions_ > 0.0))
+      maxRevolutions_ = minRevolutions(stretches);
+    if (!fitWithin(stretches, kTwoPi * maxRevolutions_))
       throw base::Error(
           base::ErrorCode::Usage,
           base::message(
               "within a bead the table would turn by more than {turns} turns to one side"_text,
-              base::number(mostTurns_)),
-          {}, base::message("set `tableTurns` to {turns} or more"_text, leastTurns(stretches)));
-    const std::vector<int> turns = windings(stretches, kTurn * mostTurns_);
+              base::number(maxRevolutions_)),
+          {}, base::message("set `tableTurns` to {turns} or more"_text, minRevolutions(stretches)));
+    const std::vector<int> turns = windings(stretches, kTwoPi * maxRevolutions_);
     for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
       for (std::size_t s = begins[k]; s < begins[k + 1]; ++s)
-        angles_[s].turn = rounded(angles_[s].turn + kTurn * turns[k]);
+        angles_[s].rotation = rounded(angles_[s].rotation + kTwoPi * turns[k]);
       if (k > 0 && turns[k] != turns[k - 1])
         windsAt_.emplace(begins[k], turns[k] - turns[k - 1]);
     }
@@ -147,17 +147,17 @@ private:
   }
 
   std::vector<std::string> notes() const {
-    double least = 0.0, most = 0.0, fastest = 0.0;
-    double lowest = angles_.front().turn, highest = lowest;
+    double minimum = 0.0, maximum = 0.0, fastest = 0.0;
+    double lowest = angles_.front().rotation, highest = lowest;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
-      least = std::min(least, angles_[i].tilt);
-      most = std::max(most, angles_[i].tilt);
-      lowest = std::min(lowest, angles_[i].turn);
-      highest = std::max(highest, angles_[i].turn);
+      minimum = std::min(minimum, angles_[i].tilt);
+      maximum = std::max(maximum, angles_[i].tilt);
+      lowest = std::min(lowest, angles_[i].rotation);
+      highest = std::max(highest, angles_[i].rotation);
       if (i > 0 && stations_[i].seconds > 0.0)
-        fastest =
-            std::max(fastest, std::abs(angles_[i].turn - angles_[i - 1].turn - kTurn * windsAt(i)) /
-                                  stations_[i].seconds);
+        fastest = std::max(
+            fastest, std::abs(angles_[i].rotation - angles_[i - 1].rotation - kTwoPi * windsAt(i)) /
+                         stations_[i].seconds);
     }
     std::string table(kTableNote);
     table += "X";
@@ -171,17 +171,17 @@ private:
       all.push_back(rangeNote());
     else
       all.push_back(joined({"C's count is set back by whole turns (G92 C) in travels beyond ",
-                            fixedText(mostTurns_, 0),
+                            fixedText(maxRevolutions_, 0),
                             ": the table does not move then, and has to turn without end"}));
-    all.push_back(joined({"B goes from ", degrees(sense_ * least), " to ", degrees(sense_ * most),
-                          ", C from ", degrees(sense_ * lowest), " to ", degrees(sense_ * highest),
-                          " degrees, C at most at ", degrees(fastest),
+    all.push_back(joined({"B goes from ", degrees(sense_ * minimum), " to ",
+                          degrees(sense_ * maximum), ", C from ", degrees(sense_ * lowest), " to ",
+                          degrees(sense_ * highest), " degrees, C at most at ", degrees(fastest),
                           " degrees/s: what the axes cannot follow takes longer"}));
     return all;
   }
   std::string rangeNote() const {
-    std::string note = joined({"C stays within ", fixedText(mostTurns_, 3),
-                               mostTurns_ == 1.0 ? " turn" : " turns", " to either side"});
+    std::string note = joined({"C stays within ", fixedText(maxRevolutions_, 3),
+                               maxRevolutions_ == 1.0 ? " turn" : " turns", " to either side"});
     if (!windsAt_.empty())
       note += joined({": it is wound back ", std::to_string(windsAt_.size()),
                       windsAt_.size() == 1 ? " time" : " times",
@@ -219,7 +219,7 @@ private:
     text_.word("G1 Z", upMm_, kGcodePositionDecimals);
     text_.word(" F", travel, 3, true);
     text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
-    text_.word(" C", sense_ * base::radiansToDegrees(first.angles.turn), kAngleDecimals);
+    text_.word(" C", sense_ * base::radiansToDegrees(first.angles.rotation), kAngleDecimals);
     text_.word(" F", kStartDegPerS * 60.0, 3, true);
     text_.word("\nG1 X", first.axesMm.x(), kGcodePositionDecimals);
     text_.word(" Y", first.axesMm.y(), kGcodePositionDecimals);
@@ -280,7 +280,7 @@ private:
     text_.remark("the table is wound back");
     line(up, liftS, std::nullopt);
     for (int k = 1; k <= std::abs(turns); ++k) {
-      up.angles.turn = rounded(at.angles.turn + (turns > 0 ? k : -k) * kTurn);
+      up.angles.rotation = rounded(at.angles.rotation + (turns > 0 ? k : -k) * kTwoPi);
       line(up, 360.0 / kWindDegPerS, std::nullopt);
     }
     up.axesMm.z() = at.axesMm.z();
@@ -288,9 +288,9 @@ private:
   }
 
   void setCountBack() {
-    const double degrees = sense_ * base::radiansToDegrees(last_.angles.turn) - countedDeg_;
+    const double degrees = sense_ * base::radiansToDegrees(last_.angles.rotation) - countedDeg_;
     const double turns = std::round(degrees / 360.0);
-    if (std::abs(degrees) <= 360.0 * mostTurns_ || turns == 0.0)
+    if (std::abs(degrees) <= 360.0 * maxRevolutions_ || turns == 0.0)
       return;
     countedDeg_ += 360.0 * turns;
     text_.word("G92 C", degrees - 360.0 * turns, kAngleDecimals);
@@ -303,7 +303,7 @@ private:
     text_.word(" Y", pose.axesMm.y(), kGcodePositionDecimals);
     text_.word(" Z", pose.axesMm.z(), kGcodePositionDecimals);
     text_.word(" B", sense_ * base::radiansToDegrees(pose.angles.tilt), kAngleDecimals);
-    text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn) - countedDeg_,
+    text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.rotation) - countedDeg_,
                kAngleDecimals);
     if (filamentMm)
       text_.amount(*filamentMm);
@@ -320,7 +320,7 @@ private:
   std::vector<MotionTarget> targets_;
   std::optional<CellTable> table_; // the cell's own
   TableFrame frame_;
-  double sense_, mostTurns_;
+  double sense_, maxRevolutions_;
   bool winds_;
   double upMm_ = 0.0;                  // above everything that the table can lift
   std::map<std::size_t, int> windsAt_; // turns to wind back before the motion to that station

@@ -25,7 +25,7 @@ constexpr std::string_view kNone = "none", kRapid = "rapid", kObject = "wPlate",
                            kTitle = "  ! Reads extended G-code on the controller, RAPID",
                            kFile = "  CONST string sFile:=\"", kFull = "  CONST num nFullFlow:=",
                            kByJoints = "  CONST bool bByJoints:=", kJoints = "  CONST jointtarget ";
-constexpr int kPositionDecimals = 4, kTurnDecimals = 8, kDegreeDecimals = 6, kFlowDecimals = 3;
+constexpr int kPositionDecimals = 4, kRotationDecimals = 8, kDegreeDecimals = 6, kFlowDecimals = 3;
 
 std::string withCrLf(std::string_view text) {
   std::string out;
@@ -81,7 +81,7 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
   out += "  CONST robtarget pStart:=[";
   appendRapidPosition(out, targets.front().tcpMm, kPositionDecimals);
   out += ',';
-  appendRapidTurn(out, targets.front().tcpTurn, kTurnDecimals);
+  appendRapidRotation(out, targets.front().tcpRotation, kRotationDecimals);
   line(joined({",[0,0,0,0],", kRapidNoAxes, "];"}));
   out += joined({kJoints, "jStart:=["});
   for (int k = 0; k < 6; ++k) {
@@ -146,7 +146,7 @@ void readRapidRunner(std::string_view text, const process::Tooling& tooling, Pro
     out.line = std::min(defect.line, first);
     out.defect(defect.reason);
   }
-  tellOtherText(text.substr(body), rapidGcodeSame(), first, out);
+  reportOtherText(text.substr(body), rapidGcodeSame(), first, out);
 }
 
 } // namespace voluta::program

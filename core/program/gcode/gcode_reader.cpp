@@ -241,7 +241,7 @@ void GcodeReader::heat(double m, GcodeWords& w) {
   if (celsius == 0.0)
     out_.wordAt(word, nozzles_.size() > 1 ? kAtRest : kBeforeMotion | kAtEnd);
   else if (celsius != nozzle.celsius && !isJustSelected(*tool))
-    out_.wordAt(word, kAside);
+    out_.wordAt(word, kOutsidePrint);
   if (celsius != 0.0 && !prints(material, celsius))
     defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
                          base::number(celsius), material.label));
@@ -358,10 +358,10 @@ void GcodeReader::motion(double g, GcodeWords& w) {
 bool GcodeReader::arc(const Eigen::Vector3d& from, double g, GcodeWords& w,
                       plan::ProgramMotion& m) {
   constexpr double kSameMm = 0.01;
-  const Eigen::Vector3d way(w['I'].value_or(0.0), w['J'].value_or(0.0), 0.0);
+  const Eigen::Vector3d offset(w['I'].value_or(0.0), w['J'].value_or(0.0), 0.0);
   const double side = g == 3.0 ? 1.0 : -1.0;
   const std::optional<Arc> arc =
-      arcAbout(from + way, side * Eigen::Vector3d::UnitZ(), from, m.position);
+      arcAbout(from + offset, side * Eigen::Vector3d::UnitZ(), from, m.position);
   if (!arc || (!w['I'] && !w['J'])) {
     defect("an arc without its centre, I and J"_text);
     return false;
@@ -375,18 +375,19 @@ bool GcodeReader::arc(const Eigen::Vector3d& from, double g, GcodeWords& w,
     return false;
   }
   for (const Eigen::Vector3d& point : pointsAlong(*arc))
-    m.way.push_back({point, m.direction});
+    m.viaPoints.push_back({point, m.direction});
   return true;
 }
 
 void GcodeReader::approach(GcodeWords& w) {
   if (perS_ == 0.0)
     defect("a motion before any speed (F)"_text);
-  plan::ProgramApproach way{.file = out_.file, .line = out_.line};
+  plan::ProgramApproach start{.file = out_.file, .line = out_.line};
   if (knows('Z'))
-    way.heightMm = position_.z();
-  (w.any("XYZ") ? way.mmPerS : way.radPerS) = w.any("XYZ") ? perS_ : base::degreesToRadians(perS_);
-  out_.program().approaches.push_back(way);
+    start.heightMm = position_.z();
+  (w.any("XYZ") ? start.mmPerS : start.radPerS) =
+      w.any("XYZ") ? perS_ : base::degreesToRadians(perS_);
+  out_.program().approaches.push_back(start);
 }
 
 bool GcodeReader::takePosition(GcodeWords& w) {

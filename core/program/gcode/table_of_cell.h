@@ -11,10 +11,10 @@ namespace voluta::program {
 // A cell's own table: where its plate is, and the angles of its axes.
 struct CellTable {
   TableFrame frame;
-  double tiltSign = 1.0, turnSign = 1.0; // -1: the axis counts the opposite way
+  double tiltSign = 1.0, rotationSign = 1.0; // -1: the axis counts the opposite way
   // Returns B and C of a joint vector of the cell.
   TableAngles angles(const robot::JointVector& q, int armDof) const {
-    return {tiltSign * q[armDof], turnSign * q[armDof + 1]};
+    return {tiltSign * q[armDof], rotationSign * q[armDof + 1]};
   }
 };
 

@@ -10,59 +10,59 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kTurn = 2.0 * base::kPi;
+constexpr double kTwoPi = 2.0 * base::kPi;
 constexpr double kSlackRad = 1e-9; // of rounded angles
 
-// The whole turns that bring a stretch within the limit; none if least > most.
+// The whole turns that bring a stretch within the limit; none if minimum > maximum.
 struct Turns {
-  double least, most;
+  double minimum, maximum;
 };
-Turns within(const TurnRange& stretch, double mostRad) {
-  return {std::ceil((-mostRad - stretch.lowest - kSlackRad) / kTurn),
-          std::floor((mostRad - stretch.highest + kSlackRad) / kTurn)};
+Turns within(const AngleRange& stretch, double maxRad) {
+  return {std::ceil((-maxRad - stretch.lowest - kSlackRad) / kTwoPi),
+          std::floor((maxRad - stretch.highest + kSlackRad) / kTwoPi)};
 }
 
 } // namespace
 
-std::vector<int> windings(std::span<const TurnRange> stretches, double mostRad) {
+std::vector<int> windings(std::span<const AngleRange> stretches, double maxRad) {
   std::vector<int> turns;
   turns.reserve(stretches.size());
   double last = 0.0;
   while (turns.size() < stretches.size()) {
     // Extend the run as long as one number of turns suits all stretches.
     std::size_t end = turns.size();
-    Turns common = within(stretches[end], mostRad);
-    if (common.least > common.most) {
-      const TurnRange& wide = stretches[end];
-      common.least = common.most = -std::round(0.5 * (wide.lowest + wide.highest) / kTurn);
+    Turns common = within(stretches[end], maxRad);
+    if (common.minimum > common.maximum) {
+      const AngleRange& wide = stretches[end];
+      common.minimum = common.maximum = -std::round(0.5 * (wide.lowest + wide.highest) / kTwoPi);
       ++end;
     } else {
-      for (Turns next = common; end < stretches.size() && next.least <= next.most;) {
+      for (Turns next = common; end < stretches.size() && next.minimum <= next.maximum;) {
         common = next;
         if (++end < stretches.size()) {
-          const Turns own = within(stretches[end], mostRad);
-          next = {std::max(common.least, own.least), std::min(common.most, own.most)};
+          const Turns own = within(stretches[end], maxRad);
+          next = {std::max(common.minimum, own.minimum), std::min(common.maximum, own.maximum)};
         }
       }
     }
-    last = std::clamp(last, common.least, common.most);
+    last = std::clamp(last, common.minimum, common.maximum);
     turns.resize(end, static_cast<int>(last));
   }
   return turns;
 }
 
-bool fitWithin(std::span<const TurnRange> stretches, double mostRad) {
-  return std::ranges::all_of(stretches, [&](const TurnRange& stretch) {
-    const Turns turns = within(stretch, mostRad);
-    return turns.least <= turns.most;
+bool fitWithin(std::span<const AngleRange> stretches, double maxRad) {
+  return std::ranges::all_of(stretches, [&](const AngleRange& stretch) {
+    const Turns turns = within(stretch, maxRad);
+    return turns.minimum <= turns.maximum;
   });
 }
 
-int leastTurns(std::span<const TurnRange> stretches) {
-  int most = 1;
-  while (!fitWithin(stretches, most * kTurn))
-    ++most;
-  return most;
+int minRevolutions(std::span<const AngleRange> stretches) {
+  int revolutions = 1;
+  while (!fitWithin(stretches, revolutions * kTwoPi))
+    ++revolutions;
+  return revolutions;
 }
 
 } // namespace voluta::program

@@ -8,19 +8,19 @@
 namespace voluta::program {
 
 // The table's range of angles in a stretch [rad], counted continuously over all stretches.
-struct TurnRange {
+struct AngleRange {
   double lowest = 0.0, highest = 0.0;
 };
 
-// Returns the turns to add in each stretch so that the table stays within `mostRad` to either side,
+// Returns the turns to add in each stretch so that the table stays within `maxRad` to either side,
 // with as few changes as possible, and then as small ones as possible. A stretch that does not fit
 // is centred about 0 as far as whole turns allow.
-std::vector<int> windings(std::span<const TurnRange> stretches, double mostRad);
+std::vector<int> windings(std::span<const AngleRange> stretches, double maxRad);
 
-// Returns whether every stretch can be brought within `mostRad` to either side.
-bool fitWithin(std::span<const TurnRange> stretches, double mostRad);
+// Returns whether every stretch can be brought within `maxRad` to either side.
+bool fitWithin(std::span<const AngleRange> stretches, double maxRad);
 // Returns the smallest whole number of turns to either side, at least 1, within which all stretches
 // fit.
-int leastTurns(std::span<const TurnRange> stretches);
+int minRevolutions(std::span<const AngleRange> stretches);
 
 } // namespace voluta::program

@@ -22,7 +22,7 @@ struct TableFrame {
 };
 
 struct TableAngles {
-  double tilt = 0.0, turn = 0.0; // B, C; the turn is continuous beyond 360 degrees
+  double tilt = 0.0, rotation = 0.0; // B, C; the turn is continuous beyond 360 degrees
 };
 
 // The positions of all five axes.
@@ -55,15 +55,15 @@ std::vector<TableAngles> tableAngles(std::span<const TableStation> stations);
 // linearly from one pose to the other.
 double sagMm(const TableFrame& frame, const TablePose& from, const TablePose& to);
 // Returns the number of pieces, equal in time and with their ends on the straight line on the part,
-// for which the deviation is at most `mostMm`.
-int tablePieces(const TableFrame& frame, const TablePose& from, const TablePose& to, double mostMm);
+// for which the deviation is at most `maxMm`.
+int tablePieces(const TableFrame& frame, const TablePose& from, const TablePose& to, double maxMm);
 // Returns the pose on that line at `share` of the motion; angles change linearly.
 TablePose tablePiece(const TableFrame& frame, const TablePose& from, const TablePose& to,
                      double share);
 
 // Returns the nozzle's path on the part while all axes move linearly, as plan::ProgramMotion::way,
 // to 0.005 mm and 0.002 rad. Empty if the table does not move.
-std::vector<plan::NozzlePoint> wayOnPart(const TableFrame& frame, const TablePose& from,
-                                         const TablePose& to);
+std::vector<plan::NozzlePoint> pathOnPart(const TableFrame& frame, const TablePose& from,
+                                          const TablePose& to);
 
 } // namespace voluta::program

@@ -51,7 +51,7 @@ inline constexpr std::size_t kKrlMotionsPerFile = 2500;
 // Assumed maximum speed of an axis: data sheets have 150 to 360.
 inline constexpr double kKrlPtpDegPerS = 180.0;
 // Assumed $ACC_MA.CP: as long as $ACC.CP is not set lower, no acceleration is stated.
-inline constexpr double kKrlMostMmPerS2 = 10000.0;
+inline constexpr double kKrlMaxMmPerS2 = 10000.0;
 
 // For an extruder that is an external axis (program/gcode/extruder_axis.h): the number of its E,
 // the module in which the operator sets it to 0, and its assumed maximum speed, of which $VEL_EXTAX

@@ -73,7 +73,7 @@ std::vector<std::string> programLines(const Link& link, std::string_view channel
        joined({"$BASE=", frameText(link.nozzle ? *link.nozzle : link.base.value_or(LinkFrame{}))}),
        joined({"$TOOL=", frameText(link.tool)}),
        joined({"$LOAD=", krlLoadText(load[0], {load[1], load[2], load[3]})}),
-       joined({"$ACC.CP=", fixedText(kKrlMostMmPerS2 / 1000.0, 2)}), "$OUT[1]=FALSE", "$ANOUT[1]=0",
+       joined({"$ACC.CP=", fixedText(kKrlMaxMmPerS2 / 1000.0, 2)}), "$OUT[1]=FALSE", "$ANOUT[1]=0",
        "HELD=0", "FEEDS=FALSE", "SLOT=1", "TAKEN=0", "UNTOLD=0", joined({"; ", kStartQuestion}),
        "HALT", joined({"BAS (#VEL_PTP,", fixedText(link.start.speed, 2), ")"}),
        joined({"PTP ", startText(link.start)})});
@@ -140,7 +140,7 @@ void readTaking(std::string_view text, const Link& link, ProgramBuilder& out) {
   for (const std::string& line : isData(text) ? dataLines(name) : programLines(link, name, {}))
     if (std::string code = codeOfKrl(line); !code.empty())
       steps.push_back(std::move(code));
-  tellOtherSteps(text, steps, codeOfKrl, kOtherTaking, out);
+  reportOtherSteps(text, steps, codeOfKrl, kOtherTaking, out);
 }
 
 bool isChannel(std::string_view text) {
@@ -160,7 +160,7 @@ void readChannel(std::string_view text, const Link&, ProgramBuilder& out) {
   std::vector<std::string> steps;
   for (const std::string& line : linesFor(krlEkiChannel(), ""))
     steps.push_back(codeOfChannel(line));
-  tellOtherSteps(text, steps, codeOfChannel, kOtherTaking, out);
+  reportOtherSteps(text, steps, codeOfChannel, kOtherTaking, out);
 }
 
 } // namespace

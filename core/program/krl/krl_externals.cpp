@@ -13,7 +13,7 @@ namespace {
 constexpr double kMax = 1e7; // degrees, mm
 } // namespace
 
-std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool turnBase,
+std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool rotatesBase,
                                                 plan::ProgramMotion& motion) {
   const std::optional<std::size_t> own = extruder();
   const std::size_t carrying = underRobot();
@@ -25,14 +25,14 @@ std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool tur
       continue;
     if (!(std::abs(*value) <= kMax))
       return "an external axis far outside any limit"_text;
-    if (!turnBase && k >= carrying && k != own && at_[k] && *at_[k] != *value)
+    if (!rotatesBase && k >= carrying && k != own && at_[k] && *at_[k] != *value)
       return "an external axis that moves no work object is not supported"_text;
     at_[k] = value;
   }
-  if (turnBase && (!at_[0] || own == std::size_t{0}))
+  if (rotatesBase && (!at_[0] || own == std::size_t{0}))
     return "E1 is missing: an external axis moves the base"_text;
-  const std::size_t most = turnBase ? at_.size() : carrying;
-  for (std::size_t k = 0; k < most && at_[k] && k != own; ++k)
+  const std::size_t limit = rotatesBase ? at_.size() : carrying;
+  for (std::size_t k = 0; k < limit && at_[k] && k != own; ++k)
     motion.externals.push_back(base::degreesToRadians(*at_[k]));
   if (motion.externals.size() < carrying)
     return "an axis that carries the robot is missing"_text;
@@ -74,11 +74,11 @@ std::optional<double> KrlExternals::extruderAlone(const KrlValue& target) const 
 }
 
 std::optional<double> KrlExternals::feed(double mm) {
-  const double percent = extruderPercent(), way = std::abs(mm - extruderMm());
+  const double percent = extruderPercent(), distance = std::abs(mm - extruderMm());
   if (!(std::abs(mm) <= kMax) || !(percent > 0.0 && percent <= 100.0))
     return std::nullopt;
   at_[*extruder()] = mm;
-  return way / (kKrlExtruderMmPerS * percent / 100.0);
+  return distance / (kKrlExtruderMmPerS * percent / 100.0);
 }
 
 } // namespace voluta::program

@@ -17,11 +17,11 @@ public:
   // `variables` must outlive this object.
   explicit KrlExternals(const KrlVariables& variables) : variables_(variables) {}
 
-  // Takes over E1, E2, ... of a motion's target. If `turnBase`, they belong to an external
+  // Takes over E1, E2, ... of a motion's target. If `rotatesBase`, they belong to an external
   // kinematic system and become motion.externals, as do those that carry the robot; otherwise all
   // except the extruder's must keep their values. Returns the reason if they are invalid, else
   // nullopt.
-  std::optional<base::Message> take(const KrlValue& target, bool turnBase,
+  std::optional<base::Message> take(const KrlValue& target, bool rotatesBase,
                                     plan::ProgramMotion& motion);
 
   // Returns the index of the extruder's axis from 0; nullopt if the extruder is no axis.

@@ -56,7 +56,7 @@ bool mayBeMissingInKrl(const std::vector<std::string>& lines, std::size_t i) {
   return primes(lines, i);
 }
 
-void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out) {
+void reportOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out) {
   for (out.file = 1; out.file < files.size(); ++out.file) {
     const std::string& file = files[out.file].name;
     LineReader lines(files[out.file].text);

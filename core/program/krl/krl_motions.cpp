@@ -11,8 +11,8 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kTurnDegPerS = 200.0; // minimum
-constexpr double kMinTurnDegPerS = 0.5;
+constexpr double kRotationDegPerS = 200.0; // minimum
+constexpr double kMinRotationDegPerS = 0.5;
 constexpr double kStartPercent = 10.0;
 constexpr double kMinMmPerS = 1.0; // of $VEL.CP
 constexpr double kMinBlendMm = 1e-4;
@@ -20,13 +20,13 @@ constexpr double kMinBlendMm = 1e-4;
 
 KrlMotions::KrlMotions(const ProgramInput& input, const base::RunContext& ctx)
     : in_(input), targets_(motionTargets(input, ctx)),
-      motions_(in_, targets_, writtenShare, TcpFrame::Work), turnLimit_(kTurnDegPerS) {
+      motions_(in_, targets_, writtenShare, TcpFrame::Work), rotationLimit_(kRotationDegPerS) {
   placeInWorkFrame(in_, kKrlMmDecimals, targets_);
-  findTurnLimit();
+  findRotationLimit();
 }
 
 Eigen::Vector3d KrlMotions::degrees(std::size_t i) const {
-  return zyxDegrees(targets_[i].tcpTurn);
+  return zyxDegrees(targets_[i].tcpRotation);
 }
 
 std::optional<ViaTarget> KrlMotions::via(std::size_t i) const {
@@ -34,35 +34,36 @@ std::optional<ViaTarget> KrlMotions::via(std::size_t i) const {
   return arc ? std::optional(viaTarget(in_, targets_, TcpFrame::Work, *arc)) : std::nullopt;
 }
 
-double KrlMotions::turnDegPerS(std::size_t i) const {
+double KrlMotions::rotationDegPerS(std::size_t i) const {
   const double s = motions_.seconds(i);
   return s > 0.0 ? base::radiansToDegrees(
-                       targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn)) /
+                       targets_[i].tcpRotation.angularDistance(targets_[i - 1].tcpRotation)) /
                        s
                  : 0.0;
 }
 
 // Returns whether the TCP hardly moves, so that its rotation speed determines the motion's time.
-bool KrlMotions::goesByTurn(std::size_t i) const {
-  return motions_.needsTime(i) && turnDegPerS(i) > kMinTurnDegPerS;
+bool KrlMotions::isTimedByRotation(std::size_t i) const {
+  return motions_.needsTime(i) && rotationDegPerS(i) > kMinRotationDegPerS;
 }
 
-void KrlMotions::findTurnLimit() {
+void KrlMotions::findRotationLimit() {
   for (std::size_t i = 1; i < targets_.size(); ++i)
-    if (in_.trajectory.move[i] != plan::MoveKind::Joint && !goesByTurn(i)) {
-      turnLimit_ = std::max(turnLimit_, std::ceil(1.05 * turnDegPerS(i)));
+    if (in_.trajectory.move[i] != plan::MoveKind::Joint && !isTimedByRotation(i)) {
+      rotationLimit_ = std::max(rotationLimit_, std::ceil(1.05 * rotationDegPerS(i)));
       slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kMinMmPerS ? 1 : 0;
     }
 }
 
 double KrlMotions::mmPerS(std::size_t i) const {
   const double mmPerS = motions_.speedMmPerS(i);
-  return goesByTurn(i) || !(mmPerS > 0.0) ? std::max(in_.process().travelSpeedMmPerS, 2.0 * mmPerS)
-                                          : mmPerS;
+  return isTimedByRotation(i) || !(mmPerS > 0.0)
+             ? std::max(in_.process().travelSpeedMmPerS, 2.0 * mmPerS)
+             : mmPerS;
 }
 
 double KrlMotions::degPerS(std::size_t i) const {
-  return goesByTurn(i) ? turnDegPerS(i) : turnLimit_;
+  return isTimedByRotation(i) ? rotationDegPerS(i) : rotationLimit_;
 }
 
 double KrlMotions::blendMm(std::size_t i) const {

@@ -35,19 +35,19 @@ public:
 
   // Rotation speed [degrees/s] that suffices for all motions except those whose time the rotation
   // determines.
-  double turnLimit() const { return turnLimit_; }
+  double rotationLimit() const { return rotationLimit_; }
   // Number of straight motions slower than the minimum of $VEL.CP.
   std::size_t slow() const { return slow_; }
 
 private:
-  double turnDegPerS(std::size_t i) const;
-  bool goesByTurn(std::size_t i) const;
-  void findTurnLimit();
+  double rotationDegPerS(std::size_t i) const;
+  bool isTimedByRotation(std::size_t i) const;
+  void findRotationLimit();
 
   const ProgramInput& in_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
-  double turnLimit_;
+  double rotationLimit_;
   std::size_t slow_ = 0;
 };
 

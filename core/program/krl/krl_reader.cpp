@@ -54,7 +54,7 @@ public:
     };
     bool complete =
         procedures_.find(files, wholly([this](LineCursor& line) { return outside(line); }));
-    tellOtherNames(files, out_);
+    reportOtherNames(files, out_);
     if (openData_) {
       out_.file = dataFile_;
       out_.defect("ENDDAT is missing: the file was cut short"_text);
@@ -123,7 +123,7 @@ private:
     if (line.takeMark('='))
       return assignment(word, line);
     if (word == "continue") {
-      out_.wordAt("CONTINUE", kAside);
+      out_.wordAt("CONTINUE", kOutsidePrint);
       return aheadOfArm_ = true;
     }
     if (word == "ptp" || word == "lin" || word == "sptp" || word == "slin" || word == "circ")
@@ -165,7 +165,7 @@ private:
     if (!line.takeMark('(') || !takeKrlPath(line, path))
       return false;
     if (path != inSmallLetters(kKrlCutOutput))
-      return out_.wordAt("PULSE", kAside), takeRest(line);
+      return out_.wordAt("PULSE", kOutsidePrint), takeRest(line);
     double seconds = 0.0;
     if (!line.takeMark(',') || !line.takeWord("true") || !line.takeMark(',') ||
         !variables_.takeNumber(line, seconds) || !line.takeMark(')'))
@@ -214,7 +214,7 @@ private:
     signals_[name] = path;
     if (!line.takeWord("to"))
       return true;
-    out_.wordAt(name, kAside);
+    out_.wordAt(name, kOutsidePrint);
     return takeRest(line);
   }
 
@@ -319,13 +319,13 @@ private:
     if (rootOf(path) == "$out" && value != 0.0 && value != 1.0)
       return fail("a digital output must be 0 or 1"_text);
     if (path == kExtruder) {
-      out_.turn(value == 1.0);
+      out_.setExtruder(value == 1.0);
     } else if (path == kFlow) {
       if (!(value >= 0.0 && value <= 1.0))
         return fail("an analogue output outside 0..1"_text);
       out_.flow(value);
     } else if (const int tool = krlToolOf(path); tool < 1 || !out_.toolOutput(tool, value == 1.0)) {
-      out_.wordAt(path, kAside);
+      out_.wordAt(path, kOutsidePrint);
     }
     return true;
   }
@@ -362,7 +362,7 @@ private:
         return false; // a fraction as number
       if (LineCursor ahead = line; takeKrlInput(ahead, input, on) && out_.awaitInput(input, on))
         return takeRest(line);
-      return out_.wordAt("wait for", kAside), takeRest(line);
+      return out_.wordAt("wait for", kOutsidePrint), takeRest(line);
     }
     if (!line.takeWord("sec") || !variables_.takeNumber(line, seconds) || !line.ended())
       return false;

@@ -12,7 +12,7 @@ namespace voluta::program {
 namespace {
 
 constexpr double kMax = 1e5;
-constexpr double kTurnDegPerS = 400.0; // for programs that set no limit: usual machine data
+constexpr double kRotationDegPerS = 400.0; // for programs that set no limit: usual machine data
 
 std::optional<base::Message> jointSpeed(const KrlVariables& variables, plan::ProgramMotion& m) {
   double percent = 0.0;
@@ -37,8 +37,8 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
   const auto speed = variables.number("$vel.cp");
   if (!speed)
     return "$VEL.CP is not set before this motion"_text;
-  const double turning = std::min(variables.number("$vel.ori1").value_or(kTurnDegPerS),
-                                  variables.number("$vel.ori2").value_or(kTurnDegPerS));
+  const double turning = std::min(variables.number("$vel.ori1").value_or(kRotationDegPerS),
+                                  variables.number("$vel.ori2").value_or(kRotationDegPerS));
   const double acceleration = variables.number("$acc.cp").value_or(0.0);
   for (const double v : {*speed, turning})
     if (!(v > 0.0 && v <= kMax))
@@ -46,19 +46,19 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
   if (!(acceleration >= 0.0 && acceleration <= kMax))
     return "an acceleration is no sensible number"_text;
   m.speedMmPerS = *speed * 1000.0;
-  m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMostMmPerS2 ? acceleration * 1000.0 : 0.0;
+  m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMaxMmPerS2 ? acceleration * 1000.0 : 0.0;
   if (last)
-    slowByTurn(*last, turning, m);
+    slowByRotation(*last, turning, m);
   return std::nullopt;
 }
 
-void slowByTurn(const Eigen::Isometry3d& last, double turning, plan::ProgramMotion& m) {
-  const double way = lengthMm(last.translation(), m) / m.speedMmPerS;
-  const double turn =
+void slowByRotation(const Eigen::Isometry3d& last, double turning, plan::ProgramMotion& m) {
+  const double seconds = lengthMm(last.translation(), m) / m.speedMmPerS;
+  const double angle =
       base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                  .angularDistance(Eigen::Quaterniond(last.linear())));
-  if (turn / turning > way + 1e-9) {
-    m.durationS = turn / turning;
+  if (angle / turning > seconds + 1e-9) {
+    m.durationS = angle / turning;
     m.speedMmPerS = 0.0;
   }
 }

@@ -21,6 +21,6 @@ std::optional<base::Message> krlBlend(const KrlVariables& variables, plan::Progr
 
 // Sets the motion's time if the rotation from `last` at `degPerS` takes longer than the path at the
 // motion's speed.
-void slowByTurn(const Eigen::Isometry3d& last, double degPerS, plan::ProgramMotion& motion);
+void slowByRotation(const Eigen::Isometry3d& last, double degPerS, plan::ProgramMotion& motion);
 
 } // namespace voluta::program

@@ -243,8 +243,8 @@ KrlValue KrlVariables::below(const std::string& path) const {
 
 std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm,
                                          const Eigen::Vector3d& degrees) {
-  const auto within = [](const Eigen::Vector3d& v, double most) {
-    return (v.array().abs() <= most).all();
+  const auto within = [](const Eigen::Vector3d& v, double limit) {
+    return (v.array().abs() <= limit).all();
   };
   if (!within(mm, kMaxMm) || !within(degrees, kMaxDegrees))
     return std::nullopt;

@@ -22,7 +22,7 @@ inline constexpr LineSyntax kKrlSyntax{';', '$'};
 LinePart krlPart(LineCursor line, std::string& name);
 // Adds a defect for each module except the first that is not named after its first procedure: a
 // controller would not find it.
-void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out);
+void reportOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out);
 
 // Parses a variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
 bool takeKrlPath(LineCursor& line, std::string& path);

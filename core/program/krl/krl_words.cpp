@@ -15,7 +15,7 @@ std::span<const KnownWord> krlWords() {
       KnownWord{"interrupt", kSetUp, "what an event starts"},
       KnownWord{"ext", kSetUp, "a procedure of another file"},
       KnownWord{"extfct", kSetUp, "a function of another file"},
-      KnownWord{"pulse", kAside, "an output that is not the extruder's"},
+      KnownWord{"pulse", kOutsidePrint, "an output that is not the extruder's"},
       KnownWord{"msgnotify", kAnywhere, "a line on the pendant"},
       KnownWord{"$bwdstart", kAnywhere, "what a step backwards may do"},
       KnownWord{"$circ_type", kSetUp, "how circles turn the tool"},

@@ -26,7 +26,7 @@ namespace voluta::program {
 namespace {
 
 constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
-constexpr double kMaxTurnDegPerS = 400.0; // usual machine data
+constexpr double kMaxRotationDegPerS = 400.0; // usual machine data
 
 class KrlWriter : private ProgramEmitter {
 public:
@@ -159,8 +159,8 @@ private:
       line(joined({"; ", note}));
     if (cutsTape(in_))
       line(joined({"; cutter of the tape: ", kKrlCutOutput, ", cuts when it turns on"}));
-    if (motions_.turnLimit() > kMaxTurnDegPerS)
-      line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
+    if (motions_.rotationLimit() > kMaxRotationDegPerS)
+      line(joined({"; the tool turns by up to ", fixedText(motions_.rotationLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
     if (motions_.slow() > 0)
       line(joined({"; ", std::to_string(motions_.slow()),
@@ -206,9 +206,9 @@ private:
                  " ; assumed: ", assumedLoadText(in_)}));
     if (!in_.arcs.empty())
       line("$CIRC_TYPE=#BASE");
-    line(joined({"$ACC.CP=", fixedText(kKrlMostMmPerS2 / 1000.0, 2)}));
-    line(joined({"$VEL.ORI1=", fixedText(motions_.turnLimit(), 0)}));
-    line(joined({"$VEL.ORI2=", fixedText(motions_.turnLimit(), 0)}));
+    line(joined({"$ACC.CP=", fixedText(kKrlMaxMmPerS2 / 1000.0, 2)}));
+    line(joined({"$VEL.ORI1=", fixedText(motions_.rotationLimit(), 0)}));
+    line(joined({"$VEL.ORI2=", fixedText(motions_.rotationLimit(), 0)}));
   }
 
   void frame(const Eigen::Isometry3d& pose) {
@@ -221,7 +221,7 @@ private:
     out_.clear();
     // Settings persist between files, but each file must also be readable alone.
     held_.clear();
-    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(motions_.turnLimit(), 0);
+    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(motions_.rotationLimit(), 0);
     outputsOff();
     stands_ = true;
   }
@@ -338,17 +338,17 @@ private:
     axisMm_ += motionVolumeMm3(in_.trajectory, i) / filamentArea();
     setFeedPercent(100.0);
     const double mmPerS = motions_.mmPerS(i), degPerS = motions_.degPerS(i);
-    const std::string turn = fixedText(degPerS, decimalsFor(degPerS, kSpeedDigits));
+    const std::string rotation = fixedText(degPerS, decimalsFor(degPerS, kSpeedDigits));
     set("$VEL.CP", fixedText(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
-    set("$VEL.ORI1", turn);
-    set("$VEL.ORI2", turn);
+    set("$VEL.ORI1", rotation);
+    set("$VEL.ORI2", rotation);
     const double blend = stops ? 0.0 : motions_.blendMm(i);
     const bool rounds = blend > 0.0;
     if (rounds)
       set("$APO.CDIS", fixedText(steppedDown(blend), kBlendDecimals));
     if (const std::optional<ViaTarget> via = motions_.via(i)) {
       out_ += "CIRC ";
-      appendKrlTarget(out_, via->mm, zyxDegrees(via->turn));
+      appendKrlTarget(out_, via->mm, zyxDegrees(via->rotation));
       out_ += "},";
     } else {
       out_ += "LIN ";

@@ -59,7 +59,7 @@ inline constexpr double kMelfaJointRadPerS = base::kPi;
 inline constexpr double kMelfaStartPercent = 8.0;
 // Acceleration along a line with which an RV-2F moves 25-300-25 mm in 0.3 s.
 inline constexpr double kMelfaMmPerS2 = 10000.0;
-inline constexpr std::size_t kMelfaMostCharacters = 127, kMelfaMostSteps = 32767;
+inline constexpr std::size_t kMelfaMaxCharacters = 127, kMelfaMaxSteps = 32767;
 inline constexpr std::size_t kMelfaMotionsPerFile = 6500; // With at most five steps each
 
 std::vector<base::ParameterSpec> melfaOptions(); // Returns the parameter motionsPerFile

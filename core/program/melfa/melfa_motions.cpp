@@ -49,7 +49,7 @@ MelfaMotions::MelfaMotions(const ProgramInput& input, const base::RunContext& ct
 void MelfaMotions::placeNozzle() {
   const Eigen::Isometry3d& nozzle = in_.cell.base_T_fixed();
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    angles_[i] = xyzAngles(poses_[i].tcpTurn);
+    angles_[i] = xyzAngles(poses_[i].tcpRotation);
     for (int k = 0; k < 3; ++k) {
       angles_[i][k] = roundedTo(base::radiansToDegrees(angles_[i][k]), kMelfaDegDecimals);
       poses_[i].tcpMm[k] = roundedTo(poses_[i].tcpMm[k], kMelfaMmDecimals);
@@ -70,8 +70,8 @@ double MelfaMotions::mmPerS(std::size_t i) const {
 }
 
 double MelfaMotions::blendMm(std::size_t i) const {
-  const double most = motions_.blendMm(i);
-  return most < kMinBlendMm ? 0.0 : most;
+  const double maximum = motions_.blendMm(i);
+  return maximum < kMinBlendMm ? 0.0 : maximum;
 }
 
 double MelfaMotions::jointPercent(std::size_t i) const {

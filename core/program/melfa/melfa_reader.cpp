@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxDepth = 8;
 constexpr double kMaxJointDeg = 5000.0, kMaxMmPerS = 1e5, kMaxSeconds = 1e6;
 constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
-constexpr double kMostOutput = 1e6;
+constexpr double kMaxOutput = 1e6;
 
 class MelfaReader {
 public:
@@ -179,11 +179,11 @@ private:
                        scanner.number(input) && scanner.take(')') && scanner.take('=') &&
                        scanner.number(value) && scanner.ended();
     if (!known)
-      out_.wordAt("Wait", kAside);
-    else if (input != std::floor(input) || !(std::abs(input) < kMostOutput) || !isDigital(value))
+      out_.wordAt("Wait", kOutsidePrint);
+    else if (input != std::floor(input) || !(std::abs(input) < kMaxOutput) || !isDigital(value))
       notUnderstood(code);
     else if (!out_.awaitInput(melfaOutputOf(input), value > 0.0))
-      out_.wordAt("Wait", kAside);
+      out_.wordAt("Wait", kOutsidePrint);
   }
 
   // Defines variable names; their type is determined by their names.
@@ -230,7 +230,7 @@ private:
     ScriptValue value;
     if (!scanner.take('(') || !scanner.number(index) || !scanner.take(')') || !scanner.take('=') ||
         !scanner.value(value) || !scanner.ended() || index != std::floor(index) ||
-        !(index >= 0.0 && index < kMostOutput))
+        !(index >= 0.0 && index < kMaxOutput))
       return false;
     if (name == "p_wkcord")
       return workCoordinates(index, value);
@@ -264,7 +264,7 @@ private:
       if (!isDigital(value))
         defect("an output is 0 or 1"_text);
       else
-        out_.turn(value > 0.0);
+        out_.setExtruder(value > 0.0);
     } else if (count == kOutputsOfWord && first == kMelfaFlow) {
       if (value < 0.0 || value > kMelfaFullFlow || value != std::floor(value))
         defect(base::message("the flow is not an integer from 0 to {most}"_text,
@@ -276,27 +276,27 @@ private:
     } else if (name == "m_out" && !isDigital(value)) {
       defect("an output is 0 or 1"_text);
     } else if (name != "m_out" || !out_.toolOutput(melfaOutputOf(first), value > 0.0)) {
-      out_.wordAt(name, kAside);
+      out_.wordAt(name, kOutsidePrint);
     }
   }
 
   static bool isDigital(double value) { return value == 0.0 || value == 1.0; }
 
-  std::optional<double> numberIn(MelfaScanner& scanner, double least, double most) {
+  std::optional<double> numberIn(MelfaScanner& scanner, double minimum, double maximum) {
     double value = 0.0;
-    if (!scanner.number(value) || !(value >= least) || value > most)
+    if (!scanner.number(value) || !(value >= minimum) || value > maximum)
       return std::nullopt;
     return value;
   }
 
   void speed(std::string_view word, MelfaScanner& scanner) {
-    const bool way = word == "spd";
-    const auto value = numberIn(scanner, way ? 1e-6 : 1.0, way ? kMaxMmPerS : 100.0);
+    const bool isLinear = word == "spd";
+    const auto value = numberIn(scanner, isLinear ? 1e-6 : 1.0, isLinear ? kMaxMmPerS : 100.0);
     if (!value || !scanner.ended()) {
       defect(base::message("'{name}' without a sensible value"_text, word));
       return;
     }
-    (way ? mmPerS_ : word == "ovrd" ? override_ : jointOverride_) = *value;
+    (isLinear ? mmPerS_ : word == "ovrd" ? override_ : jointOverride_) = *value;
     if (word == "jovrd")
       out_.setJointSpeed("JOvrd");
   }
@@ -426,7 +426,7 @@ private:
     if (!(joints ? jointTarget(target, m) : poseTarget(target, scanner, m)) ||
         !straightKind(word, coordinates, joints) || !behindTarget(scanner, code))
       return;
-    way(m);
+    applySpeed(m);
     if (!joints)
       statePosture(target);
     out_.motionByOutputs(std::move(m));
@@ -512,8 +512,8 @@ private:
     while (!scanner.ended()) {
       const std::string word = inSmallLetters(scanner.name());
       if (word == "type") {
-        const auto way = numberIn(scanner, 0.0, 0.0);
-        if (!way || (scanner.take(',') && !numberIn(scanner, 0.0, 0.0))) {
+        const auto type = numberIn(scanner, 0.0, 0.0);
+        if (!type || (scanner.take(',') && !numberIn(scanner, 0.0, 0.0))) {
           defect("'Type' other than 0,0: the long way around, or independent rotation "
                  "of the angles"_text);
           return false;
@@ -533,7 +533,7 @@ private:
     return true;
   }
 
-  void way(plan::ProgramMotion& m) {
+  void applySpeed(plan::ProgramMotion& m) {
     if (m.jointInterpolated) {
       m.jointSpeedRadPerS = 1e-4 * override_ * jointOverride_ * kMelfaJointRadPerS;
       return;

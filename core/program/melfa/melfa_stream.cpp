@@ -204,7 +204,7 @@ plan::ReadProgram readMelfaStream(const std::vector<plan::ProgramFile>& files,
     if (!isBeside(text))
       continue;
     if (text.starts_with("#!"))
-      tellOtherText(text, kSender, 1, out);
+      reportOtherText(text, kSender, 1, out);
     else if (!isMxtPackets(text))
       readTaking(text, start, out);
     else if (mxtPacketCount(rows.rows, cycleS) <= kMaxPackets)

@@ -15,7 +15,7 @@ std::string melfaTakingText(const ProgramInput& input, const MelfaTaking& taking
     out += joined({std::to_string(++count), " ", code, "\r\n"});
   };
   step(taking.title);
-  for (const std::string& head : headLines(input, kMelfaMostCharacters - 12))
+  for (const std::string& head : headLines(input, kMelfaMaxCharacters - 12))
     step(joined({"' ", head}));
   for (const std::string& note : notes)
     step(joined({"' ", note}));
@@ -30,7 +30,7 @@ std::string melfaTakingText(const ProgramInput& input, const MelfaTaking& taking
 void readMelfaTaking(std::string_view text, const MelfaTaking& taking,
                      const std::vector<std::string>& steps,
                      const std::function<std::size_t(std::string_view)>& addressLength,
-                     const OtherSteps& told, ProgramBuilder& out) {
+                     const OtherSteps& refusals, ProgramBuilder& out) {
   const auto code = [&](std::string_view line) {
     std::size_t number = 0;
     std::string step(trimmed(melfaCode(line, number)));
@@ -39,7 +39,7 @@ void readMelfaTaking(std::string_view text, const MelfaTaking& taking,
                  addressLength(std::string_view(step).substr(taking.open.size())));
     return step;
   };
-  tellOtherSteps(text, steps, code, told, out);
+  reportOtherSteps(text, steps, code, refusals, out);
 }
 
 } // namespace voluta::program

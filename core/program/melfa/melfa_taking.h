@@ -30,6 +30,6 @@ std::string melfaTakingText(const ProgramInput& input, const MelfaTaking& taking
 void readMelfaTaking(std::string_view text, const MelfaTaking& taking,
                      const std::vector<std::string>& steps,
                      const std::function<std::size_t(std::string_view)>& addressLength,
-                     const OtherSteps& told, ProgramBuilder& out);
+                     const OtherSteps& refusals, ProgramBuilder& out);
 
 } // namespace voluta::program

@@ -15,7 +15,7 @@ std::string_view melfaCode(std::string_view line, std::size_t& step) {
   step = 0;
   while (digits < line.size() && line[digits] >= '0' && line[digits] <= '9') {
     step = std::min<std::size_t>(10 * step + static_cast<std::size_t>(line[digits] - '0'),
-                                 kMelfaMostSteps + 1);
+                                 kMelfaMaxSteps + 1);
     ++digits;
   }
   line = trimmed(line.substr(digits));
@@ -43,9 +43,9 @@ MelfaText melfaText(std::string_view text, ProgramBuilder& out, const base::RunC
       ctx.checkpoint();
     std::size_t number = 0;
     const std::string_view code = melfaCode(line, number);
-    if (trimmed(line).size() > kMelfaMostCharacters)
+    if (trimmed(line).size() > kMelfaMaxCharacters)
       out.defect("step longer than 127 characters"_text);
-    if (number > kMelfaMostSteps || (number > 0 && number <= last))
+    if (number > kMelfaMaxSteps || (number > 0 && number <= last))
       out.defect("step numbers must ascend, up to 32767"_text);
     last = number > 0 ? number : last;
     if (code.empty())

@@ -11,11 +11,11 @@ std::span<const KnownWord> melfaWords() {
       KnownWord{"dim", kAnywhere, "declares arrays"},
       KnownWord{"title", kAnywhere, "a name for the program"},
       KnownWord{"hlt", kAtRest, "waits for the operator"},
-      KnownWord{"wait", kAside, "waits for an input"},
+      KnownWord{"wait", kOutsidePrint, "waits for an input"},
       KnownWord{"open", kAtRest, "opens a line to a screen"},
       KnownWord{"print", kAtRest, "shows a text there"},
       KnownWord{"close", kAtRest, "closes the line"},
-      KnownWord{"servo", kAside, "motors on or off"},
+      KnownWord{"servo", kOutsidePrint, "motors on or off"},
       KnownWord{"getm", kSetUp, "takes the arm for this program"},
       KnownWord{"relm", kAtEnd, "gives the arm back"},
       KnownWord{"fine", kSetUp, "how near a target counts as reached"},
@@ -23,8 +23,8 @@ std::span<const KnownWord> melfaWords() {
       KnownWord{"collvl", kSetUp, "how closely"},
       KnownWord{"loadset", kSetUp, "which hand and work piece the arm carries"},
       KnownWord{"prec", kSetUp, "follows its path more closely"},
-      KnownWord{"hopen", kAside, "a hand that is not the extruder"},
-      KnownWord{"hclose", kAside, "a hand that is not the extruder"},
+      KnownWord{"hopen", kOutsidePrint, "a hand that is not the extruder"},
+      KnownWord{"hclose", kOutsidePrint, "a hand that is not the extruder"},
   };
   return kTable;
 }

@@ -100,12 +100,12 @@ private:
   }
 
   void about() {
-    const std::size_t most = kMelfaMostCharacters - 12; // After the number and the mark
+    const std::size_t maximum = kMelfaMaxCharacters - 12; // After the number and the mark
     const auto say = [&](std::string_view text) { remark(text); };
     say("Robot program for printing, MELFA-BASIC V");
     if (program_.foreign)
       say("FOREIGN: not the language of the cell's controller; Cartesian targets only");
-    for (const std::string& head : headLines(in_, most))
+    for (const std::string& head : headLines(in_, maximum))
       say(head);
     if (motions_.holdsWork()) {
       say("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the "
@@ -215,8 +215,8 @@ private:
 
   // Each change is a step: keep the current blend if it is close enough.
   double heldBlendMm(std::size_t i) const {
-    const double most = motions_.blendMm(i);
-    return blendMm_ > 0.0 && blendMm_ <= most && 2.0 * blendMm_ > most ? blendMm_ : most;
+    const double maximum = motions_.blendMm(i);
+    return blendMm_ > 0.0 && blendMm_ <= maximum && 2.0 * blendMm_ > maximum ? blendMm_ : maximum;
   }
 
   const ProgramInput& in_;

@@ -51,8 +51,9 @@ std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_vie
     if (name == "fine")
       return RapidData{"[bnnnnnn]", {1, 0, 0, 0, 0, 0, 0}, ""};
     if (const double z = named('z', kZones); z >= 0.0) {
-      const double tcp = z > 0.0 ? z : 0.3, turn = z > 1.0 ? 1.5 * z : tcp;
-      return RapidData{"[bnnnnnn]", {0, tcp, turn, turn, 0.1 * turn, turn, 0.1 * turn}, ""};
+      const double tcp = z > 0.0 ? z : 0.3, rotation = z > 1.0 ? 1.5 * z : tcp;
+      return RapidData{
+          "[bnnnnnn]", {0, tcp, rotation, rotation, 0.1 * rotation, rotation, 0.1 * rotation}, ""};
     }
   } else if (type == "tooldata" && name == "tool0") {
     return RapidData{"", {1, 0, 0, 0, 1, 0, 0, 0}, ""};
@@ -64,19 +65,20 @@ std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_vie
 
 bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose,
                base::Message& reason) {
-  constexpr double kTurnTolerance = 1e-5; // Of a quaternion's length
+  constexpr double kQuaternionTolerance = 1e-5; // Of a quaternion's length
   const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
-  const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5], numbers[at + 6]);
+  const Eigen::Quaterniond rotation(numbers[at + 3], numbers[at + 4], numbers[at + 5],
+                                    numbers[at + 6]);
   if (!(mm.cwiseAbs().maxCoeff() <= kMaxRapidMm)) {
     reason = "a position far outside any robot's reach"_text;
     return false;
   }
-  if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance)) {
+  if (!(std::abs(rotation.norm() - 1.0) <= kQuaternionTolerance)) {
     reason = "a quaternion that is not normalised"_text;
     return false;
   }
   pose = Eigen::Isometry3d::Identity();
-  pose.linear() = turn.normalized().toRotationMatrix();
+  pose.linear() = rotation.normalized().toRotationMatrix();
   pose.translation() = mm;
   return true;
 }

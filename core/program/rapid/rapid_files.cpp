@@ -52,15 +52,15 @@ bool takeModule(std::string_view& line) {
   return true;
 }
 
-void tellLineEnds(std::string_view text, ProgramBuilder& out) {
-  bool told = false;
+void reportLineEnds(std::string_view text, ProgramBuilder& out) {
+  bool reported = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool lf = text[i] == '\n', cr = text[i] == '\r';
     const bool pair =
         lf ? i > 0 && text[i - 1] == '\r' : !cr || (i + 1 < text.size() && text[i + 1] == '\n');
-    if (!pair && !told)
+    if (!pair && !reported)
       out.defect("a line does not end with CR LF"_text);
-    told = told || !pair;
+    reported = reported || !pair;
     out.line += lf ? 1 : 0;
   }
 }

@@ -31,6 +31,6 @@ bool takeModule(std::string_view& line);
 bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>& files,
                     ProgramBuilder& out);
 // Reports the first line that does not end with CR LF as a defect. The last line may have no end.
-void tellLineEnds(std::string_view text, ProgramBuilder& out);
+void reportLineEnds(std::string_view text, ProgramBuilder& out);
 
 } // namespace voluta::program

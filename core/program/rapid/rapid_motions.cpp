@@ -58,7 +58,7 @@ std::optional<double> RapidMotions::extruderAlone(const std::vector<double>& tar
   return alone ? std::optional(*given) : std::nullopt;
 }
 
-std::optional<double> RapidMotions::wayMm(const plan::ProgramMotion& motion) const {
+std::optional<double> RapidMotions::tcpLengthMm(const plan::ProgramMotion& motion) const {
   if (!last_ || lastKind_ != motion.target || motion.jointInterpolated)
     return std::nullopt;
   return lengthMm(last_->translation(), motion);
@@ -190,17 +190,17 @@ bool RapidMotions::speedOf(const std::vector<double>& speed, bool timed, plan::P
   if (timed)
     return (m.durationS > 0.0 && m.durationS <= kMaxSeconds) || fail("an invalid time"_text);
   m.speedMmPerS = speed[0];
-  const std::optional<double> way = wayMm(m);
-  if (!way)
+  const std::optional<double> distance = tcpLengthMm(m);
+  if (!distance)
     return true;
-  const double turn =
+  const double angle =
       base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                  .angularDistance(Eigen::Quaterniond(last_->linear())));
-  double waits = turn / speed[1];
+  double waits = angle / speed[1];
   for (std::size_t k = 0; k < std::min(m.externals.size(), lastExternal_.size()); ++k)
     waits = std::max(waits, base::radiansToDegrees(std::abs(m.externals[k] - lastExternal_[k])) /
                                 speed[3]);
-  if (waits > *way / speed[0] + 1e-9) {
+  if (waits > *distance / speed[0] + 1e-9) {
     m.durationS = waits;
     m.speedMmPerS = 0.0;
   }

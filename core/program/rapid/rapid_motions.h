@@ -44,7 +44,7 @@ public:
   std::optional<double> extruderAlone(const std::vector<double>& jointtarget) const;
 
   // Returns the length of the TCP's path; nullopt if its start is unknown.
-  std::optional<double> wayMm(const plan::ProgramMotion& motion) const;
+  std::optional<double> tcpLengthMm(const plan::ProgramMotion& motion) const;
   // Records the motion as the start of the next one.
   void done(const plan::ProgramMotion& motion);
 

@@ -40,7 +40,7 @@ public:
       ctx_.checkpoint();
       const plan::ProgramFile& file = files[out_.file];
       out_.line = 1;
-      tellLineEnds(file.text, out_);
+      reportLineEnds(file.text, out_);
       if (isSignalList(file.text))
         continue;
       if (isModuleList(file.text))
@@ -285,7 +285,7 @@ private:
     if (signal == inSmallLetters(kRapidCutSignal))
       out_.cutFor(seconds);
     else
-      out_.wordAt("PulseDO", kAside);
+      out_.wordAt("PulseDO", kOutsidePrint);
     return true;
   }
 
@@ -309,15 +309,15 @@ private:
       return false;
     const std::optional<int> number = numberBehind(name, kMarkSignal, 1, plan::kMarkSignals);
     if (!number)
-      return out_.wordAt("WaitDI", kAside), skipStatement();
+      return out_.wordAt("WaitDI", kOutsidePrint), skipStatement();
     return takeMark(',') && takeNumberToken(value) && takeEnd() && isDigital(value) &&
            out_.awaitInput(kMarkOutput - 1 + *number, value == 1.0);
   }
 
   // Returns the number in the name of a signal, e.g. of doMark2.
-  static std::optional<int> numberBehind(std::string_view name, std::string_view begin, int least,
-                                         int most) {
-    return name.starts_with(begin) ? parseWholeNumber(name.substr(begin.size()), least, most)
+  static std::optional<int> numberBehind(std::string_view name, std::string_view begin, int minimum,
+                                         int maximum) {
+    return name.starts_with(begin) ? parseWholeNumber(name.substr(begin.size()), minimum, maximum)
                                    : std::nullopt;
   }
   bool isDigital(double value) {
@@ -359,9 +359,9 @@ private:
       return false;
     if (name == signal)
       return take(value);
-    constexpr int kMostTools = 255;
+    constexpr int kMaxTools = 255;
     const std::optional<int> mark = numberBehind(name, "domark", 1, plan::kMarkSignals),
-                             tool = numberBehind(name, "dotool", 2, kMostTools);
+                             tool = numberBehind(name, "dotool", 2, kMaxTools);
     const int own = name == "dotoollocked" ? kChangerOutput
                     : mark                 ? kMarkOutput - 1 + *mark
                     : tool                 ? *tool - 1
@@ -369,7 +369,7 @@ private:
     if (own > 0 && !isDigital(value))
       return false;
     if (own == 0 || !out_.toolOutput(own, value == 1.0))
-      out_.wordAt(name, kAside);
+      out_.wordAt(name, kOutsidePrint);
     return true;
   }
   bool digital(double value) {
@@ -377,7 +377,7 @@ private:
       return false;
     out_.statePassingOutput();
     extruderOn_ = value == 1.0;
-    out_.turn(extruderOn_);
+    out_.setExtruder(extruderOn_);
     return true;
   }
   bool analogue(double value) {
@@ -433,14 +433,14 @@ private:
   bool flowBySpeed(plan::ProgramMotion& m) {
     if (!extruderOn_ || perMm_ == 0.0)
       return true;
-    const std::optional<double> way = motions_.wayMm(m);
-    if (!way)
+    const std::optional<double> distance = motions_.tcpLengthMm(m);
+    if (!distance)
       return fail("a flow proportional to the speed in a motion of unknown length"_text);
-    const double fastest = m.durationS > 0.0 ? *way / m.durationS : m.speedMmPerS;
+    const double fastest = m.durationS > 0.0 ? *distance / m.durationS : m.speedMmPerS;
     if (perMm_ * fastest > 1.0 + kShareSlack)
       return fail("an analogue output outside 0..1"_text);
     out_.flow(std::min(1.0, perMm_ * fastest));
-    m.volumeMm3 = perMm_ * *way * fullFlowMm3PerS_;
+    m.volumeMm3 = perMm_ * *distance * fullFlowMm3PerS_;
     return true;
   }
 

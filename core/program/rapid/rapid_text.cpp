@@ -11,7 +11,7 @@ namespace voluta::program {
 
 namespace {
 // 1e-9 in a quaternion moves a point of the part 300 mm away by less than a millionth of a mm.
-constexpr int kFrameDecimals = 6, kFrameTurnDecimals = 9;
+constexpr int kFrameDecimals = 6, kFrameRotationDecimals = 9;
 
 bool heldPlate(const ProgramInput& input) {
   return input.cell.nozzleMount() == robot::Mount::World;
@@ -26,7 +26,7 @@ void appendRapidPosition(std::string& out, const Eigen::Vector3d& mm, int decima
   out += ']';
 }
 
-void appendRapidTurn(std::string& out, const Eigen::Quaterniond& q, int decimals) {
+void appendRapidRotation(std::string& out, const Eigen::Quaterniond& q, int decimals) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;
   const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -40,7 +40,7 @@ std::string rapidFrame(const Eigen::Isometry3d& pose) {
   std::string out = "[";
   appendRapidPosition(out, pose.translation(), kFrameDecimals);
   out += ',';
-  appendRapidTurn(out, Eigen::Quaterniond(pose.linear()), kFrameTurnDecimals);
+  appendRapidRotation(out, Eigen::Quaterniond(pose.linear()), kFrameRotationDecimals);
   return out + "]";
 }
 

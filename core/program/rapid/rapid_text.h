@@ -18,7 +18,7 @@ inline constexpr std::string_view kRapidNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 inline constexpr double kRapidStartMmPerS = 50.0, kRapidStartDegPerS = 20.0;
 
 void appendRapidPosition(std::string& out, const Eigen::Vector3d& mm, int decimals);
-void appendRapidTurn(std::string& out, const Eigen::Quaterniond& q, int decimals);
+void appendRapidRotation(std::string& out, const Eigen::Quaterniond& q, int decimals);
 std::string rapidFrame(const Eigen::Isometry3d& pose);
 
 // Returns the name of the signal of an input of marks (ProgramEmitter::awaitInput).

@@ -27,13 +27,13 @@ namespace voluta::program {
 namespace {
 constexpr std::string_view kNewLine = "\r\n";
 // 1e-8 in a quaternion moves a point of the part 300 mm away by 0.000006 mm.
-constexpr int kPositionDecimals = 4, kTurnDecimals = 8;
+constexpr int kPositionDecimals = 4, kRotationDecimals = 8;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
 // The volume is accurate to 0.1 %.
 constexpr int kPerMmDigits = 5;
 constexpr double kSamePerMm = 5e-4;
 // Of the predefined v10..v7000.
-constexpr double kTurnDegPerS = 500.0;
+constexpr double kRotationDegPerS = 500.0;
 constexpr std::size_t kExternals = 6;
 constexpr int kExternalDecimals = 4; // Resolves one step of a motor with 200 x 16 steps per turn
 constexpr double kAxisDegPerS = 1000.0;
@@ -325,17 +325,17 @@ private:
   // Flow proportional to the TCP's actual speed, from the start of motion i. A motion with hardly
   // any path has no speed to scale with.
   void flowBySpeed(std::size_t i) {
-    constexpr double kMinWayMm = 0.01;
+    constexpr double kMinLengthMm = 0.01;
     const double full = in_.tooling.fullFlowMm3PerS();
-    const double way = i > 0 ? motions_.tcpMm(i) : 0.0;
-    if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kMinWayMm) {
+    const double distance = i > 0 ? motions_.tcpMm(i) : 0.0;
+    if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || distance < kMinLengthMm) {
       if (const std::string share = shareText(motions_.flowMm3PerS(i) / full);
           share != std::exchange(share_, share))
         sayFlow(share);
       perMm_ = 0.0;
       return;
     }
-    const double perMm = motionVolumeMm3(in_.trajectory, i) / way / full;
+    const double perMm = motionVolumeMm3(in_.trajectory, i) / distance / full;
     if (std::abs(perMm - perMm_) <= kSamePerMm * perMm_)
       return;
     line(joined({"    TriggSpeed tFlow,0\\Start,0,aoFlow,",
@@ -402,10 +402,10 @@ private:
         out_ += joint ? "    MoveJ " : atStart_ ? "    TriggL " : "    MoveL ";
       if (arc) {
         const ViaTarget via = viaTarget(in_, targets_, TcpFrame::Work, *arc);
-        target(i, via.mm, via.turn);
+        target(i, via.mm, via.rotation);
         out_ += ',';
       }
-      target(i, targets_[i].tcpMm, targets_[i].tcpTurn);
+      target(i, targets_[i].tcpMm, targets_[i].tcpRotation);
     }
     speed(i, joint);
     if (std::exchange(atStart_, false))
@@ -416,11 +416,11 @@ private:
   }
 
   // A robtarget with the configuration and axes of point i.
-  void target(std::size_t i, const Eigen::Vector3d& mm, const Eigen::Quaterniond& turn) {
+  void target(std::size_t i, const Eigen::Vector3d& mm, const Eigen::Quaterniond& rotation) {
     out_ += '[';
     appendRapidPosition(out_, mm, kPositionDecimals);
     out_ += ',';
-    appendRapidTurn(out_, turn, kTurnDecimals);
+    appendRapidRotation(out_, rotation, kRotationDecimals);
     configuration(i);
     externals(i);
     out_ += ']';
@@ -467,15 +467,15 @@ private:
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
     double mmPerS = i == 0 ? kRapidStartMmPerS : in_.process().travelSpeedMmPerS;
-    double degPerS = i == 0 ? kRapidStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
+    double degPerS = i == 0 ? kRapidStartDegPerS : kRotationDegPerS, axisDegPerS = kAxisDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
       // Rotations must not limit the motion's speed.
-      const double turnRad = targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn);
-      const auto never = [&](double least, double rad) {
-        return std::max(least, std::ceil(1.05 * base::radiansToDegrees(rad) / s));
+      const double angleRad = targets_[i].tcpRotation.angularDistance(targets_[i - 1].tcpRotation);
+      const auto never = [&](double minimum, double rad) {
+        return std::max(minimum, std::ceil(1.05 * base::radiansToDegrees(rad) / s));
       };
-      degPerS = never(degPerS, turnRad);
+      degPerS = never(degPerS, angleRad);
       for (std::size_t k = 0; k < axes(); ++k)
         axisDegPerS =
             never(axisDegPerS, base::degreesToRadians(std::abs(axisAt(i, k) - axisAt(i - 1, k))));

@@ -41,7 +41,7 @@ namespace voluta::program {
 // Assumed maximum of an axis: data sheets have 120 to 550.
 inline constexpr double kSpelplusPtpDegPerS = 180.0;
 // AccelS that all of the arms support; maximum that some support.
-inline constexpr double kSpelplusMmPerS2 = 5000.0, kSpelplusMostMmPerS2 = 25000.0;
+inline constexpr double kSpelplusMmPerS2 = 5000.0, kSpelplusMaxMmPerS2 = 25000.0;
 
 std::vector<base::ParameterSpec> spelplusOptions(); // motionsPerFile
 

@@ -19,8 +19,9 @@ namespace voluta::program {
 namespace {
 
 constexpr double kVolts = 10.0, kMaxSpeed = 1e5, kMaxSeconds = 1e5, kMaxNumber = 15.0;
-constexpr double kNoWayMm = 1e-4, kNoTurnDeg = 1e-3; // smaller motions are none for the controller
-constexpr int kMostPort = 255;
+constexpr double kNoMotionMm = 1e-4,
+                 kNoRotationDeg = 1e-3; // smaller motions are none for the controller
+constexpr int kMaxPort = 255;
 constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 
 class SpelplusReader {
@@ -172,18 +173,18 @@ private:
     std::string label;
     const bool isNamed = line.takeName(label);
     const bool isPort = !isNamed && variables_.takeNumber(line, port);
-    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    const std::optional<int> number = wholeNumber(port, 0, kMaxPort);
     if (isPort && !number)
       return fail("an output needs a number and a value"_text);
     if (isPort && line.ended() && *number >= 2 && out_.toolOutput(*number - 1, on))
       return true;
     if (isNamed || (isPort && port != 1.0))
-      return out_.wordAt("output", kAside), takeRest(line);
+      return out_.wordAt("output", kOutsidePrint), takeRest(line);
     if (port != 1.0)
       return false;
     if (!line.ended())
       return fail("only the persistent forms of output commands are supported"_text);
-    out_.turn(on);
+    out_.setExtruder(on);
     return true;
   }
   bool analogue(LineCursor& line) {
@@ -191,10 +192,10 @@ private:
     if (!variables_.takeNumber(line, channel) || !line.takeMark(',') ||
         !variables_.takeNumber(line, volts))
       return false;
-    if (!wholeNumber(channel, 0, kMostPort))
+    if (!wholeNumber(channel, 0, kMaxPort))
       return fail("an output needs a number and a value"_text);
     if (channel != 1.0)
-      return out_.wordAt("AIO_Out", kAside), true;
+      return out_.wordAt("AIO_Out", kOutsidePrint), true;
     if (!(volts >= 0.0 && volts <= kVolts))
       return fail("an analogue output outside 0 to 10 V"_text);
     out_.flow(volts / kVolts);
@@ -205,7 +206,7 @@ private:
     double port = 0.0;
     if (!line.takeMark('#') || !line.takeNumber(port))
       return false;
-    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    const std::optional<int> number = wholeNumber(port, 0, kMaxPort);
     if (!number)
       return false;
     if (opens)
@@ -221,7 +222,7 @@ private:
     if (!line.takeMark('#') || !line.takeNumber(port) || !line.takeMark(',') ||
         !line.takeText(text))
       return false;
-    const std::optional<int> number = wholeNumber(port, 0, kMostPort);
+    const std::optional<int> number = wholeNumber(port, 0, kMaxPort);
     if (!number)
       return false;
     const std::string name = joined({"#", std::to_string(*number)});
@@ -238,7 +239,7 @@ private:
         !line.takeMark(')') || !line.takeMark('=') || !line.takeName(value) ||
         (value != "on" && value != "off") || !line.ended())
       return false;
-    const std::optional<int> number = wholeNumber(port, 1, kMostPort);
+    const std::optional<int> number = wholeNumber(port, 1, kMaxPort);
     return number && out_.awaitInput(*number - 1, value == "on");
   }
   bool wait(LineCursor& line) {
@@ -247,7 +248,7 @@ private:
       return takeRest(line);
     LineCursor ahead = line;
     if (!variables_.takeNumber(ahead, seconds) || !ahead.ended())
-      return out_.wordAt("Wait", kAside), takeRest(line);
+      return out_.wordAt("Wait", kOutsidePrint), takeRest(line);
     if (!(seconds >= 0.0 && seconds <= kMaxSeconds))
       return fail("Wait needs a number of seconds"_text);
     line = ahead;
@@ -301,17 +302,17 @@ private:
   }
   // Uses the smaller of the values for acceleration and deceleration.
   bool setting(const std::string& word, LineCursor& line) {
-    double least = 0.0, value = 0.0;
-    if (!variables_.takeNumber(line, least))
+    double minimum = 0.0, value = 0.0;
+    if (!variables_.takeNumber(line, minimum))
       return false;
     while (line.takeMark(',')) {
       if (!variables_.takeNumber(line, value))
         return false;
-      least = word == "accels" || word == "accelr" ? std::min(least, value) : least;
+      minimum = word == "accels" || word == "accelr" ? std::min(minimum, value) : minimum;
     }
-    if (!(least > 0.0 && least <= (word == "speed" ? 100.0 : kMaxSpeed)))
+    if (!(minimum > 0.0 && minimum <= (word == "speed" ? 100.0 : kMaxSpeed)))
       return fail("an invalid speed"_text);
-    settings_[word] = least;
+    settings_[word] = minimum;
     if (word == "speed")
       out_.setJointSpeed("Speed");
     return true;
@@ -407,26 +408,26 @@ private:
     if (!(v > 0.0) || (rounds && !(a > 0.0)))
       return fail(base::message("{frame} is not set before this motion"_text,
                                 std::string(v > 0.0 ? acceleration : speed)));
-    double way = 0.0, turn = 0.0;
+    double distance = 0.0, angle = 0.0;
     const bool known = last_ && lastKind_ == m.target;
     if (known) {
-      way = (m.frame_T_tcp.translation() - last_->translation()).norm();
-      turn = base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
-                                        .angularDistance(Eigen::Quaterniond(last_->linear())));
+      distance = (m.frame_T_tcp.translation() - last_->translation()).norm();
+      angle = base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
+                                         .angularDistance(Eigen::Quaterniond(last_->linear())));
     }
-    if (turns && !(turn > kNoTurnDeg))
+    if (turns && !(angle > kNoRotationDeg))
       return fail("ROT, but the tool does not turn"_text);
-    if (!turns && known && way < kNoWayMm && turn > kNoTurnDeg)
+    if (!turns && known && distance < kNoMotionMm && angle > kNoRotationDeg)
       return fail("a pure rotation needs ROT"_text);
     const double ramp = a > 0.0 ? v * v / (2.0 * a) : 0.0; // mm, or degrees
     if (turns)
-      m.durationS = turn / v;
+      m.durationS = angle / v;
     else
       m.speedMmPerS = v;
     if (!turns)
       m.accelerationMmPerS2 = a < kSpelplusMmPerS2 ? a : 0.0;
     if (rounds)
-      m.blendMm = turns ? ramp / turn * way : ramp;
+      m.blendMm = turns ? ramp / angle * distance : ramp;
     return true;
   }
 

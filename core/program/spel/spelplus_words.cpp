@@ -20,7 +20,7 @@ std::span<const KnownWord> spelplusWords() {
       KnownWord{"opennet", kSetUp, "connection to another machine"},
       KnownWord{"waitnet", kSetUp, "waits for the connection"},
       KnownWord{"closenet", kAtEnd, "closes the connection"},
-      KnownWord{"out", kAside, "outputs other than the extruder's"},
+      KnownWord{"out", kOutsidePrint, "outputs other than the extruder's"},
       KnownWord{"accel", kAnywhere, "acceleration of Go, percent"},
       KnownWord{"autoljm", kSetUp, "motions keep the arm's posture"},
       KnownWord{"fine", kSetUp, "positioning tolerance at the end of a motion"},

@@ -29,7 +29,7 @@ constexpr double kStartPercent = 10.0;
 constexpr double kVolts = 10.0;
 constexpr std::string_view kPort = "201"; // the first TCP/IP port
 // Share of a rotation on the spot for the ramp at either end.
-constexpr double kTurnShare = 0.45;
+constexpr double kRotationShare = 0.45;
 
 class SpelplusWriter : private ProgramEmitter {
 public:
@@ -135,9 +135,9 @@ private:
                 kFrameDecimals);
     line("");
   }
-  void coordinates(const Eigen::Vector3d& mm, const Eigen::Quaterniond& turn, int decimals,
+  void coordinates(const Eigen::Vector3d& mm, const Eigen::Quaterniond& rotation, int decimals,
                    int degreeDecimals) {
-    const Eigen::Vector3d degrees = zyxDegrees(turn);
+    const Eigen::Vector3d degrees = zyxDegrees(rotation);
     out_ += "XY(";
     for (int k = 0; k < 3; ++k) {
       number(mm[k], decimals);
@@ -239,14 +239,14 @@ private:
   }
   void target(std::size_t i) {
     if (!fourAxes()) {
-      coordinates(tcp_[i].tcpMm, tcp_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
+      coordinates(tcp_[i].tcpMm, tcp_[i].tcpRotation, kPositionDecimals, kDegreeDecimals);
       return;
     }
     // U continues beyond half a turn, as joint 4 does.
     const double* q = in_.trajectory.at(i);
     const double about = base::radiansToDegrees(q[0] + q[1] + q[3]) +
                          zyxDegrees(Eigen::Quaterniond(in_.cell.flange_T_moved().linear()))[0];
-    const double u = zyxDegrees(tcp_[i].tcpTurn)[0];
+    const double u = zyxDegrees(tcp_[i].tcpRotation)[0];
     out_ += "XY(";
     for (int k = 0; k < 3; ++k) {
       number(tcp_[i].tcpMm[k], kPositionDecimals);
@@ -257,11 +257,12 @@ private:
     out_ += q[1] >= 0.0 ? ") /R" : ") /L";
   }
 
-  double turnDeg(std::size_t i) const {
-    return base::radiansToDegrees(targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn));
+  double rotationDeg(std::size_t i) const {
+    return base::radiansToDegrees(
+        targets_[i].tcpRotation.angularDistance(targets_[i - 1].tcpRotation));
   }
-  bool goesByTurn(std::size_t i) const {
-    return motions_.needsTime(i) && turnDeg(i) / motions_.seconds(i) > kMinDegPerS;
+  bool isTimedByRotation(std::size_t i) const {
+    return motions_.needsTime(i) && rotationDeg(i) / motions_.seconds(i) > kMinDegPerS;
   }
   double speedMmPerS(std::size_t i) const {
     const double v = motions_.speedMmPerS(i);
@@ -280,20 +281,20 @@ private:
     return a <= kSpelplusMmPerS2 ? kSpelplusMmPerS2 : steppedUp(a);
   }
   bool canRound(std::size_t i) const {
-    if (goesByTurn(i)) {
+    if (isTimedByRotation(i)) {
       const double s = motions_.seconds(i);
-      return turnDeg(i) / (2.0 * kTurnShare * s * s) <= kMaxDegPerS2;
+      return rotationDeg(i) / (2.0 * kRotationShare * s * s) <= kMaxDegPerS2;
     }
-    return accelerationOf(i) <= kSpelplusMostMmPerS2;
+    return accelerationOf(i) <= kSpelplusMaxMmPerS2;
   }
 
   void straightMotion(std::size_t i, bool stops) override {
-    const bool byTurn = goesByTurn(i);
-    if (byTurn) {
-      const double s = motions_.seconds(i), degPerS = turnDeg(i) / s;
+    const bool byRotation = isTimedByRotation(i);
+    if (byRotation) {
+      const double s = motions_.seconds(i), degPerS = rotationDeg(i) / s;
       set("SpeedR", figure(degPerS));
       set("AccelR",
-          fixedText(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMaxDegPerS2), 2));
+          fixedText(std::min(steppedUp(degPerS / (2.0 * kRotationShare * s)), kMaxDegPerS2), 2));
     } else {
       set("SpeedS", figure(speedMmPerS(i)));
       set("AccelS", fixedText(canRound(i) ? accelerationOf(i) : kSpelplusMmPerS2, 2));
@@ -301,7 +302,7 @@ private:
     const bool rounds = !stops && motions_.blendMm(i) > 0.0 && canRound(i) && canRound(i + 1);
     out_ += "  Move ";
     target(i);
-    out_ += byTurn ? " ROT" : "";
+    out_ += byRotation ? " ROT" : "";
     out_ += heldPlate() ? " ECP" : "";
     line(rounds ? " CP" : "");
   }

@@ -24,7 +24,7 @@ class StreamReader {
 public:
   StreamReader(std::size_t file, plan::ReadProgram& program)
       : program_(program), defects_(program.defects), file_(file),
-        told_(program.motions.size(), false), pauseTold_(program.pauses.size(), false) {}
+        stated_(program.motions.size(), false), pauseStated_(program.pauses.size(), false) {}
 
   void read(std::string_view text) {
     LineReader lines(text);
@@ -47,7 +47,7 @@ public:
       defect("the filament stream has no end: the file is truncated"_text);
       program_.complete = false;
     }
-    tellMissing();
+    reportMissing();
   }
 
 private:
@@ -124,10 +124,10 @@ private:
   }
 
   void stand(double seconds, double volume) {
-    for (std::size_t p = 0; p < pauseTold_.size(); ++p)
+    for (std::size_t p = 0; p < pauseStated_.size(); ++p)
       if (plan::ProgramPause& pause = program_.pauses[p];
-          pause.before == motion_ && !pauseTold_[p] && pause.durationS > 0.0) {
-        pauseTold_[p] = true;
+          pause.before == motion_ && !pauseStated_[p] && pause.durationS > 0.0) {
+        pauseStated_[p] = true;
         const double before = drawnMm3_;
         std::tie(pause.volumeMm3, drawnMm3_) =
             pushedOut(volume / seconds * pause.durationS, drawnMm3_);
@@ -140,19 +140,19 @@ private:
     defect("the extruder runs where the program does not pause"_text);
   }
   void move(std::size_t motion, double seconds, double volume) {
-    if (motion == 0 || motion > told_.size() || !program_.motions[motion - 1].extruding) {
+    if (motion == 0 || motion > stated_.size() || !program_.motions[motion - 1].extruding) {
       defect("the extruder runs where the program has switched it off"_text);
       return;
     }
     if (std::exchange(drawnMm3_, 0.0) > kDrawnBackLeftMm3)
       defect("the retracted filament is not returned before the bead"_text);
-    told_[motion - 1] = true;
+    stated_[motion - 1] = true;
     program_.motions[motion - 1].flowMm3PerS = volume / seconds;
   }
 
-  void tellMissing() {
-    for (std::size_t m = 0; m < told_.size(); ++m)
-      if (program_.motions[m].extruding && !told_[m] && (m == 0 || told_[m - 1])) {
+  void reportMissing() {
+    for (std::size_t m = 0; m < stated_.size(); ++m)
+      if (program_.motions[m].extruding && !stated_[m] && (m == 0 || stated_[m - 1])) {
         const plan::ProgramMotion& motion = program_.motions[m];
         defects_.add(motion.file, motion.line,
                      "the filament stream has no entry for this motion"_text);
@@ -162,7 +162,7 @@ private:
   plan::ReadProgram& program_;
   Defects defects_;
   std::size_t file_, line_ = 0;
-  std::vector<bool> told_, pauseTold_;
+  std::vector<bool> stated_, pauseStated_;
   double mm2_ = filamentArea();
   std::optional<std::size_t> on_; // since this motion
   std::size_t motion_ = 0;

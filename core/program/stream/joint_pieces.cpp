@@ -13,10 +13,10 @@ constexpr double kOffMm = 0.2, kOffDeg = 0.5;
 bool isStraight(const ProgramInput& input, std::size_t point, double from, double to) {
   const MotionTarget a = jointPiece(input, point, from), b = jointPiece(input, point, to),
                      middle = jointPiece(input, point, 0.5 * (from + to));
-  const Eigen::Vector3d way = b.tipMm - a.tipMm;
-  const double squared = way.squaredNorm();
-  const double along = squared > 0.0 ? (middle.tipMm - a.tipMm).dot(way) / squared : 0.0;
-  return (a.tipMm + along * way - middle.tipMm).norm() <= kOffMm &&
+  const Eigen::Vector3d step = b.tipMm - a.tipMm;
+  const double squared = step.squaredNorm();
+  const double along = squared > 0.0 ? (middle.tipMm - a.tipMm).dot(step) / squared : 0.0;
+  return (a.tipMm + along * step - middle.tipMm).norm() <= kOffMm &&
          geometry::angleBetween(a.direction + b.direction, middle.direction) <=
              base::degreesToRadians(kOffDeg);
 }

@@ -47,7 +47,7 @@ private:
     started_ = true;
     read_.rows.push_back(row);
     out_.flow(row.flow);
-    out_.turn(row.on);
+    out_.setExtruder(row.on);
     switch (row.kind) {
     case RowKind::End:
       ended_ = true;
@@ -121,8 +121,8 @@ bool parseRow(std::string_view line, JointRow& row) {
   std::array<double, kRowJoints + 4> numbers = {};
   if (!parseNumbers(line, numbers))
     return false;
-  const auto isAmong = [](double value, int most) {
-    return value >= 0.0 && value <= most && value == std::floor(value);
+  const auto isAmong = [](double value, int limit) {
+    return value >= 0.0 && value <= limit && value == std::floor(value);
   };
   const double kind = numbers[0], on = numbers[kRowJoints + 2];
   if (!isAmong(kind, 3) || !isAmong(on, 1))

@@ -19,7 +19,7 @@ plan::ReadProgram readLinkFiles(std::string_view format,
     const std::string_view text = files[out.file].text;
     out.line = 1;
     if (text.starts_with("#!"))
-      tellOtherText(text, sender, 1, out);
+      reportOtherText(text, sender, 1, out);
     else if (takingOf(text) != takings.end())
       continue;
     else if (std::exchange(found, true))

@@ -134,7 +134,7 @@ private:
     if (last_ && last_->blend > 0.0 && (on != was || row.byJoints() || !row.moves()))
       defect("the arm does not stop before this line"_text);
     out_.flow(row.flow / form_.fullFlow);
-    out_.turn(on);
+    out_.setExtruder(on);
   }
 
   void stands(const LinkRow& row) {
@@ -143,7 +143,7 @@ private:
       defect("the arm waits at another target than the previous one"_text);
     if (row.speed < 0.0) {
       out_.pauseByOutputs(-row.speed);
-      out_.turn(false);
+      out_.setExtruder(false);
       return;
     }
     ended_ = true;
@@ -167,7 +167,7 @@ private:
       m.speedMmPerS = row.speed;
       m.blendMm = row.blend;
       if (form_.turns && from)
-        slowByTurn(*from, row.turn, m);
+        slowByRotation(*from, row.rotation, m);
     }
     out_.motionByOutputs(std::move(m));
   }
@@ -221,7 +221,7 @@ void appendLinkRow(std::string& out, const LinkRow& row, const LinkForm& form) {
   };
   figure(row.speed, kSpeedDigits);
   if (form.turns)
-    figure(row.turn, kSpeedDigits);
+    figure(row.rotation, kSpeedDigits);
   figure(row.flow, form.wholeFlow ? kSpeedDigits : kFlowDigits);
   appendFixed(out, row.blend, form.blendDecimals, true);
   out += '\n';
@@ -234,15 +234,15 @@ bool parseLinkRow(std::string_view line, const LinkForm& form, LinkRow& row) {
     return false;
   std::copy_n(given.begin(), row.target.size(), row.target.begin());
   row.speed = given[6];
-  row.turn = form.turns ? given[7] : 0.0;
+  row.rotation = form.turns ? given[7] : 0.0;
   row.flow = given[given.size() - 2];
   row.blend = given.back();
-  const double most = row.byJoints() ? 100.0 : kMaxMmPerS;
+  const double limit = row.byJoints() ? 100.0 : kMaxMmPerS;
   const bool straight = row.moves() && !row.byJoints();
-  return row.speed > -kMaxSeconds && row.speed <= most && row.flow >= 0.0 &&
+  return row.speed > -kMaxSeconds && row.speed <= limit && row.flow >= 0.0 &&
          row.flow <= form.fullFlow && (!form.wholeFlow || row.flow == std::floor(row.flow)) &&
          (!form.turns ||
-          (straight ? row.turn > 0.0 && row.turn <= kMaxDegPerS : row.turn == 0.0)) &&
+          (straight ? row.rotation > 0.0 && row.rotation <= kMaxDegPerS : row.rotation == 0.0)) &&
          (row.blend == kLinkByJoints || row.blend == kLinkByJointsToPose ||
           (row.blend >= 0.0 && row.blend < kMaxBlendMm));
 }

@@ -51,10 +51,10 @@ struct LinkForm {
 
 struct LinkRow {
   std::array<double, 6> target = {}; // mm, degrees
-  double speed = 0.0; // mm/s, or percent for joint motions; negative: seconds; 0: the end
-  double turn = 0.0;  // degrees/s, of straight motions
-  double flow = 0.0;  // 0 to the form's full flow
-  double blend = 0.0; // mm, or kLinkByJoints...
+  double speed = 0.0;    // mm/s, or percent for joint motions; negative: seconds; 0: the end
+  double rotation = 0.0; // degrees/s, of straight motions
+  double flow = 0.0;     // 0 to the form's full flow
+  double blend = 0.0;    // mm, or kLinkByJoints...
 
   bool moves() const { return speed > 0.0; }
   bool byJoints() const { return blend < 0.0; }

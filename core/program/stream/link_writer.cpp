@@ -37,7 +37,7 @@ private:
         appendLinkFrame(out_, name, **frame, form_);
   }
   void endFile(std::size_t) override {
-    row_.speed = row_.turn = row_.flow = 0.0;
+    row_.speed = row_.rotation = row_.flow = 0.0;
     appendLinkRow(out_, row_, form_);
   }
 
@@ -51,7 +51,7 @@ private:
   void extruder(bool on) override { on_ = on; }
   void wait(double seconds) override {
     row_.speed = -seconds;
-    row_.turn = 0.0;
+    row_.rotation = 0.0;
     put();
   }
 
@@ -65,7 +65,7 @@ private:
             roundedTo(base::radiansToDegrees(in_.trajectory.at(i)[k]), form_.frameDecimals);
     }
     row_.speed = motions_.jointPercent(i);
-    row_.turn = 0.0;
+    row_.rotation = 0.0;
     const std::size_t line = out_.size();
     put();
     if (i == 0) // rounded as written
@@ -74,7 +74,7 @@ private:
   void straightMotion(std::size_t i, bool stops) override {
     pose(i);
     row_.speed = motions_.mmPerS(i);
-    row_.turn = form_.turns ? motions_.degPerS(i) : 0.0;
+    row_.rotation = form_.turns ? motions_.degPerS(i) : 0.0;
     row_.blend = stops ? 0.0 : motions_.blendMm(i);
     put();
   }

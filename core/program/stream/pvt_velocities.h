@@ -13,7 +13,7 @@ using PvtVector = Eigen::Matrix<double, 6, 1>;
 
 // One motion: the change of the coordinates and its duration in seconds (> 0).
 struct PvtMotion {
-  PvtVector way = PvtVector::Zero();
+  PvtVector displacement = PvtVector::Zero();
   double seconds = 0.0;
 };
 
@@ -33,7 +33,7 @@ bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to);
 struct PvtFit {
   double statedMmPerS = 0.0, suitsMmPerS = 0.0;
   bool isSpeedSuitable = true, isDirectionSuitable = true; // the latter of the angles, too
-  bool goesBack = false; // position or angles go against the suitable velocity
+  bool reverses = false; // position or angles go against the suitable velocity
 };
 PvtFit pvtFit(const PvtVector& stated, const PvtMotion& in, const PvtMotion& out,
               double toleranceMm);

@@ -89,7 +89,7 @@ void readReceiver(std::string_view text, ProgramBuilder& out) {
     out.line = head.number() + 1;
     out.defect("the payload is not set"_text);
   }
-  tellOtherText(text.substr(body), urscriptReceiver(), head.number() + 1, out);
+  reportOtherText(text.substr(body), urscriptReceiver(), head.number() + 1, out);
 }
 
 } // namespace
@@ -118,7 +118,7 @@ plan::ReadProgram readUrscriptStream(const std::vector<plan::ProgramFile>& files
     const std::string_view text = files[out.file].text;
     out.line = 1;
     if (text.starts_with("#!")) {
-      tellOtherText(text, urscriptSender(), 1, out);
+      reportOtherText(text, urscriptSender(), 1, out);
     } else if (isReceiver(text)) {
       readReceiver(text, out);
     } else if (std::exchange(stream, true)) {

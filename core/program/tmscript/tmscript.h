@@ -39,12 +39,12 @@ plan::Program writeTmscript(const ProgramInput& input, const base::RunContext& c
 // PVTExit, PTP, Line and PLine, poses and joints as numbers, lists or variables; ChangeTCP and
 // ChangeBase by their numbers, ChangeLoad, IO of the control box, ScriptExit and tmscriptWords().
 // Anything else is a defect, and so are frames with a wrong length or checksum, speeds of Line that
-// are not integers, and velocities that lead PVT off its line. A PTP slower than kTmLeastPercent
+// are not integers, and velocities that lead PVT off its line. A PTP slower than kTmMinPercent
 // has no duration, as the rounded percentage does not determine it. `complete`: the program ends
 // with ScriptExit, and the extruder's outputs are off after the last motion.
 plan::ReadProgram readTmscript(const std::vector<plan::ProgramFile>& files,
                                const process::Tooling& tooling, const base::RunContext& ctx);
-inline constexpr double kTmLeastPercent = 12.0;
+inline constexpr double kTmMinPercent = 12.0;
 // Returns the other words that a program may contain, and where; all others are refused.
 std::span<const KnownWord> tmscriptWords();
 bool looksLikeTmscript(std::string_view text);

@@ -88,10 +88,10 @@ TmFrame takeTmFrame(std::string_view text) {
 }
 
 void TmFrameNumbers::add(std::string_view id, std::size_t line) {
-  constexpr std::size_t kMostDigits = 9;
+  constexpr std::size_t kMaxDigits = 9;
   long number = 0;
   const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
-  if (error != std::errc() || id.size() > kMostDigits || end != id.data() + id.size())
+  if (error != std::errc() || id.size() > kMaxDigits || end != id.data() + id.size())
     number = last_.value_or(0) + 1;
   else if (last_ && number == *last_ + 1)
     ++steps_;

@@ -22,7 +22,7 @@ namespace voluta::program {
 namespace {
 
 constexpr std::size_t kNumbers = 6;
-constexpr int kMostChannel = 255;
+constexpr int kMaxChannel = 255;
 constexpr double kMaxMm = 1e5, kMaxDeg = 1e5, kMaxMmPerS = 1e4, kMaxSeconds = 1e6;
 // Tolerated deviation of a cubic from its line, and from even motion along it, beyond that of
 // starting and stopping.
@@ -184,7 +184,7 @@ private:
                        scanner.number(value) && scanner.take(')') && scanner.take('{') &&
                        scanner.name() == "Sleep" && scanner.take('(') && scanner.number(ms) &&
                        scanner.take(')') && scanner.take('}') && scanner.ended();
-    const std::optional<int> input = wholeNumber(channel, 0, kMostChannel);
+    const std::optional<int> input = wholeNumber(channel, 0, kMaxChannel);
     if (!known || !input || (value != 0.0 && value != 1.0) ||
         !out_.awaitInput(*input, value == 0.0))
       notUnderstood(code);
@@ -254,7 +254,7 @@ private:
       return;
     }
     const bool digital = kind == "DO" || kind == "InstantDO";
-    const std::optional<int> number = wholeNumber(channel, 0, kMostChannel);
+    const std::optional<int> number = wholeNumber(channel, 0, kMaxChannel);
     if ((!digital && kind != "AO" && kind != "InstantAO") || !number) {
       notUnderstood(code);
       return;
@@ -266,19 +266,19 @@ private:
     if (digital && value != 0.0 && value != 1.0)
       defect("an output is 0 or 1"_text);
     else if (module != "ControlBox" || channel != 0.0)
-      out_.wordAt(kind, kAside);
+      out_.wordAt(kind, kOutsidePrint);
     else if (kind.starts_with("Instant") && !out_.program().motions.empty())
       defect("an immediate output, not synchronized with the motions"_text);
     else if (digital)
-      turn(value > 0.0);
+      setExtruder(value > 0.0);
     else if (value < 0.0 || value > kTmFullVolts)
       defect("an analogue output outside 0 to 10 V"_text);
     else
       out_.flow(value / kTmFullVolts);
   }
 
-  void turn(bool on) {
-    out_.turn(on);
+  void setExtruder(bool on) {
+    out_.setExtruder(on);
     if (!on)
       passed_.reset();
   }
@@ -376,7 +376,7 @@ private:
     }
     std::optional<PvtMotion> motion;
     if (last_ && last_->joints == joints())
-      motion = PvtMotion{.way = numbers - last_->numbers, .seconds = seconds};
+      motion = PvtMotion{.displacement = numbers - last_->numbers, .seconds = seconds};
     if (motion)
       checkVelocities(*motion, velocity);
     velocity_ = velocity;
@@ -408,7 +408,7 @@ private:
                     base::message("the arm passes this point at {stated:.1f} mm/s with unchanged "
                                   "flow; the path requires {suits:.1f} mm/s"_text,
                                   base::number(fit.statedMmPerS), base::number(fit.suitsMmPerS)));
-    else if (fit.goesBack || (point.prints && !fit.isDirectionSuitable))
+    else if (fit.reverses || (point.prints && !fit.isDirectionSuitable))
       out_.defectAt(point.line, "the velocity at this point leads off the path"_text);
   }
   bool joints() const { return block_ == Block::Joints; }
@@ -423,7 +423,7 @@ private:
       fits = fits && pvtTurnsEvenly(motion, k, velocity_[k], to[k]);
     if (!fits)
       defect("the velocities lead off the path to this point"_text);
-    if (block_ == Block::Poses && motion.way.tail<3>().cwiseAbs().maxCoeff() > 180.0)
+    if (block_ == Block::Poses && motion.displacement.tail<3>().cwiseAbs().maxCoeff() > 180.0)
       defect("an angle rotates the long way around"_text);
   }
 
@@ -485,8 +485,8 @@ private:
              a.numbers[kNumbers],
              a.numbers[kNumbers + 1],
              a.numbers[kNumbers + 2]};
-    const auto whole = [](double value, double most) {
-      return value >= 0.0 && value <= most && value == std::floor(value);
+    const auto whole = [](double value, double limit) {
+      return value >= 0.0 && value <= limit && value == std::floor(value);
     };
     if (!whole(m.speed, m.speedInMm ? kMaxMmPerS : 100.0) || !(m.speed > 0.0) ||
         !whole(m.rampMs, kMaxSeconds) || !whole(m.blend, m.blendInMm ? kMaxMm : 100.0)) {
@@ -506,7 +506,7 @@ private:
     }
     plan::ProgramMotion m;
     m.jointInterpolated = true;
-    if (found->speed >= kTmLeastPercent || out_.program().motions.empty())
+    if (found->speed >= kTmMinPercent || out_.program().motions.empty())
       m.jointSpeedRadPerS = 0.01 * found->speed * kTmJointRadPerS;
     moveTo(found->numbers, found->joints, std::move(m));
   }

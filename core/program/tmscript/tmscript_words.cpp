@@ -10,7 +10,7 @@ std::span<const KnownWord> tmscriptWords() {
       KnownWord{"QueueTag", kAnywhere, "a mark in the queue, told when it is reached"},
       KnownWord{"WaitQueueTag", kAtRest, "waits until the queue is there"},
       KnownWord{"Pause", kAtRest, "waits for the operator"},
-      KnownWord{"Resume", kAside, "goes on"},
+      KnownWord{"Resume", kOutsidePrint, "goes on"},
   };
   return kTable;
 }

@@ -40,8 +40,8 @@ private:
     numbers_.resize(targets_.size());
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Eigen::Quaterniond& turn = targets_[i].tcpTurn;
-      angles = i == 0 ? xyzAngles(turn) : xyzAnglesNear(turn, angles);
+      const Eigen::Quaterniond& rotation = targets_[i].tcpRotation;
+      angles = i == 0 ? xyzAngles(rotation) : xyzAnglesNear(rotation, angles);
       for (int k = 0; k < 3; ++k) {
         targets_[i].tcpMm[k] = roundedTo(targets_[i].tcpMm[k], kMmDecimals);
         numbers_[i][k] = targets_[i].tcpMm[k];
@@ -203,7 +203,8 @@ private:
     double seconds = motions_.seconds(i);
     if (!(seconds > 0.0))
       seconds = motions_.tcpMm(i) / in_.process().travelSpeedMmPerS;
-    return {.way = numbers_[i] - numbers_[i - 1], .seconds = std::max(seconds, kMinSeconds)};
+    return {.displacement = numbers_[i] - numbers_[i - 1],
+            .seconds = std::max(seconds, kMinSeconds)};
   }
 
   const ProgramInput& in_;

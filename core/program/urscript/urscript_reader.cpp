@@ -107,7 +107,7 @@ private:
       } else if (code == "end") {
         defect("'end' closes no function"_text);
       } else if (!assign(code)) {
-        tellOutside(code);
+        reportOutside(code);
       }
       ++i;
     }
@@ -122,7 +122,7 @@ private:
     return tops > 0 && closed && (called || (tops == 1 && !mustCall));
   }
 
-  void tellOutside(std::string_view code) {
+  void reportOutside(std::string_view code) {
     Call call;
     if (UrscriptScanner{code, variables_}.call(call))
       defect(
@@ -144,9 +144,9 @@ private:
     const UrscriptFunctions::Function function = functions_.call(call.name);
     running_.emplace_back(call.name);
     const std::size_t callLine = out_.line, callFile = out_.file;
-    const bool goesOver = function.file != callFile;
+    const bool changesFile = function.file != callFile;
     out_.file = function.file;
-    if (goesOver)
+    if (changesFile)
       begin();
     for (std::size_t i = function.first; i < function.end;) {
       out_.line = lines()[i].number;
@@ -157,7 +157,7 @@ private:
       else if (!awaitInput(i, function.end))
         statement(lines()[i++].code);
     }
-    if (goesOver) {
+    if (changesFile) {
       out_.line = here().last;
       end();
     }
@@ -295,13 +295,14 @@ private:
       return false;
     }
     const Eigen::Vector3d metres(value.list[0], value.list[1], value.list[2]);
-    const Eigen::Vector3d turn(value.list[3], value.list[4], value.list[5]);
-    if (metres.cwiseAbs().maxCoeff() > kMaxMetres || turn.cwiseAbs().maxCoeff() > kMaxJointRad) {
+    const Eigen::Vector3d rotation(value.list[3], value.list[4], value.list[5]);
+    if (metres.cwiseAbs().maxCoeff() > kMaxMetres ||
+        rotation.cwiseAbs().maxCoeff() > kMaxJointRad) {
       defect("a pose far outside any robot's reach"_text);
       return false;
     }
     pose = Eigen::Isometry3d::Identity();
-    pose.linear() = rotationOf(turn).toRotationMatrix();
+    pose.linear() = rotationOf(rotation).toRotationMatrix();
     pose.translation() = metres * 1000.0;
     return true;
   }
@@ -462,13 +463,13 @@ private:
       return;
     if (firstOutput > 0) {
       if (!out_.toolOutput(firstOutput + channel, value > 0.0))
-        out_.wordAt(call.name, kAside);
+        out_.wordAt(call.name, kOutsidePrint);
     } else if (channel == 0) {
-      out_.turn(value > 0.0);
+      out_.setExtruder(value > 0.0);
     } else if (channel == kCutOutput) {
       out_.setCutter(value > 0.0);
     } else if (channel > kCutOutput || !out_.toolOutput(channel, value > 0.0)) {
-      out_.wordAt(call.name, kAside);
+      out_.wordAt(call.name, kOutsidePrint);
     }
   }
   void analogOut(const Call& call) {
@@ -477,7 +478,7 @@ private:
     if (!outputOf(call, ValueKind::Number, channel, value))
       return;
     if (channel != 0) {
-      out_.wordAt(call.name, kAside);
+      out_.wordAt(call.name, kOutsidePrint);
       return;
     }
     if (value < 0.0 || value > 1.0) {

@@ -32,10 +32,10 @@ Value valueOf(const Eigen::Isometry3d& pose) {
   Value v;
   v.kind = ValueKind::Pose;
   v.count = 6;
-  const Eigen::Vector3d turn = rotationVector(Eigen::Quaterniond(pose.linear()));
+  const Eigen::Vector3d rotation = rotationVector(Eigen::Quaterniond(pose.linear()));
   for (std::size_t k = 0; k < 3; ++k) {
     v.list[k] = pose.translation()[static_cast<Eigen::Index>(k)];
-    v.list[k + 3] = turn[static_cast<Eigen::Index>(k)];
+    v.list[k + 3] = rotation[static_cast<Eigen::Index>(k)];
   }
   return v;
 }

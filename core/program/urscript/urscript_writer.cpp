@@ -23,9 +23,9 @@ namespace voluta::program {
 
 namespace {
 // Returns e.g. "standard_digital_out(5".
-std::string urscriptSignal(int signal, std::string_view way) {
+std::string urscriptSignal(int signal, std::string_view direction) {
   const bool isStandard = signal < kConfigurableFrom;
-  return joined({isStandard ? "standard_digital_" : "configurable_digital_", way, "(",
+  return joined({isStandard ? "standard_digital_" : "configurable_digital_", direction, "(",
                  std::to_string(isStandard ? signal : signal - kConfigurableFrom)});
 }
 } // namespace
@@ -76,7 +76,7 @@ private:
     rotation_.resize(targets_.size());
     Eigen::Vector3d previous = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      previous = rotationVectorNear(targets_[i].tcpTurn, previous);
+      previous = rotationVectorNear(targets_[i].tcpRotation, previous);
       rotation_[i] = previous;
       for (int k = 0; k < 3; ++k)
         targets_[i].tcpMm[k] = roundedTo(targets_[i].tcpMm[k] / 1000.0, kPoseDecimals) * 1000.0;
@@ -277,11 +277,11 @@ private:
 
   // Returns the minimum planned acceleration limit of the arm's joints.
   double armRadPerS2() const {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const robot::JointLimits& limits : in_.cell.robot().limits)
       if (limits.kind == robot::JointKind::Turning)
-        least = std::min(least, limits.acceleration);
-    return least;
+        minimum = std::min(minimum, limits.acceleration);
+    return minimum;
   }
 
   void straightMotion(std::size_t i, bool stops) override {
@@ -298,7 +298,7 @@ private:
     if (arc) {
       out_ += "  movec(";
       const ViaTarget via = viaTarget(in_, targets_, TcpFrame::Base, *arc);
-      pose(via.mm, rotationVectorNear(via.turn, rotation_[i]), kPoseDecimals);
+      pose(via.mm, rotationVectorNear(via.rotation, rotation_[i]), kPoseDecimals);
       out_ += ',';
     } else {
       out_ += "  movel(";

@@ -31,7 +31,7 @@
 //   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
 //                         plate clear of the nozzle; external axes are then at 0
 //   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
-//                         sliding one as asTurn converts it), at most the values of the robot's
+//                         sliding one as asAngle converts it), at most the values of the robot's
 //                         file; default 80, the usual default of controllers (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
@@ -107,19 +107,19 @@ Body headBody(const process::HeadShape& head, int toolFrame) {
 }
 
 // Computes Cell::lastJointTurnsNozzle, with a tolerance because descriptions round right angles.
-int turnOfNozzle(const Arm& arm, const Eigen::Isometry3d& flange_T_tool) {
-  constexpr double kTurn = 1.0, kNearMm = 0.05, kNear = 1e-4;
+int nozzleRotationSign(const Arm& arm, const Eigen::Isometry3d& flange_T_tool) {
+  constexpr double kTestRad = 1.0, kNearMm = 0.05, kNear = 1e-4;
   const Kinematics& kinematics = *arm.robot.kinematics;
   const int last = arm.jointCount() - 1;
   if (kinematics.kindOf(last) != JointKind::Turning)
     return 0;
   JointVector turned = arm.home;
   const Eigen::Isometry3d from = kinematics.flange(turned) * flange_T_tool;
-  turned[last] += kTurn;
+  turned[last] += kTestRad;
   const Eigen::Isometry3d move = from.inverse() * kinematics.flange(turned) * flange_T_tool;
   for (const int sign : {1, -1})
     if (move.translation().norm() < kNearMm &&
-        (move.linear() - Eigen::AngleAxisd(sign * kTurn, Eigen::Vector3d::UnitZ()).matrix())
+        (move.linear() - Eigen::AngleAxisd(sign * kTestRad, Eigen::Vector3d::UnitZ()).matrix())
                 .norm() < kNear)
       return sign;
   return 0;
@@ -156,7 +156,7 @@ public:
     readToolChange();
     readPurgePlace();
     if (!plateMoves())
-      cell_.lastJointTurnsNozzle_ = turnOfNozzle(cell_.arms_.front(), cell_.flange_T_moved_);
+      cell_.lastJointTurnsNozzle_ = nozzleRotationSign(cell_.arms_.front(), cell_.flange_T_moved_);
     readTravelAcceleration();
     findPairs();
     return std::move(cell_);
@@ -366,14 +366,14 @@ private:
   }
 
   void readTravelAcceleration() {
-    double most = INFINITY;
+    double maximum = INFINITY;
     for (const JointLimits& limit : cell_.robot().limits)
-      most = std::min(most, asTurn(limit.kind, limit.acceleration));
+      maximum = std::min(maximum, asAngle(limit.kind, limit.acceleration));
     const char* travel = "travelAccelerationDegPerS2";
     const double travelDeg = top_.has(travel) ? top_.at(travel).positive() : kTravelDegPerS2;
-    if (top_.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
+    if (top_.has(travel) && base::degreesToRadians(travelDeg) > maximum * (1.0 + 1e-9))
       top_.at(travel).fail("exceeds the limit of a joint of the robot"_text);
-    cell_.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
+    cell_.travelAcceleration_ = std::min(maximum, base::degreesToRadians(travelDeg));
   }
 
   void findPairs() {

@@ -17,17 +17,17 @@ namespace {
 // that permutes the axes cyclically.
 Isometry3d xTo(const Vector3d& direction) {
   constexpr double kSame = 1e-12;
-  Isometry3d turn = Isometry3d::Identity();
+  Isometry3d rotation = Isometry3d::Identity();
   for (int k = 0; k < 3; ++k)
-    for (const double way : {1.0, -1.0})
-      if ((direction - way * Vector3d::Unit(k)).norm() < kSame) {
-        turn.linear() << way * Vector3d::Unit(k), way * Vector3d::Unit((k + 1) % 3),
+    for (const double sign : {1.0, -1.0})
+      if ((direction - sign * Vector3d::Unit(k)).norm() < kSame) {
+        rotation.linear() << sign * Vector3d::Unit(k), sign * Vector3d::Unit((k + 1) % 3),
             Vector3d::Unit((k + 2) % 3);
-        return turn;
+        return rotation;
       }
-  turn.linear() =
+  rotation.linear() =
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), direction).toRotationMatrix();
-  return turn;
+  return rotation;
 }
 
 JointKind readKind(const base::JsonNode& node) {
@@ -85,10 +85,10 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
   if (direction.norm() < 1e-6)
     node.at("axis").fail("must not be zero"_text);
   // Seen from the base, the world moves the opposite way of an axis that carries the robot.
-  const Isometry3d turn = xTo((axis.carriesRobot ? -1.0 : 1.0) * direction.normalized());
+  const Isometry3d rotation = xTo((axis.carriesRobot ? -1.0 : 1.0) * direction.normalized());
   const Isometry3d pose = readPose(node.at("pose"));
-  axis.before_T_axis = pose * turn;
-  axis.axis_T_moved = (axis.carriesRobot ? axis.before_T_axis : turn).inverse(Eigen::Isometry);
+  axis.before_T_axis = pose * rotation;
+  axis.axis_T_moved = (axis.carriesRobot ? axis.before_T_axis : rotation).inverse(Eigen::Isometry);
   if (before != nullptr)
     axis.before_T_axis = before->axis_T_moved * axis.before_T_axis;
   if (node.has("bodies"))

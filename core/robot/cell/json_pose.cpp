@@ -21,10 +21,10 @@ Eigen::Isometry3d readPose(const base::JsonNode& node) {
     node.at("xyzMm").fail("must be within a kilometre"_text);
   if (node.has("rpyDeg")) {
     const Eigen::Vector3d rpy = readVector3(node.at("rpyDeg")) * (base::kPi / 180.0);
-    const Eigen::Quaterniond turn = Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
-                                    Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-                                    Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
-    pose.linear() = turn.normalized().toRotationMatrix();
+    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+                                        Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+                                        Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
+    pose.linear() = rotation.normalized().toRotationMatrix();
   }
   return pose;
 }

@@ -25,7 +25,7 @@ constexpr double kNoSide = 1e-9;
 
 // Returns the axis of the rotation from `is` to `wanted`, scaled by the sine of its angle; for a
 // small rotation, the rotation vector.
-Vector3d smallTurn(const Matrix3d& wanted, const Matrix3d& is) {
+Vector3d smallRotation(const Matrix3d& wanted, const Matrix3d& is) {
   return 0.5 * (is.col(0).cross(wanted.col(0)) + is.col(1).cross(wanted.col(1)) +
                 is.col(2).cross(wanted.col(2)));
 }
@@ -50,13 +50,13 @@ ArmTwists::ArmTwists(const Kinematics& kinematics) : kinematics_(kinematics) {
       Twist t{k, j, step.translation() / probe, Vector3d::Zero()};
       if (angle.angle() > kNoTwist) {
         // For a rotation about a line through `point`: translation = (1 - R) point + pitch.
-        t.turn = angle.angle() * angle.axis() / probe;
+        t.rotation = angle.angle() * angle.axis() / probe;
         const Vector3d w = angle.axis();
         const double half = 0.5 * angle.angle();
         const Vector3d along = w.dot(step.translation()) * w, across = step.translation() - along;
         t.velocity = (along + half / std::tan(half) * across - half * w.cross(across)) / probe;
       }
-      if (t.velocity.norm() > kNoTwist || t.turn.norm() > kNoTwist)
+      if (t.velocity.norm() > kNoTwist || t.rotation.norm() > kNoTwist)
         twists_.push_back(t);
     }
   }
@@ -69,10 +69,11 @@ ArmJacobian ArmTwists::jacobian(const JointVector& q, Isometry3d& base_T_flange,
   ArmJacobian jacobian = ArmJacobian::Zero(6, kinematics_.dof());
   for (const Twist& t : twists_) {
     const Isometry3d& link = links[t.link];
-    const Vector3d turn = link.linear() * t.turn;
+    const Vector3d rotation = link.linear() * t.rotation;
     jacobian.col(t.joint).head<3>() +=
-        link.linear() * t.velocity + turn.cross(base_T_flange.translation() - link.translation());
-    jacobian.col(t.joint).tail<3>() += turn;
+        link.linear() * t.velocity +
+        rotation.cross(base_T_flange.translation() - link.translation());
+    jacobian.col(t.joint).tail<3>() += rotation;
   }
   return jacobian;
 }
@@ -84,12 +85,12 @@ bool ArmTwists::follow(const Isometry3d& wanted, double longestStep, JointVector
   for (int n = 0; n < kSteps; ++n) {
     at = jacobian(q, is, links);
     Vector6d error;
-    error << wanted.translation() - is.translation(), smallTurn(wanted.linear(), is.linear());
+    error << wanted.translation() - is.translation(), smallRotation(wanted.linear(), is.linear());
     const JointVector step = jointsFor(at, error, kReachMm);
     double longest = 0.0;
     for (Eigen::Index j = 0; j < dof; ++j)
       longest =
-          std::max(longest, std::abs(asTurn(kinematics_.kindOf(static_cast<int>(j)), step[j])));
+          std::max(longest, std::abs(asAngle(kinematics_.kindOf(static_cast<int>(j)), step[j])));
     if (!(longest <= longestStep))
       return false;
     q.head(dof) += step;

@@ -28,7 +28,7 @@ public:
 
   // Newton steps from q to the nearest joints that bring the flange to the pose, within 1e-8 mm and
   // 1e-10 rad, ignoring limits. Returns false, with q invalid, if eight steps do not suffice or a
-  // step is longer than `longestStep` (rad, sliding joints by asTurn). `jacobian` is that before
+  // step is longer than `longestStep` (rad, sliding joints by asAngle). `jacobian` is that before
   // the last step, which is at most 3e-6. Joints of q after the arm's are unchanged.
   bool follow(const Eigen::Isometry3d& base_T_flange, double longestStep, JointVector& q,
               ArmJacobian& jacobian, std::vector<Eigen::Isometry3d>& links) const;
@@ -44,7 +44,7 @@ private:
   struct Twist { // Of a link by a joint, in the link's frame
     std::size_t link;
     Eigen::Index joint;
-    Eigen::Vector3d velocity, turn;
+    Eigen::Vector3d velocity, rotation;
   };
   const Kinematics& kinematics_;
   std::vector<Twist> twists_;

@@ -19,10 +19,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // The circle is sampled at this many places. Two neighbouring places are subdivided, down to cells
-// of kDepth halvings, if axis 4 rotates by more than kTurnBetween between them or a solution branch
-// ends.
+// of kDepth halvings, if axis 4 rotates by more than kAngleBetween between them or a solution
+// branch ends.
 constexpr int kPlaces = 128, kDepth = 10;
-constexpr double kTurnBetween = 0.08;
+constexpr double kAngleBetween = 0.08;
 // Tolerance within which the equation counts as fulfilled if it touches zero from one side [rad].
 constexpr double kTouches = 1e-10;
 // From one place to the next the axes rotate so little that the equation falls by at most this from
@@ -36,7 +36,7 @@ double angleAbout(const Vector3d& axis, const Vector3d& from, const Vector3d& to
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-Matrix3d baseTurn(double c1, double s1, double theta23) {
+Matrix3d baseRotation(double c1, double s1, double theta23) {
   const double c = std::cos(theta23), s = std::sin(theta23);
   Matrix3d r;
   r << c1 * c, -s1, c1 * s, s1 * c, c1, s1 * s, -s, 0, c;
@@ -45,7 +45,7 @@ Matrix3d baseTurn(double c1, double s1, double theta23) {
 
 // Minimum of `of` between lo and hi, by golden section; ends at once if `enough` is true.
 template <typename Of, typename Enough>
-double least(double lo, double hi, const Of& of, const Enough& enough) {
+double minimize(double lo, double hi, const Of& of, const Enough& enough) {
   geometry::GoldenSection search(of, lo, hi);
   for (int n = 0; n < 60 && search.high - search.low > 1e-10; ++n) {
     if (enough(search.atA))
@@ -74,7 +74,7 @@ struct BentWrist::Sample {
   std::array<double, 2> reach{}; // Per shoulder: not negative if the point is in reach
   std::array<double, 4> miss{};  // Error of the equation
   std::array<Vector3d, 4> axis4;
-  bool has(std::size_t way) const { return reach[way / 2] >= 0.0; }
+  bool has(std::size_t branch) const { return reach[branch / 2] >= 0.0; }
 };
 
 class BentWrist::Search {
@@ -83,11 +83,11 @@ public:
 
   void run(std::vector<JointVector>& solutions) {
     look();
-    for (std::size_t way = 0; way < 4; ++way)
-      rootsOf(way);
+    for (std::size_t branch = 0; branch < 4; ++branch)
+      rootsOf(branch);
     const std::size_t before = solutions.size();
-    for (const auto& [way, t] : roots_) {
-      const JointVector q = jointsAt(way, t);
+    for (const auto& [branch, t] : roots_) {
+      const JointVector q = jointsAt(branch, t);
       const bool known =
           std::any_of(solutions.begin() + static_cast<std::ptrdiff_t>(before), solutions.end(),
                       [&](const JointVector& other) { return sameJoints(q, other, kSameRad); });
@@ -141,19 +141,19 @@ private:
         const double ce = e.cosine * arm_.cosBend_ + s3 * arm_.sinBend_;
         const double se = s3 * arm_.cosBend_ - e.cosine * arm_.sinBend_;
         const double c23 = (c2 * ce - s2 * se) * rho, s23 = (s2 * ce + c2 * se) * rho;
-        const std::size_t way = 2 * shoulder + elbow;
-        sample.axis4[way] = Vector3d(c1 * s23, s1 * s23, c23);
-        sample.miss[way] = arm_.base_.sign4 * sample.axis4[way].dot(fifth) - arm_.cosine45_;
+        const std::size_t branch = 2 * shoulder + elbow;
+        sample.axis4[branch] = Vector3d(c1 * s23, s1 * s23, c23);
+        sample.miss[branch] = arm_.base_.sign4 * sample.axis4[branch].dot(fifth) - arm_.cosine45_;
       }
     }
     return sample;
   }
 
   bool tooFar(const Sample& a, const Sample& b) const {
-    for (std::size_t way = 0; way < 4; ++way) {
-      if (a.has(way) != b.has(way))
+    for (std::size_t branch = 0; branch < 4; ++branch) {
+      if (a.has(branch) != b.has(branch))
         return true;
-      if (a.has(way) && a.axis4[way].dot(b.axis4[way]) < cosBetween_)
+      if (a.has(branch) && a.axis4[branch].dot(b.axis4[branch]) < cosBetween_)
         return true;
     }
     return false;
@@ -176,7 +176,7 @@ private:
       Sample next = first;
       next.t = kPi;
       if (i < kPlaces)
-        next = at(-kPi + base::kTurn * i / kPlaces);
+        next = at(-kPi + base::kTwoPi * i / kPlaces);
       between(last, next, kDepth);
       samples_.push_back(next);
       last = next;
@@ -193,13 +193,13 @@ private:
       for (std::size_t i = 0; i < last; ++i) {
         Sample before = seen[i == 0 ? last - 1 : i - 1];
         if (i == 0)
-          before.t -= base::kTurn;
+          before.t -= base::kTwoPi;
         const Sample &here = seen[i], &after = seen[i + 1];
-        const double most = here.reach[shoulder];
-        if (most >= 0.0 || before.reach[shoulder] >= 0.0 || after.reach[shoulder] >= 0.0 ||
-            most < before.reach[shoulder] || most < after.reach[shoulder] || most < -0.2)
+        const double maximum = here.reach[shoulder];
+        if (maximum >= 0.0 || before.reach[shoulder] >= 0.0 || after.reach[shoulder] >= 0.0 ||
+            maximum < before.reach[shoulder] || maximum < after.reach[shoulder] || maximum < -0.2)
           continue;
-        const double t = least(
+        const double t = minimize(
             before.t, after.t, [&](double x) { return -at(x).reach[shoulder]; },
             [](double outside) { return outside <= 0.0; });
         const Sample island = at(t);
@@ -239,14 +239,14 @@ private:
               [](const Sample& a, const Sample& b) { return a.t < b.t; });
   }
 
-  double missAt(std::size_t way, double t) const { return at(t).miss[way]; }
+  double missAt(std::size_t branch, double t) const { return at(t).miss[branch]; }
 
-  void addRoot(std::size_t way, double t) { roots_.emplace_back(way, t); }
+  void addRoot(std::size_t branch, double t) { roots_.emplace_back(branch, t); }
 
   // Regula falsi that halves the value at an end that stays (Illinois).
-  void rootBetween(std::size_t way, double a, double fa, double b, double fb) {
+  void rootBetween(std::size_t branch, double a, double fa, double b, double fb) {
     if (fa == 0.0)
-      return addRoot(way, a);
+      return addRoot(branch, a);
     for (int n = 0; n < 100 && fb != 0.0 && std::abs(b - a) > 1e-16; ++n) {
       double t = (fa * b - fb * a) / (fa - fb);
       if (n > 20) // Slow convergence near a curved root
@@ -254,9 +254,9 @@ private:
       if (t == a || t == b)
         break;
       const Sample sample = at(t);
-      if (!sample.has(way))
+      if (!sample.has(branch))
         return;
-      const double f = sample.miss[way];
+      const double f = sample.miss[branch];
       if ((f < 0.0) == (fb < 0.0))
         fa *= 0.5;
       else {
@@ -266,69 +266,70 @@ private:
       b = t;
       fb = f;
     }
-    addRoot(way, b);
+    addRoot(branch, b);
   }
 
-  void rootsOf(std::size_t way) {
+  void rootsOf(std::size_t branch) {
     const std::size_t last = samples_.size() - 1; // The first place again, one turn later
     for (std::size_t i = 0; i < last; ++i) {
       const Sample &a = samples_[i], &b = samples_[i + 1];
-      if (a.has(way) && b.has(way) && (a.miss[way] < 0.0) != (b.miss[way] < 0.0))
-        rootBetween(way, a.t, a.miss[way], b.t, b.miss[way]);
-      touchAt(way, samples_[i == 0 ? last - 1 : i - 1], a, b);
+      if (a.has(branch) && b.has(branch) && (a.miss[branch] < 0.0) != (b.miss[branch] < 0.0))
+        rootBetween(branch, a.t, a.miss[branch], b.t, b.miss[branch]);
+      touchAt(branch, samples_[i == 0 ? last - 1 : i - 1], a, b);
     }
   }
 
   // Between places on the same side of zero the equation may touch zero, or cross it twice. At the
   // end of a way the other elbow's way continues it, so that a root may be on either side of the
   // end.
-  void touchAt(std::size_t way, const Sample& before, const Sample& here, const Sample& after) {
-    if (!here.has(way) || std::abs(here.miss[way]) > kMayTouch)
+  void touchAt(std::size_t branch, const Sample& before, const Sample& here, const Sample& after) {
+    if (!here.has(branch) || std::abs(here.miss[branch]) > kMayTouch)
       return;
-    const double sign = here.miss[way] < 0.0 ? -1.0 : 1.0, f = sign * here.miss[way];
+    const double sign = here.miss[branch] < 0.0 ? -1.0 : 1.0, f = sign * here.miss[branch];
     const auto lower = [&](const Sample& other) {
-      return other.has(way) && sign * other.miss[way] < f;
+      return other.has(branch) && sign * other.miss[branch] < f;
     };
     if (lower(before) || lower(after))
       return;
-    const double t0 = !before.has(way)    ? here.t
-                      : before.t > here.t ? before.t - base::kTurn
+    const double t0 = !before.has(branch) ? here.t
+                      : before.t > here.t ? before.t - base::kTwoPi
                                           : before.t;
-    const double t2 = after.has(way) ? after.t : here.t;
-    const double f0 = before.has(way) ? before.miss[way] : here.miss[way];
-    const double f2 = after.has(way) ? after.miss[way] : here.miss[way];
-    const double t = least(
-        t0, t2, [&](double x) { return sign * missAt(way, x); }, [](double x) { return x < 0.0; });
+    const double t2 = after.has(branch) ? after.t : here.t;
+    const double f0 = before.has(branch) ? before.miss[branch] : here.miss[branch];
+    const double f2 = after.has(branch) ? after.miss[branch] : here.miss[branch];
+    const double t = minimize(
+        t0, t2, [&](double x) { return sign * missAt(branch, x); },
+        [](double x) { return x < 0.0; });
     const Sample bottom = at(t);
-    if (!bottom.has(way))
+    if (!bottom.has(branch))
       return;
-    if (sign * bottom.miss[way] < 0.0) {
-      rootBetween(way, t0, f0, t, bottom.miss[way]);
-      rootBetween(way, t, bottom.miss[way], t2, f2);
-    } else if (std::abs(bottom.miss[way]) < kTouches) {
-      addRoot(way, t);
+    if (sign * bottom.miss[branch] < 0.0) {
+      rootBetween(branch, t0, f0, t, bottom.miss[branch]);
+      rootBetween(branch, t, bottom.miss[branch], t2, f2);
+    } else if (std::abs(bottom.miss[branch]) < kTouches) {
+      addRoot(branch, t);
     }
   }
 
-  JointVector jointsAt(std::size_t way, double t) const {
+  JointVector jointsAt(std::size_t branch, double t) const {
     const OrthoBase& g = arm_.base_;
     const double c = std::cos(t), s = std::sin(t);
     const Vector3d wrist = circle_.wrist(c, s), fifth = circle_.fifth(c, s);
     Elbow e{};
-    shoulderAt(wrist, way / 2, e);
+    shoulderAt(wrist, branch / 2, e);
     const double square = wrist.x() * wrist.x() + wrist.y() * wrist.y();
     const double theta1 = square > 0.0 ? std::atan2(e.along * wrist.y() - g.b * wrist.x(),
                                                     e.along * wrist.x() + g.b * wrist.y())
                                        : 0.0;
     const double cosine = std::clamp(e.cosine, -1.0, 1.0);
     const double bend = std::sqrt((1.0 - cosine) * (1.0 + cosine));
-    const double s3 = way % 2 == 0 ? bend : -bend;
+    const double s3 = branch % 2 == 0 ? bend : -bend;
     const double theta3 = std::atan2(s3, cosine) - arm_.bend_;
     const double theta2 =
         std::atan2(e.x, e.z) - std::atan2(arm_.forearm_ * s3, g.c2 + arm_.forearm_ * cosine);
 
-    const Matrix3d third = baseTurn(std::cos(theta1), std::sin(theta1), theta2 + theta3) *
-                           baseTurn(1.0, 0.0, g.theta2AtZero + g.theta3AtZero).transpose();
+    const Matrix3d third = baseRotation(std::cos(theta1), std::sin(theta1), theta2 + theta3) *
+                           baseRotation(1.0, 0.0, g.theta2AtZero + g.theta3AtZero).transpose();
     const Vector3d fourth = third * arm_.axis4_;
     const Matrix3d lastBut =
         circle_.displaced * Eigen::AngleAxisd(-t, arm_.axis6_).toRotationMatrix();
@@ -343,7 +344,7 @@ private:
 
   const BentWrist& arm_;
   const Circle& circle_;
-  const double cosBetween_ = std::cos(kTurnBetween);
+  const double cosBetween_ = std::cos(kAngleBetween);
   std::vector<Sample> samples_;
   std::vector<std::pair<std::size_t, double>> roots_;
 };

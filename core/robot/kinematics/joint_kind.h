@@ -15,10 +15,10 @@ inline constexpr double kSlideMmPerRad = 100.0;
 
 // Converts a joint step [rad] or [mm] to an equivalent rotation [rad], or back; speeds and
 // accelerations likewise.
-constexpr double asTurn(JointKind kind, double step) {
+constexpr double asAngle(JointKind kind, double step) {
   return kind == JointKind::Sliding ? step / kSlideMmPerRad : step;
 }
-constexpr double fromTurn(JointKind kind, double rad) {
+constexpr double fromAngle(JointKind kind, double rad) {
   return kind == JointKind::Sliding ? rad * kSlideMmPerRad : rad;
 }
 

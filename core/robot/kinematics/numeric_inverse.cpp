@@ -25,10 +25,11 @@ constexpr double kGoodMm = 1e-7, kGoodRad = 1e-10; // Required accuracy of a bra
 constexpr double kSameRad = 1e-6;
 
 double farthest(const std::array<float, 4>& a, const std::array<float, 4>& b) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < 4; ++i)
-    most = std::max(most, std::abs(std::remainder(static_cast<double>(a[i] - b[i]), base::kTurn)));
-  return most;
+    maximum =
+        std::max(maximum, std::abs(std::remainder(static_cast<double>(a[i] - b[i]), base::kTwoPi)));
+  return maximum;
 }
 
 } // namespace
@@ -63,8 +64,8 @@ NumericInverse::NumericInverse(SerialChain chain) : chain_(std::move(chain)) {
   base::require(chain_.joints.size() == 6, "an arm of six axes");
   const std::vector<AxisLine> axes = axesAtZero(chain_);
   const Isometry3d zero = chainFlange(chain_, JointVector::Zero(6));
-  base_T_first_ =
-      Isometry3d(geometry::leastTurn(Vector3d::UnitZ(), axes[0].direction).toRotationMatrix());
+  base_T_first_ = Isometry3d(
+      geometry::shortestRotation(Vector3d::UnitZ(), axes[0].direction).toRotationMatrix());
   base_T_first_.translation() =
       axes[0].point + axes[0].direction.dot(axes[1].point - axes[0].point) * axes[0].direction;
   axis6_ = zero.linear().transpose() * axes[5].direction;
@@ -82,7 +83,7 @@ NumericInverse::NumericInverse(SerialChain chain) : chain_(std::move(chain)) {
   std::array<float, kTurns> angles;
   for (int k = 0; k < kTurns; ++k) {
     // Offset by half a step, because arms are singular at right angles.
-    const double angle = -base::kPi + base::kTurn * (k + 0.5) / kTurns;
+    const double angle = -base::kPi + base::kTwoPi * (k + 0.5) / kTurns;
     angles[static_cast<std::size_t>(k)] = static_cast<float>(angle);
     for (std::size_t j = 0; j < 4; ++j)
       turned[j][static_cast<std::size_t>(k)] =
@@ -125,11 +126,11 @@ JointVector NumericInverse::seedOf(const Entry& entry, const Isometry3d& base_T_
     q[static_cast<Eigen::Index>(i + 1)] = entry.joints[i];
   // Joint 1 brings the point to the right azimuth, joint 6 the flange as near as possible to its
   // orientation.
-  const auto aside = [&](const Isometry3d& flange) {
+  const auto azimuthOf = [&](const Isometry3d& flange) {
     const Vector3d p = base_T_first_.inverse() * (flange * pointOn6_);
     return std::atan2(p.y(), p.x());
   };
-  q[0] = aside(base_T_flange) - aside(chainFlange(chain_, q));
+  q[0] = azimuthOf(base_T_flange) - azimuthOf(chainFlange(chain_, q));
   const Eigen::Matrix3d rest = chainFlange(chain_, q).linear().transpose() * base_T_flange.linear();
   const Vector3d twice(rest(2, 1) - rest(1, 2), rest(0, 2) - rest(2, 0), rest(1, 0) - rest(0, 1));
   q[5] = std::atan2(axis6_.dot(twice), rest.trace() - axis6_.dot(rest * axis6_));

@@ -94,8 +94,8 @@ Eigen::Isometry3d OpwKinematics::flange(const JointVector& q) const {
 
 void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
                             std::vector<JointVector>& solutions) const {
-  const Matrix3d turn = base_T_flange.linear();
-  const Vector3d wrist = base_T_flange.translation() - g_.c4 * turn.col(2);
+  const Matrix3d rotation = base_T_flange.linear();
+  const Vector3d wrist = base_T_flange.translation() - g_.c4 * rotation.col(2);
 
   // Joint 1: seen from axis 1, the wrist's centre is (ahead, b) in the arm's plane and across it.
   const double reach = std::hypot(wrist.x(), wrist.y());
@@ -126,7 +126,7 @@ void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
       // The wrist: m = Rz(theta4) Ry(theta5) Rz(theta6). Theta5 and theta6 are computed from the
       // rest of m after theta4, not from m's own last row: near sin(theta5) = 0 that row is
       // dominated by rounding, and theta6 must compensate an error of theta4.
-      const Matrix3d m = (aboutZ(theta1) * aboutY(theta2 + theta3)).transpose() * turn;
+      const Matrix3d m = (aboutZ(theta1) * aboutY(theta2 + theta3)).transpose() * rotation;
       const double sine5 = std::hypot(m(0, 2), m(1, 2));
       const bool singular = sine5 < kWristSingular;
       for (int flip = 0; flip < (singular ? 1 : 2); ++flip) {

@@ -9,11 +9,11 @@ namespace voluta::robot {
 using Eigen::Vector3d;
 
 bool parallel(const AxisLine& a, const AxisLine& b) {
-  return a.direction.cross(b.direction).norm() < kAxisTurnRad;
+  return a.direction.cross(b.direction).norm() < kAxisAngleRad;
 }
 
 bool across(const AxisLine& a, const AxisLine& b) {
-  return std::abs(a.direction.dot(b.direction)) < kAxisTurnRad;
+  return std::abs(a.direction.dot(b.direction)) < kAxisAngleRad;
 }
 
 NearestPoints nearestPoints(const AxisLine& a, const AxisLine& b) {
@@ -40,20 +40,21 @@ std::optional<OrthoBase> orthoBaseOf(const std::vector<AxisLine>& axes, const Ve
   if (!across(axes[0], axes[1]) || !parallel(axes[1], axes[2]) || !across(axes[2], axes[3]))
     return std::nullopt;
   OrthoBase arm;
-  Eigen::Matrix3d turn;
-  turn.col(2) = axes[0].direction;
-  turn.col(1) = (axes[1].direction - axes[1].direction.dot(turn.col(2)) * turn.col(2)).normalized();
-  turn.col(0) = turn.col(1).cross(turn.col(2));
-  arm.base_T_arm.linear() = turn;
+  Eigen::Matrix3d rotation;
+  rotation.col(2) = axes[0].direction;
+  rotation.col(1) =
+      (axes[1].direction - axes[1].direction.dot(rotation.col(2)) * rotation.col(2)).normalized();
+  rotation.col(0) = rotation.col(1).cross(rotation.col(2));
+  arm.base_T_arm.linear() = rotation;
   arm.base_T_arm.translation() = nearestPoints(axes[0], axes[1]).onA;
   const auto inArm = [&](const Vector3d& p) { return Vector3d(arm.base_T_arm.inverse() * p); };
 
   const Vector3d shoulder = inArm(axes[1].point), elbow = inArm(axes[2].point),
-                 point = inArm(wrist), forearm = turn.transpose() * axes[3].direction;
+                 point = inArm(wrist), forearm = rotation.transpose() * axes[3].direction;
   arm.a1 = shoulder.x();
   arm.b = point.y();
   arm.c2 = std::hypot(elbow.x() - shoulder.x(), elbow.z() - shoulder.z());
-  arm.sign3 = axes[2].direction.dot(turn.col(1)) < 0.0 ? -1.0 : 1.0;
+  arm.sign3 = axes[2].direction.dot(rotation.col(1)) < 0.0 ? -1.0 : 1.0;
   // A shorter link is not accepted: the elbow's two solutions could not be distinguished.
   constexpr double kNoLinkMm = 1.0;
   const double toWrist = std::hypot(point.x() - elbow.x(), point.z() - elbow.z());

@@ -14,7 +14,7 @@ namespace voluta::robot {
 
 // Tolerances for directions [rad] and places [mm] of axes. Descriptions round right angles to
 // 1.5708 and lengths to a tenth of a millimetre.
-inline constexpr double kAxisTurnRad = 1e-4, kAxisPlaceMm = 0.02;
+inline constexpr double kAxisAngleRad = 1e-4, kAxisPlaceMm = 0.02;
 
 bool parallel(const AxisLine& a, const AxisLine& b); // Same or opposite direction
 bool across(const AxisLine& a, const AxisLine& b);   // Directions at a right angle

@@ -37,7 +37,7 @@ std::vector<Eigen::Matrix3d> toolTurns(double tiltRad) {
   const auto add = [&](double tilt, double azimuth) {
     const Eigen::Vector3d d(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                             std::cos(tilt));
-    turns.push_back(geometry::leastTurn(Eigen::Vector3d::UnitZ(), d).toRotationMatrix() *
+    turns.push_back(geometry::shortestRotation(Eigen::Vector3d::UnitZ(), d).toRotationMatrix() *
                     Eigen::Vector3d(1, -1, -1).asDiagonal());
   };
   turns.push_back(Eigen::Vector3d(1, -1, -1).asDiagonal());
@@ -57,8 +57,8 @@ public:
 
   bool reached(double radius) {
     for (const Eigen::Vector3d& p : points_)
-      for (const Eigen::Matrix3d& turn : turns_)
-        if (!reached(radius * (p + Eigen::Vector3d::UnitZ()), turn))
+      for (const Eigen::Matrix3d& rotation : turns_)
+        if (!reached(radius * (p + Eigen::Vector3d::UnitZ()), rotation))
           return false;
     return true;
   }
@@ -71,10 +71,10 @@ private:
     const NozzleTurns turns(cell_, work_T_tool, cell_.home());
     // The rotation that reached the last pose is likely to reach this one.
     for (int i = 0; i < kNozzleTurns; ++i) {
-      const int turn = (lastTurn_ + i) % kNozzleTurns;
-      turns.at(2.0 * kPi * turn / kNozzleTurns, solutions_);
+      const int rotation = (lastRotation_ + i) % kNozzleTurns;
+      turns.at(2.0 * kPi * rotation / kNozzleTurns, solutions_);
       if (!solutions_.empty()) {
-        lastTurn_ = turn;
+        lastRotation_ = rotation;
         return true;
       }
     }
@@ -85,7 +85,7 @@ private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<Eigen::Matrix3d> turns_;
   std::vector<JointVector> solutions_;
-  int lastTurn_ = 0;
+  int lastRotation_ = 0;
 };
 
 } // namespace

@@ -24,15 +24,15 @@ Isometry3d turned(const ChainJoint& joint, double q) {
 }
 
 // Returns the rotation vector from `is` to `wanted`.
-Vector3d turnTo(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& is) {
+Vector3d rotationTo(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& is) {
   const Eigen::Matrix3d r = wanted * is.transpose();
   const Vector3d twice(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
   const double sine = 0.5 * twice.norm(), cosine = 0.5 * (r.trace() - 1.0);
   if (sine < 1e-8 && cosine > 0.0)
     return 0.5 * twice;
   if (sine < 1e-6) { // Half a turn: `twice` does not contain the axis
-    const Eigen::AngleAxisd turn(r);
-    return turn.angle() * turn.axis();
+    const Eigen::AngleAxisd rotation(r);
+    return rotation.angle() * rotation.axis();
   }
   return (0.5 * std::atan2(sine, cosine) / sine) * twice;
 }
@@ -59,7 +59,7 @@ Step stepAt(const SerialChain& chain, const Isometry3d& wanted, const JointVecto
     step.jacobian.col(static_cast<Eigen::Index>(i)) << lever, axes[i];
     step.lengthMm = std::max(step.lengthMm, lever.norm());
   }
-  step.error << wanted.translation() - t.translation(), turnTo(wanted.linear(), t.linear());
+  step.error << wanted.translation() - t.translation(), rotationTo(wanted.linear(), t.linear());
   return step;
 }
 
@@ -105,15 +105,15 @@ PoseError settle(const SerialChain& chain, const Isometry3d& base_T_flange, int 
   base::require(chain.joints.size() == 6 && q.size() == 6, "settle: six joints");
   JointVector at = q;
   PoseError best{0.0, 0.0};
-  double least = 0.0;
+  double minimum = 0.0;
   for (int n = 0;; ++n) {
     Step step = stepAt(chain, base_T_flange, at);
     const PoseError error{step.error.head<3>().norm(), step.error.tail<3>().norm()};
     step.error.head<3>() /= step.lengthMm;
     step.jacobian.topRows<3>() /= step.lengthMm;
     const double size = step.error.squaredNorm();
-    if (n == 0 || size < least) {
-      least = size;
+    if (n == 0 || size < minimum) {
+      minimum = size;
       best = error;
       q = at;
     }

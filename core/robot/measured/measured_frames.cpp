@@ -71,10 +71,10 @@ Eigen::Isometry3d frameFromPoints(const Vector3d& origin, const Vector3d& onX,
   const Vector3d a = onX - origin, b = inPlane - origin, c = inPlane - onX;
   if (a.norm() == 0.0 || b.norm() == 0.0 || c.norm() == 0.0)
     throw unusable("two of the three points are identical"_text, "measure three points"_text);
-  const double least = std::min({geometry::angleBetween(a, b), geometry::angleBetween(-a, b),
-                                 geometry::angleBetween(a, c), geometry::angleBetween(a, -c),
-                                 geometry::angleBetween(b, c), geometry::angleBetween(b, -c)});
-  if (least < kMinAngle)
+  const double minimum = std::min({geometry::angleBetween(a, b), geometry::angleBetween(-a, b),
+                                   geometry::angleBetween(a, c), geometry::angleBetween(a, -c),
+                                   geometry::angleBetween(b, c), geometry::angleBetween(b, -c)});
+  if (minimum < kMinAngle)
     throw onALine();
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translation() = origin;
@@ -120,17 +120,17 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
   if (residual.noiseMm) {
     // Gauss-Markov: rotation and mean are independent; the origin depends on both.
     const double variance = *residual.noiseMm * *residual.noiseMm;
-    const Matrix3d turn = variance * inertia.inverse();
+    const Matrix3d rotation = variance * inertia.inverse();
     const Matrix3d lever = crossed(frame.linear() * middle);
-    residual.turnRad = largestDeviation(turn);
+    residual.angleRad = largestDeviation(rotation);
     residual.placeMm = largestDeviation(variance / static_cast<double>(n) * Matrix3d::Identity() +
-                                        lever * turn * lever.transpose());
+                                        lever * rotation * lever.transpose());
   }
   return measured;
 }
 
 MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
-  constexpr double kSame = 1e-6, kMinTurn = 0.02;
+  constexpr double kSame = 1e-6, kMinRotation = 0.02;
   const std::size_t n = base_T_flange.size();
   if (n < 4)
     throw unusable("a tool tip needs at least four poses"_text, "measure another pose"_text);
@@ -141,26 +141,26 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
         throw unusable(base::message("poses {first} and {second} are identical"_text, k + 1, i + 1),
                        "rotate the flange between poses"_text);
   }
-  Matrix3d meanTurn = Matrix3d::Zero();
+  Matrix3d meanRotation = Matrix3d::Zero();
   Vector3d meanPlace = Vector3d::Zero();
   for (const Eigen::Isometry3d& pose : base_T_flange) {
-    meanTurn += pose.linear() / static_cast<double>(n);
+    meanRotation += pose.linear() / static_cast<double>(n);
     meanPlace += pose.translation() / static_cast<double>(n);
   }
   // With the point eliminated: (R_i - mean R) tip = mean p - p_i.
   Eigen::MatrixX3d a(3 * static_cast<Eigen::Index>(n), 3);
   Eigen::VectorXd b(a.rows());
   for (std::size_t i = 0; i < n; ++i) {
-    a.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = base_T_flange[i].linear() - meanTurn;
+    a.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = base_T_flange[i].linear() - meanRotation;
     b.segment<3>(3 * static_cast<Eigen::Index>(i)) = meanPlace - base_T_flange[i].translation();
   }
   const geometry::SingularLeastSquares solved = geometry::leastSquaresBySingularValues(a, b);
-  if (solved.singularValues[2] / std::sqrt(static_cast<double>(n)) < kMinTurn)
+  if (solved.singularValues[2] / std::sqrt(static_cast<double>(n)) < kMinRotation)
     throw unusable("the poses rotate the flange about one axis only, or hardly at all"_text,
                    "tilt it by at least 30 degrees about two axes"_text);
   MeasuredTip measured;
   measured.tipInFlange = solved.x;
-  measured.pointInBase = meanTurn * measured.tipInFlange + meanPlace;
+  measured.pointInBase = meanRotation * measured.tipInFlange + meanPlace;
   std::vector<Vector3d> errors;
   for (const Eigen::Isometry3d& pose : base_T_flange)
     errors.push_back(pose * measured.tipInFlange - measured.pointInBase);
@@ -168,7 +168,7 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
   residual = residualOf(errors, 6);
   if (residual.noiseMm) {
     residual.placeMm = *residual.noiseMm / solved.singularValues[2];
-    residual.turnRad = 0.0;
+    residual.angleRad = 0.0;
   }
   return measured;
 }

@@ -17,7 +17,7 @@ struct Residual {
   std::optional<double> noiseMm;
   // Standard deviation of the result in its worst direction, given this noise: of the origin (the
   // tip), and of the frame's rotation (0 for a tip). nullopt if the noise is unknown.
-  std::optional<double> placeMm, turnRad;
+  std::optional<double> placeMm, angleRad;
 };
 
 struct MeasuredFrame {

@@ -39,13 +39,13 @@ Eigen::Isometry3d flangeOf(const std::vector<double>& row, const RobotModel* rob
       q[i] = ofShownValue(robot->kinematics->kindOf(i), row[static_cast<std::size_t>(i)]);
     return robot->kinematics->flange(q);
   }
-  const Eigen::Quaterniond turn(row[3], row[4], row[5], row[6]);
-  if (std::abs(turn.norm() - 1.0) > 0.01)
+  const Eigen::Quaterniond rotation(row[3], row[4], row[5], row[6]);
+  if (std::abs(rotation.norm() - 1.0) > 0.01)
     throw unusable(base::message("a quaternion's length is {length:.4g}, not 1"_text,
-                                 base::number(turn.norm())));
+                                 base::number(rotation.norm())));
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = vectorAt(row, 0);
-  pose.linear() = turn.normalized().toRotationMatrix();
+  pose.linear() = rotation.normalized().toRotationMatrix();
   return pose;
 }
 
@@ -83,8 +83,8 @@ MeasuredTip tipOfRows(const NumberRows& rows, const RobotModel* robot) {
 std::string frameJson(const MeasuredFrame& measured, std::size_t points) {
   Json out{{"pose", poseJson(measured.base_T_frame)}, {"points", points}};
   addResidual(out, measured.residual);
-  const std::optional<double>& turn = measured.residual.turnRad;
-  out["turnDeg"] = turn ? degreesJson(*turn) : Json();
+  const std::optional<double>& rotation = measured.residual.angleRad;
+  out["turnDeg"] = rotation ? degreesJson(*rotation) : Json();
   return out.dump();
 }
 

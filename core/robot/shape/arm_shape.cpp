@@ -104,7 +104,7 @@ void addCopies(const base::JsonNode& node, const ShapeSolid& solid,
   for (int i = 0; i < count; ++i) {
     solids.push_back(solid);
     solids.back().loft.frame_T_loft =
-        Eigen::AngleAxisd(base::kTurn * i / count, about) * solid.loft.frame_T_loft;
+        Eigen::AngleAxisd(base::kTwoPi * i / count, about) * solid.loft.frame_T_loft;
   }
 }
 

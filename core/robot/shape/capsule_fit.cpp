@@ -87,8 +87,8 @@ Capsule around(const std::vector<Vector3d>& points, const Vector3d& axis) {
   const Circle circle = smallestCircle(seen);
   double low = std::numeric_limits<double>::max(), high = -low;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double aside = (seen[i] - circle.centre).norm();
-    const double cap = std::sqrt(std::max(0.0, circle.radius * circle.radius - aside * aside));
+    const double lateral = (seen[i] - circle.centre).norm();
+    const double cap = std::sqrt(std::max(0.0, circle.radius * circle.radius - lateral * lateral));
     low = std::min(low, points[i].dot(axis) + cap);
     high = std::max(high, points[i].dot(axis) - cap);
   }
@@ -160,17 +160,17 @@ std::optional<Cut> bestCut(const Part& part, const Vector3d& alsoAlong) {
 } // namespace
 
 std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
-                                       const Vector3d& alsoAlong, int most) {
+                                       const Vector3d& alsoAlong, int maxParts) {
   constexpr std::size_t kSome = 2000;
   constexpr double kSaved = 1.0 / 6.0;
-  base::require(!triangles.empty() && most >= 1, "triangles to enclose");
+  base::require(!triangles.empty() && maxParts >= 1, "triangles to enclose");
   std::vector<Part> parts(1);
   const std::size_t stride = (triangles.size() + kSome - 1) / kSome;
   for (std::size_t t = 0; t < triangles.size(); t += stride)
     parts[0].some.push_back(triangles[t]);
   parts[0].all = triangles;
   parts[0].capsule = around(triangles, alsoAlong);
-  while (static_cast<int>(parts.size()) < most) {
+  while (static_cast<int>(parts.size()) < maxParts) {
     double whole = 0.0, saved = 0.0;
     std::size_t at = 0;
     Plane plane{};

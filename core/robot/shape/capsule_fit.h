@@ -15,11 +15,11 @@ namespace voluta::robot {
 Capsule enclosingCapsule(const std::vector<Eigen::Vector3d>& points,
                          const Eigen::Vector3d& alsoAlong);
 
-// Returns up to `most` capsules that together contain every triangle. The mesh is cut by planes,
-// each where it saves the most volume, as long as a cut saves a sixth of the whole. Each part gets
-// its enclosingCapsule(). Cuts are searched on some thousand triangles. Preconditions: triangles is
-// not empty, most >= 1.
+// Returns up to `maxParts` capsules that together contain every triangle. The mesh is cut by
+// planes, each where it saves the most volume, as long as a cut saves a sixth of the whole. Each
+// part gets its enclosingCapsule(). Cuts are searched on some thousand triangles. Preconditions:
+// triangles is not empty, maxParts >= 1.
 std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
-                                       const Eigen::Vector3d& alsoAlong, int most);
+                                       const Eigen::Vector3d& alsoAlong, int maxParts);
 
 } // namespace voluta::robot

@@ -11,7 +11,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr Rgb kBody{0.82, 0.83, 0.85}, kCap{0.36, 0.40, 0.45}, kMetal{0.62, 0.64, 0.66};
-constexpr double kTestTurnRad = 0.5; // Test rotation of a joint, for finding its axis
+constexpr double kTestRotationRad = 0.5; // Test rotation of a joint, for finding its axis
 constexpr double kTestSlideMm = 50.0;
 constexpr double kThickAtBase = 0.055,
                  kThickAtFlange = 0.03; // Housing radii as shares of the arm's length
@@ -30,7 +30,7 @@ JointPlace placeOf(const Kinematics& arm, const JointVector& q, int joint) {
   std::vector<Isometry3d> here, there;
   JointVector moved = q;
   const bool slides = arm.kindOf(joint) == JointKind::Sliding;
-  moved[joint] += slides ? kTestSlideMm : kTestTurnRad;
+  moved[joint] += slides ? kTestSlideMm : kTestRotationRad;
   arm.linkPoses(q, here);
   arm.linkPoses(moved, there);
   const auto link = static_cast<std::size_t>(joint) + 1;
@@ -40,8 +40,8 @@ JointPlace placeOf(const Kinematics& arm, const JointVector& q, int joint) {
   if (slides) {
     place.axis = step.translation().normalized();
   } else {
-    const Eigen::AngleAxisd turn(step.linear());
-    place.axis = turn.axis();
+    const Eigen::AngleAxisd rotation(step.linear());
+    place.axis = rotation.axis();
     // The point of the axis that is nearest to the frame's origin.
     const Eigen::Matrix3d fixed =
         Eigen::Matrix3d::Identity() - step.linear() + place.axis * place.axis.transpose();

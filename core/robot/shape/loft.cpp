@@ -37,11 +37,11 @@ Station combined(const Station& a, double weightA, const Station& b, double weig
 
 // Returns an upper bound of the surface length from one station to the next.
 double lengthOf(const Station& a, const Station& b) {
-  double aside = std::abs(b.inset - a.inset);
+  double lateral = std::abs(b.inset - a.inset);
   for (std::size_t i = 0; i < a.discs.size(); ++i)
-    aside = std::max(aside, (b.discs[i].centre - a.discs[i].centre).norm() +
-                                std::abs(b.discs[i].radius - a.discs[i].radius));
-  return std::hypot(b.at - a.at, aside);
+    lateral = std::max(lateral, (b.discs[i].centre - a.discs[i].centre).norm() +
+                                    std::abs(b.discs[i].radius - a.discs[i].radius));
+  return std::hypot(b.at - a.at, lateral);
 }
 
 // Returns the angle of the outward normal of the hull's side from disc a to disc b.
@@ -66,17 +66,17 @@ std::vector<RimPoint> rimOf(const std::vector<LoftDisc>& discs) {
   };
   if (count == 1) {
     for (int i = 0; i < kAround; ++i)
-      add(0, base::kTurn * i / kAround);
+      add(0, base::kTwoPi * i / kAround);
     return rim;
   }
   const int steps = std::max(kMinOfDisc, kAround / static_cast<int>(count));
   for (std::size_t i = 0; i < count; ++i) {
     const double from = sideAngle(discs[(i + count - 1) % count], discs[i]);
-    double turn = std::fmod(sideAngle(discs[i], discs[(i + 1) % count]) - from, base::kTurn);
-    if (turn < 0.0)
-      turn += base::kTurn;
+    double sweep = std::fmod(sideAngle(discs[i], discs[(i + 1) % count]) - from, base::kTwoPi);
+    if (sweep < 0.0)
+      sweep += base::kTwoPi;
     for (int k = 0; k <= steps; ++k)
-      add(i, from + turn * k / steps);
+      add(i, from + sweep * k / steps);
   }
   return rim;
 }
@@ -103,10 +103,10 @@ public:
 private:
   // The inner end of an end face's edge: as far inwards as the smallest disc allows.
   static Station inner(const LoftSection& section) {
-    double least = section.discs.front().radius;
+    double minimum = section.discs.front().radius;
     for (const LoftDisc& disc : section.discs)
-      least = std::min(least, disc.radius);
-    return {section.at, least, section.discs};
+      minimum = std::min(minimum, disc.radius);
+    return {section.at, minimum, section.discs};
   }
 
   // Rounds the corner at `here` by a quadratic Bezier curve.

@@ -19,9 +19,9 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Isometry3d pose(const Matrix3d& turn, const Vector3d& at) {
+Isometry3d pose(const Matrix3d& rotation, const Vector3d& at) {
   Isometry3d t = Isometry3d::Identity();
-  t.linear() = turn;
+  t.linear() = rotation;
   t.translation() = at;
   return t;
 }
@@ -91,12 +91,12 @@ std::optional<RecognisedArm> parallelAxes(const SerialChain& chain,
       !parallel(axes[1], axes[3]) || !across(axes[3], axes[4]) || !across(axes[4], axes[5]))
     return std::nullopt;
   // In the family's frame, axis 1 is z and, at theta1 = 0, axis 2 is -y, "across" the arm.
-  Matrix3d turn;
-  turn.col(2) = axes[0].direction;
-  turn.col(1) =
-      -(axes[1].direction - axes[1].direction.dot(turn.col(2)) * turn.col(2)).normalized();
-  turn.col(0) = turn.col(1).cross(turn.col(2));
-  const Isometry3d base_T_arm = pose(turn, *shoulder);
+  Matrix3d rotation;
+  rotation.col(2) = axes[0].direction;
+  rotation.col(1) =
+      -(axes[1].direction - axes[1].direction.dot(rotation.col(2)) * rotation.col(2)).normalized();
+  rotation.col(0) = rotation.col(1).cross(rotation.col(2));
+  const Isometry3d base_T_arm = pose(rotation, *shoulder);
   const Isometry3d arm_T_base = base_T_arm.inverse();
   const auto inArm = [&](const Vector3d& point) { return Vector3d(arm_T_base * point); };
   const auto sign = [&](std::size_t axis) {
@@ -111,8 +111,8 @@ std::optional<RecognisedArm> parallelAxes(const SerialChain& chain,
     return std::nullopt;
   const double theta2 = std::atan2(elbow.z(), elbow.x());
   const double theta23 = std::atan2(wrist.z() - elbow.z(), wrist.x() - elbow.x());
-  const Vector3d down = turn.transpose() * axes[4].direction, across(0, -1, 0);
-  const Vector3d sixth = turn.transpose() * axes[5].direction;
+  const Vector3d down = rotation.transpose() * axes[4].direction, across(0, -1, 0);
+  const Vector3d sixth = rotation.transpose() * axes[5].direction;
   const double theta234 = std::atan2(down.x(), -down.z());
   const Vector3d forward(std::cos(theta234), 0, std::sin(theta234));
   const double theta5 = std::atan2(-sixth.dot(forward), sixth.dot(across));

@@ -199,7 +199,7 @@ public:
   bool hasPair() const { return !costs_.empty(); }
   // Returns the volume that the cheapest join adds to the sum of all boxes. Precondition: there is
   // a pair.
-  double least() const { return cheapest()->second; }
+  double lowestCost() const { return cheapest()->second; }
   void joinCheapest() {
     const auto [a, b] = cheapest()->first;
     for (const std::size_t gone : {a, b})
@@ -258,7 +258,7 @@ private:
 // Returns the points of the joined pieces: each component of `whole` starts as one piece, the rest
 // of the mesh as many.
 std::vector<Points> joinedPieces(const TriangleMesh& mesh, const std::vector<Points>& whole,
-                                 int most, const base::RunContext& ctx) {
+                                 int maxPieces, const base::RunContext& ctx) {
   std::vector<Piece> pieces;
   AlignedBox3d bounds;
   if (!mesh.empty()) {
@@ -272,25 +272,26 @@ std::vector<Points> joinedPieces(const TriangleMesh& mesh, const std::vector<Poi
   Joining joining(std::move(pieces));
   for (double added = 0.0; joining.left() > 1;) {
     ctx.checkpoint();
-    const bool tooMany = joining.left() > static_cast<std::size_t>(most);
+    const bool tooMany = joining.left() > static_cast<std::size_t>(maxPieces);
     if (!joining.hasPair() && tooMany)
       joining.letAllBeNeighbours();
-    if (!joining.hasPair() || (!tooMany && added + joining.least() > kAdded * volumeOf(bounds)))
+    if (!joining.hasPair() ||
+        (!tooMany && added + joining.lowestCost() > kAdded * volumeOf(bounds)))
       break;
-    added += std::max(0.0, joining.least());
+    added += std::max(0.0, joining.lowestCost());
     joining.joinCheapest();
   }
   return std::move(joining).points();
 }
 
-std::vector<Solid> solidsAlong(TriangleMesh mesh, const Eigen::Matrix3d& axes, int most,
+std::vector<Solid> solidsAlong(TriangleMesh mesh, const Eigen::Matrix3d& axes, int maxPieces,
                                const base::RunContext& ctx) {
   for (Vector3d& p : mesh.vertices)
     p = axes.transpose() * p;
   std::vector<Points> whole;
   const geometry::Components components = geometry::components(mesh);
   std::vector<bool> left(mesh.triangles.size(), true);
-  for (int c = 0; components.count <= most && c < components.count; ++c) {
+  for (int c = 0; components.count <= maxPieces && c < components.count; ++c) {
     std::vector<bool> in;
     for (const int of : components.ofTriangle)
       in.push_back(of == c);
@@ -304,7 +305,7 @@ std::vector<Solid> solidsAlong(TriangleMesh mesh, const Eigen::Matrix3d& axes, i
   Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
   back.linear() = axes;
   std::vector<Solid> solids;
-  for (const Points& points : joinedPieces(geometry::subMesh(mesh, left), whole, most, ctx)) {
+  for (const Points& points : joinedPieces(geometry::subMesh(mesh, left), whole, maxPieces, ctx)) {
     solids.push_back(smallestAbout(points));
     solids.back().shape = moved(std::move(solids.back().shape), back);
   }
@@ -320,20 +321,21 @@ Eigen::Matrix3d ownAxes(const Points& points) {
 
 } // namespace
 
-std::vector<Shape> solidPieces(const TriangleMesh& mesh, int most, const base::RunContext& ctx) {
-  base::require(!mesh.empty() && most >= 1, "triangles to enclose");
+std::vector<Shape> solidPieces(const TriangleMesh& mesh, int maxPieces,
+                               const base::RunContext& ctx) {
+  base::require(!mesh.empty() && maxPieces >= 1, "triangles to enclose");
   base::require(geometry::bounds(mesh).sizes().maxCoeff() > 0.0, "a mesh with an extent");
   std::vector<Solid> best;
-  double least = std::numeric_limits<double>::infinity();
+  double lowestCost = std::numeric_limits<double>::infinity();
   for (const Eigen::Matrix3d& axes :
        {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), ownAxes(mesh.vertices)}) {
-    std::vector<Solid> solids = solidsAlong(mesh, axes, most, ctx);
+    std::vector<Solid> solids = solidsAlong(mesh, axes, maxPieces, ctx);
     double sum = 0.0;
     for (const Solid& solid : solids)
       sum += solid.volume;
     // Prefer the file's axes unless the others save volume.
-    if (sum < least * (1.0 - 1e-6)) {
-      least = sum;
+    if (sum < lowestCost * (1.0 - 1e-6)) {
+      lowestCost = sum;
       best = std::move(solids);
     }
   }

@@ -41,18 +41,18 @@ public:
     UrdfChain found;
     const std::size_t end = tip.empty() ? onlyTip() : named(tip, "--tip");
     found.tip = link(end).name;
-    const std::vector<std::size_t> way = wayTo(end); // Joints from the root
+    const std::vector<std::size_t> path = pathTo(end); // Joints from the root
     const std::size_t stand = base.empty() ? usualBase() : named(base, "--base");
     found.base = link(stand).name;
 
     // The base is a link of the chain, or fixed to one.
     std::size_t on = stand;
     Eigen::Isometry3d on_T_base = Eigen::Isometry3d::Identity();
-    const auto isOnWay = [&](std::size_t l) {
+    const auto isOnPath = [&](std::size_t l) {
       return l == root_ ||
-             std::any_of(way.begin(), way.end(), [&](std::size_t j) { return childOf(j) == l; });
+             std::any_of(path.begin(), path.end(), [&](std::size_t j) { return childOf(j) == l; });
     };
-    while (!isOnWay(on)) {
+    while (!isOnPath(on)) {
       const UrdfJoint& joint = tree_.joints[*over_[on]];
       if (joint.type != "fixed")
         fail(message("the base '{base}' is on a moving branch off the chain to '{tip}'"_text,
@@ -61,25 +61,25 @@ public:
       on = byName_.at(joint.parent);
     }
     std::size_t first = 0;
-    while (on != root_ && childOf(way[first++]) != on) {
+    while (on != root_ && childOf(path[first++]) != on) {
     }
 
     int frame = 0;
     Eigen::Isometry3d frame_T_link = on_T_base.inverse();
     std::vector<FixedLink> stems{{on, 0, frame_T_link}};
-    for (std::size_t k = first; k < way.size(); ++k) {
-      const UrdfJoint& joint = tree_.joints[way[k]];
+    for (std::size_t k = first; k < path.size(); ++k) {
+      const UrdfJoint& joint = tree_.joints[path[k]];
       const Eigen::Isometry3d frame_T_joint = frame_T_link * joint.parent_T_joint;
       if (joint.type == "fixed") {
         frame_T_link = frame_T_joint;
       } else {
         requireTurning(joint);
         found.chain.joints.push_back({frame_T_joint, joint.axis.normalized()});
-        found.joints.push_back(way[k]);
+        found.joints.push_back(path[k]);
         frame_T_link.setIdentity();
         ++frame;
       }
-      stems.push_back({childOf(way[k]), frame, frame_T_link});
+      stems.push_back({childOf(path[k]), frame, frame_T_link});
     }
     found.chain.last_T_flange = frame_T_link;
     if (found.joints.size() != 6)
@@ -89,7 +89,7 @@ public:
            "name the first and last link of the chain: --base, --tip"_text);
     for (const FixedLink& stem : stems) {
       found.links.push_back(stem);
-      addBranches(stem, way, found);
+      addBranches(stem, path, found);
     }
     return found;
   }
@@ -159,12 +159,12 @@ private:
          base::didYouMean(name, names));
   }
 
-  std::vector<std::size_t> wayTo(std::size_t l) const {
-    std::vector<std::size_t> way;
-    for (; over_[l]; l = byName_.at(tree_.joints[way.back()].parent))
-      way.push_back(*over_[l]);
-    std::reverse(way.begin(), way.end());
-    return way;
+  std::vector<std::size_t> pathTo(std::size_t l) const {
+    std::vector<std::size_t> path;
+    for (; over_[l]; l = byName_.at(tree_.joints[path.back()].parent))
+      path.push_back(*over_[l]);
+    std::reverse(path.begin(), path.end());
+    return path;
   }
 
   // The last joint on the path from the root that moves the link.
@@ -218,10 +218,10 @@ private:
   }
 
   // Adds the links that are fixed beside the chain.
-  void addBranches(const FixedLink& stem, const std::vector<std::size_t>& way,
+  void addBranches(const FixedLink& stem, const std::vector<std::size_t>& path,
                    UrdfChain& found) const {
     for (const std::size_t j : under_[stem.link]) {
-      if (std::find(way.begin(), way.end(), j) != way.end())
+      if (std::find(path.begin(), path.end(), j) != path.end())
         continue;
       const UrdfJoint& joint = tree_.joints[j];
       if (joint.type != "fixed") {
@@ -230,7 +230,7 @@ private:
       }
       const FixedLink branch{childOf(j), stem.frame, stem.frame_T_link * joint.parent_T_joint};
       found.links.push_back(branch);
-      addBranches(branch, way, found);
+      addBranches(branch, path, found);
     }
   }
 

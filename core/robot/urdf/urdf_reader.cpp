@@ -15,7 +15,7 @@ namespace voluta::robot {
 
 namespace {
 
-constexpr double kAccelerationDegPerS2 = 800.0, kVelocityDegPerS = 180.0, kTurnDeg = 360.0;
+constexpr double kAccelerationDegPerS2 = 800.0, kVelocityDegPerS = 180.0, kRevolutionDeg = 360.0;
 
 std::string idOf(const std::string& name) {
   std::string id;
@@ -54,7 +54,7 @@ void tighten(JointLimits& limits, const UrdfJoint& joint, const std::string& whe
 JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
                      std::vector<std::string>& assumed) {
   const auto radians = [](double degrees) { return base::degreesToRadians(degrees); };
-  JointLimits limits{-radians(kTurnDeg), radians(kTurnDeg), radians(kVelocityDegPerS),
+  JointLimits limits{-radians(kRevolutionDeg), radians(kRevolutionDeg), radians(kVelocityDegPerS),
                      radians(kAccelerationDegPerS2)};
   // Values of many turns, or faster than any joint, are placeholders, or in degrees.
   constexpr double kMaxRad = 8.0 * base::kPi, kMaxRadPerS = 100.0;
@@ -67,7 +67,7 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
     assumed.push_back(fmt::format("joint '{}' turns +-{} deg: the description's limits, {:g} and "
                                   "{:g} rad, are more than four turns (limits are in radians, not "
                                   "in degrees)",
-                                  joint.name, kTurnDeg, given.lower, given.upper));
+                                  joint.name, kRevolutionDeg, given.lower, given.upper));
   } else if (joint.type == "revolute" && !none) {
     if (!(given.lower < given.upper))
       throw base::Error(
@@ -79,10 +79,10 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
     limits.max = given.upper;
   } else if (joint.type == "revolute") {
     assumed.push_back(fmt::format("joint '{}' turns +-{} deg: the description has {} limits",
-                                  joint.name, kTurnDeg, joint.limit ? "zero" : "no"));
+                                  joint.name, kRevolutionDeg, joint.limit ? "zero" : "no"));
   } else {
     assumed.push_back(fmt::format("joint '{}', which turns without end, is kept within +-{} deg",
-                                  joint.name, kTurnDeg));
+                                  joint.name, kRevolutionDeg));
   }
   tighten(limits, joint, where, assumed);
   if (given.velocity > 0.0)

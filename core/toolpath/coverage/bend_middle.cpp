@@ -26,7 +26,7 @@ double extentOf(double areaMm, double curvature) {
 // at both ends.
 std::vector<double> turns(const PatchSurface& s, const SurfaceCurve& c, std::size_t segments) {
   const std::size_t n = c.points.size();
-  std::vector<double> turn(segments, 0.0);
+  std::vector<double> bend(segments, 0.0);
   const auto along = [&](std::size_t i) -> Vector3d {
     return c.points[(i + 1) % n].position - c.points[i].position;
   };
@@ -35,10 +35,10 @@ std::vector<double> turns(const PatchSurface& s, const SurfaceCurve& c, std::siz
     const Vector3d from = along(before), to = along(i);
     const Vector3d normal = s.interpolate(s.normal, c.points[i]);
     const double half = 0.5 * std::atan2(normal.dot(from.cross(to)), from.dot(to));
-    turn[before] += half;
-    turn[i] += half;
+    bend[before] += half;
+    bend[i] += half;
   }
-  return turn;
+  return bend;
 }
 } // namespace
 
@@ -47,19 +47,19 @@ std::vector<double> middleOfExtents(const PatchSurface& s, const SurfaceCurve& c
   const std::size_t segments = share.areaMm2.size(), n = c.points.size();
   base::require(segments + (c.closed ? 0 : 1) == n, "a share per segment");
   std::vector<double> length(segments), right(segments);
-  std::vector<double> turn = turns(s, c, segments), left = share.leftMm2;
+  std::vector<double> bend = turns(s, c, segments), left = share.leftMm2;
   for (std::size_t i = 0; i < segments; ++i) {
     length[i] = (c.points[(i + 1) % n].position - c.points[i].position).norm();
     right[i] = share.areaMm2[i] - left[i];
   }
-  for (std::vector<double>* values : {&length, &turn, &left, &right})
+  for (std::vector<double>* values : {&length, &bend, &left, &right})
     smoothValues(*values, c.closed, kSmoothing);
   std::vector<double> middle = share.lateralMm;
   for (std::size_t i = 0; i < segments; ++i) {
     const double area = left[i] + right[i];
     if (length[i] <= 0.0 || area <= 0.0)
       continue;
-    const double curvature = turn[i] / length[i];
+    const double curvature = bend[i] / length[i];
     const double l = extentOf(left[i] / length[i], curvature),
                  r = extentOf(right[i] / length[i], -curvature);
     // The mean distance of a share with these extents

@@ -95,10 +95,10 @@ struct Centrelines {
   }
 };
 
-// Reduces the extra width where a wide bead was assigned more than `mostHatchMm`, the hatch of the
+// Reduces the extra width where a wide bead was assigned more than `maxHatchMm`, the hatch of the
 // widest bead, so that its neighbours get the rest. Returns whether any was reduced.
 bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& cells,
-                  double mostHatchMm, std::vector<std::vector<double>>& extras) {
+                  double maxHatchMm, std::vector<std::vector<double>>& extras) {
   bool any = false;
   for (std::size_t k = 0; k < extras.size(); ++k) {
     std::vector<double>& extra = extras[k];
@@ -111,10 +111,10 @@ bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& 
       const std::size_t before = (i + area.size() - 1) % area.size(), after = i % area.size();
       const double hatch =
           (area[before] + area[after]) / std::max(1e-9, length(before) + length(after));
-      if (extra[i] <= 0.0 || hatch <= mostHatchMm)
+      if (extra[i] <= 0.0 || hatch <= maxHatchMm)
         continue;
       // The boundary between two shares moves by half of the change of extra.
-      extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - mostHatchMm));
+      extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - maxHatchMm));
       any = true;
     }
   }
@@ -229,9 +229,9 @@ void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share
     if (left.norm() < 1e-6)
       continue;
     Vector3d move = 0.5 * (shift[before] + shift[after]) * left.normalized();
-    const double most = room.empty() ? 0.4 * hatch : std::min(0.4 * hatch, kOfRoom * room[i]);
-    if (move.norm() > most)
-      move *= most / move.norm();
+    const double maximum = room.empty() ? 0.4 * hatch : std::min(0.4 * hatch, kOfRoom * room[i]);
+    if (move.norm() > maximum)
+      move *= maximum / move.norm();
     if (first)
       move -= std::min(0.6 * hatch, share.beyondMm2[0] / hatch) * along(0);
     if (last)
@@ -339,7 +339,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
       hatchMm,
       static_cast<double>(o.walls),
       layer,
-      base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
+      base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillRotationDeg, 180.0)),
       base::degreesToRadians(o.windingAngleDeg),
       beadScale};
   InfillLines infill = kind.fill(region, ctx);
@@ -386,12 +386,12 @@ PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::P
   PatchCover cover;
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
-  const auto planeSamples = [&](double mostMm2, const std::vector<char>& leftOut = {}) {
+  const auto planeSamples = [&](double maxMm2, const std::vector<char>& leftOut = {}) {
     const double fine = kPlaneFinestMm2 * beadScale * beadScale;
     return kind.needsChart
                ? std::nullopt
                : PlaneSamples::of(
-                     s, std::clamp(s.areaMm2 / kPlaneEnough, fine, mostMm2 * beadScale * beadScale),
+                     s, std::clamp(s.areaMm2 / kPlaneEnough, fine, maxMm2 * beadScale * beadScale),
                      leftOut);
   };
   const double largeBeads = largeBeadScaleOf(process);
@@ -400,7 +400,7 @@ PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::P
   // Samples of one density. The grid is made only when the patch is not plane.
   struct Samples {
     std::optional<PlaneSamples> plane;
-    double mostMm2;
+    double maxMm2;
     std::optional<SampleGrid> grid = {};
   };
   const auto computeShares = [&](Samples& of, const UniformStretches& stretches,
@@ -408,7 +408,7 @@ PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::P
     if (of.plane)
       return assignToNearestCurve(*of.plane, lines.curves, kReach * beadScale, extras, stretches);
     if (!of.grid)
-      of.grid.emplace(s, of.mostMm2 * beadScale * beadScale);
+      of.grid.emplace(s, of.maxMm2 * beadScale * beadScale);
     return assignToNearestCurve(*of.grid, lines.curves, kReach * beadScale, extras);
   };
   Samples coarse{planeSamples(kPlaneMoveMm2), kMoveMm2};

@@ -39,8 +39,8 @@ public:
     const Floats raw = along * inverse_, positive = raw < 0.0F ? Floats{} : raw,
                  t = positive > 1.0F ? Floats{} + 1.0F : positive;
     for (int k = N; k-- > 0;) {
-      const Floats aside = off[static_cast<std::size_t>(k)] - t * along_[k];
-      squared += aside * aside;
+      const Floats lateral = off[static_cast<std::size_t>(k)] - t * along_[k];
+      squared += lateral * lateral;
     }
     return {t, squared};
   }
@@ -68,11 +68,11 @@ void forFours(const FloatSegment<N>& segment, const std::array<const float*, N>&
 }
 
 // Returns a callback for forFours() that calls f(point, squared distance, parameter) for each point
-// with a squared distance up to `most`.
-template <typename F> auto eachOfFour(float most, F&& f) {
-  return [most, &f](std::size_t first, const Floats& squared, const Floats& t) {
+// with a squared distance up to `maxSquared`.
+template <typename F> auto eachOfFour(float maxSquared, F&& f) {
+  return [maxSquared, &f](std::size_t first, const Floats& squared, const Floats& t) {
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      if (squared[lane] <= most)
+      if (squared[lane] <= maxSquared)
         f(first + lane, squared[lane], t[lane]);
   };
 }
@@ -99,11 +99,11 @@ BoundsAround<N> boundsAround(const Eigen::Matrix<double, N, 1>& a,
     return box;
   const Vector unit = (b - a) / length;
   const Vector first = a - beyond.beforeMm * unit, last = b + beyond.afterMm * unit;
-  const Vector aside =
+  const Vector lateral =
       // Half extents of a disc perpendicular to the segment
       radiusMm * (1.0 - unit.array().square()).max(0.0).sqrt().matrix();
-  box.low = box.low.cwiseMax(first.cwiseMin(last) - aside);
-  box.high = box.high.cwiseMin(first.cwiseMax(last) + aside);
+  box.low = box.low.cwiseMax(first.cwiseMin(last) - lateral);
+  box.high = box.high.cwiseMin(first.cwiseMax(last) + lateral);
   return box;
 }
 

@@ -127,12 +127,12 @@ void PlaneSamples::paint(const PatchSurface& s, const std::vector<char>& leftOut
     const double twice = side(a, b, c);
     if (!(twice > 0.0))
       continue;
-    const Vector2d least = a.cwiseMin(b).cwiseMin(c) / pitch_,
-                   most = a.cwiseMax(b).cwiseMax(c) / pitch_;
-    const int x0 = std::max(0, static_cast<int>(least.x())),
-              x1 = std::min(size_.x() - 1, static_cast<int>(most.x())),
-              y0 = std::max(0, static_cast<int>(least.y())),
-              y1 = std::min(size_.y() - 1, static_cast<int>(most.y()));
+    const Vector2d minimum = a.cwiseMin(b).cwiseMin(c) / pitch_,
+                   maximum = a.cwiseMax(b).cwiseMax(c) / pitch_;
+    const int x0 = std::max(0, static_cast<int>(minimum.x())),
+              x1 = std::min(size_.x() - 1, static_cast<int>(maximum.x())),
+              y0 = std::max(0, static_cast<int>(minimum.y())),
+              y1 = std::min(size_.y() - 1, static_cast<int>(maximum.y()));
     const std::array<Vector2d, 3> places{a, b, c};
     // Often constant: skip the interpolation then.
     const double thickness = s.thicknessMm[at(corners[0])];

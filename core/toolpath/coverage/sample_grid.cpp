@@ -14,10 +14,10 @@ constexpr double kBinMm = 0.7;
 constexpr double kMaxBins = 1 << 22;
 } // namespace
 
-SampleGrid::SampleGrid(const PatchSurface& surface, double mostMm2) : surface_(surface) {
-  base::require(mostMm2 > 0.0, "samples stand for an area");
+SampleGrid::SampleGrid(const PatchSurface& surface, double maxMm2) : surface_(surface) {
+  base::require(maxMm2 > 0.0, "samples stand for an area");
   std::vector<SurfaceSample> found;
-  forEachSample(surface, mostMm2, [&](const SurfaceSample& sample) { found.push_back(sample); });
+  forEachSample(surface, maxMm2, [&](const SurfaceSample& sample) { found.push_back(sample); });
   if (found.empty()) {
     begin_.assign(2, 0);
     return;

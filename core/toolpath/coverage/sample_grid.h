@@ -21,7 +21,7 @@ namespace voluta::toolpath {
 class SampleGrid {
 public:
   // Holds the samples of forEachSample() (surface_samples.h). `surface` must outlive this object.
-  SampleGrid(const PatchSurface& surface, double mostMm2);
+  SampleGrid(const PatchSurface& surface, double maxMm2);
 
   std::size_t count() const { return samples_.size(); }
   bool isInside(std::size_t) const { return true; }

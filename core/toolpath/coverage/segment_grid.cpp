@@ -24,11 +24,11 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
   low_ = low - Eigen::Vector3d::Constant(1e-6);
   // A patch fills little of its bounding box: limit the grid to the memory of a few cells per
   // segment.
-  const double most = 4e6;
+  const double limit = 4e6;
   const Eigen::Vector3d extent = high - low_ + Eigen::Vector3d::Constant(1e-6);
   for (;; cell_ *= 1.5) {
     const Eigen::Vector3d cells = (extent / cell_).array().ceil().max(1.0);
-    if (cells.prod() <= most) {
+    if (cells.prod() <= limit) {
       size_ = cells.cast<int>();
       break;
     }
@@ -62,29 +62,29 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
 
 SegmentGrid::Hit SegmentGrid::nearest(const Eigen::Vector3d& p, int likely) const {
   Hit best;
-  double least = reach_ * reach_;
+  double minimum = reach_ * reach_;
   // Most points have a neighbour within half a cell: search there first.
   double first = std::min(0.6 * cell_, reach_);
   if (likely >= 0)
-    if (const auto [t, squared] = measure(likely, p); squared < least) {
+    if (const auto [t, squared] = measure(likely, p); squared < minimum) {
       best.segment = likely;
       best.t = t;
-      least = squared;
+      minimum = squared;
       first = std::min(first, std::sqrt(squared));
     }
   for (double radius = first;; radius = std::min(2 * radius, reach_)) {
     visit(p, radius, [&](int i) {
       const auto [t, squared] = measure(i, p);
-      if (squared < least || (squared == least && best.segment > i)) {
+      if (squared < minimum || (squared == minimum && best.segment > i)) {
         best.segment = i;
         best.t = t;
-        least = squared;
+        minimum = squared;
       }
     });
-    if (radius >= reach_ || (best.segment >= 0 && least <= radius * radius))
+    if (radius >= reach_ || (best.segment >= 0 && minimum <= radius * radius))
       break;
   }
-  best.distanceMm = std::sqrt(least);
+  best.distanceMm = std::sqrt(minimum);
   if (best.segment >= 0) {
     const Ray& s = rays_[static_cast<std::size_t>(best.segment)];
     best.point = s.a + best.t * s.ab;

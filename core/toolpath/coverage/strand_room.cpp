@@ -39,15 +39,15 @@ std::vector<std::vector<double>> strandRoom(const std::vector<SurfaceCurve>& cur
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0)
         along += (points[i].position - points[i - 1].position).norm();
-      double least = reachMm;
+      double minimum = reachMm;
       grid.forEachWithin(points[i].position, reachMm, [&](int segment, double, double distance) {
         const Place& other = places[at(segment)];
         const double between = std::abs(other.along - along);
         const double apart = curves[c].closed ? std::min(between, length[c] - between) : between;
         if (other.curve != c || apart > kSamePart * reachMm)
-          least = std::min(least, distance);
+          minimum = std::min(minimum, distance);
       });
-      room[c].push_back(least);
+      room[c].push_back(minimum);
     }
   }
   return room;

@@ -45,26 +45,26 @@ UniformInterior::UniformInterior(const PatchSurface& surface, std::vector<double
   };
   triangles_.assign(s_.triangles.size(), 0);
   clearMm_.assign(s_.triangles.size(), -1.0);
-  double told = edge; // Depth of the samples that are still evaluated
+  double deepest = edge; // Depth of the samples that are still evaluated
   for (std::size_t t = 0; t < s_.triangles.size(); ++t) {
     bool any = false, all = true;
-    double most = 0.0;
+    double maximum = 0.0;
     corners(t, [&](std::size_t v) {
       any = any || uniformSpacingMm_[v] > 0.0;
       all = all && uniformSpacingMm_[v] > 0.0 && depth[v] >= inside;
-      most = std::max(most, depth[v]);
+      maximum = std::max(maximum, depth[v]);
     });
     triangles_[t] = all;
     if (any && !all)
-      told = std::max(told, most);
+      deepest = std::max(deepest, maximum);
   }
   for (std::size_t t = 0; t < s_.triangles.size(); ++t) {
-    double least = INFINITY;
+    double minimum = INFINITY;
     corners(t, [&](std::size_t v) {
-      least = std::min(least, uniformSpacingMm_[v] > 0.0 ? depth[v] : -INFINITY);
+      minimum = std::min(minimum, uniformSpacingMm_[v] > 0.0 ? depth[v] : -INFINITY);
     });
-    if (least > -INFINITY)
-      clearMm_[t] = std::max(0.0, (least - told) * hatchMm / kSteepest - 0.5 * longestMm);
+    if (minimum > -INFINITY)
+      clearMm_[t] = std::max(0.0, (minimum - deepest) * hatchMm / kSteepest - 0.5 * longestMm);
   }
 }
 

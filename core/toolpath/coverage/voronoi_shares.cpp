@@ -45,7 +45,7 @@ public:
           extra_.push_back(extra.empty() ? std::array{0.0, 0.0}
                                          : std::array{extra[i], extra[(i + 1) % points.size()]});
           const auto& [from, to] = extra_.back();
-          mostExtra_ = std::max({mostExtra_, from, to});
+          maxExtra_ = std::max({maxExtra_, from, to});
           steepest = std::max(steepest, length > 1e-9 ? std::abs(to - from) / length : 0.0);
         }
       }
@@ -72,8 +72,8 @@ public:
       CellShare& share = cells_.share[c];
       for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
         const EvenSegment* even = evenOf(c, i - begin_[c]);
-        const Tally tally = even ? Tally{even->areaMm2, even->volumeMm3, 0.0, 0.5 * even->areaMm2}
-                                 : tallies_[i];
+        const Tally tally =
+            even ? Tally{even->areaMm2, even->volumeMm3, 0.0, 0.5 * even->areaMm2} : tallies_[i];
         share.areaMm2.push_back(tally.areaMm2);
         share.leftMm2.push_back(tally.leftMm2);
         share.volumeMm3.push_back(tally.volumeMm3);
@@ -120,7 +120,7 @@ private:
       grid_.emplace(segments_, reach_);
     const SegmentGrid::Hit hit = grid_->nearest(p, last_);
     last_ = hit.segment;
-    return hit.segment >= 0 && mostExtra_ > 0.0 ? nearestOfWide(p, hit) : hit.segment;
+    return hit.segment >= 0 && maxExtra_ > 0.0 ? nearestOfWide(p, hit) : hit.segment;
   }
 
   // Returns per cell the result of nearest() if it is so near that no segment other than those that
@@ -130,16 +130,16 @@ private:
     // A group of four may begin at the last sample
     const std::size_t count = samples.count() + kLanes - 1;
     std::vector<std::int32_t> nearest(count, -1);
-    std::vector<float> least(count, static_cast<float>(extra_.empty() ? near * near : near));
+    std::vector<float> minimum(count, static_cast<float>(extra_.empty() ? near * near : near));
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const auto& [a, b] = segments_[i];
       const std::size_t curve = places_[i].curve;
       if (const EvenSegment* even = evenOf(curve, i - begin_[curve]); even && even->clearMm > near)
         continue;
       const auto offer = [&](std::size_t first, const Floats& distance) {
-        const auto before = base::load<Floats>(&least[first]);
+        const auto before = base::load<Floats>(&minimum[first]);
         const Ints isNearer = distance < before;
-        base::store<Floats>(isNearer ? distance : before, &least[first]);
+        base::store<Floats>(isNearer ? distance : before, &minimum[first]);
         base::store<Ints>(isNearer ? Ints{} + static_cast<std::int32_t>(i)
                                    : base::load<Ints>(&nearest[first]),
                           &nearest[first]);
@@ -188,12 +188,12 @@ private:
   // sample from `nearest`.
   int nearestOfWide(const Eigen::Vector3d& p, const SegmentGrid::Hit& nearest) const {
     int best = nearest.segment;
-    double least = nearest.distanceMm - extraAt(nearest.segment, nearest.t);
-    grid_->forEachWithin(p, std::min(reach_, least + mostExtra_),
+    double minimum = nearest.distanceMm - extraAt(nearest.segment, nearest.t);
+    grid_->forEachWithin(p, std::min(reach_, minimum + maxExtra_),
                          [&](int segment, double t, double distance) {
                            const double rim = distance - extraAt(segment, t);
-                           if (rim < least || (rim == least && segment < best)) {
-                             least = rim;
+                           if (rim < minimum || (rim == minimum && segment < best)) {
+                             minimum = rim;
                              best = segment;
                            }
                          });
@@ -212,7 +212,7 @@ private:
   double reach_;
   const UniformStretches& even_;
   std::vector<std::array<double, 2>> extra_; // At both ends of each segment; empty: none
-  double mostExtra_ = 0.0;
+  double maxExtra_ = 0.0;
   // Share of a distance: how far beyond its end a wide segment may be nearer than the narrower one
   // that continues it.
   double taper_ = 0.0;

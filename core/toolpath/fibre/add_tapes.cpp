@@ -121,13 +121,13 @@ private:
           continue;
         const layers::Patch& patch = stack_.patches[i];
         const int turns = (patch.layer + 1 - options_.firstLayer) / every;
-        const TapeChoice choice{
-            .paths = options_.paths,
-            .directionRad = base::degreesToRadians(options_.angleDeg + turns * options_.turnDeg),
-            .most = options_.mostPerLayer,
-            .endMm = options_.endMm,
-            .curves = tapeCurves(options_.curves),
-            .field = tapeField(options_.field)};
+        const TapeChoice choice{.paths = options_.paths,
+                                .directionRad = base::degreesToRadians(
+                                    options_.angleDeg + turns * options_.rotationDeg),
+                                .maxCount = options_.maxPerLayer,
+                                .endMm = options_.endMm,
+                                .curves = tapeCurves(options_.curves),
+                                .field = tapeField(options_.field)};
         PatchSurface surface = PatchSurface::refine(patch, kEdge * tape_.widthMm);
         TapePaths tapes = tapePaths(surface, tape_, choice, process_.stepMm, ctx.quiet());
         made_[i] = PatchTapes{std::move(surface), std::move(tapes)};
@@ -223,15 +223,15 @@ private:
           first = &stack_.patches[i];
       }
     if (s.tapes == 0)
-      findings.push_back(plan::makeFinding(
-          plan::FindingKind::NoTape,
-          {{"width", base::mm(tape_.widthMm)}, {"length", base::mm(tape_.leastLengthMm)}}));
+      findings.push_back(
+          plan::makeFinding(plan::FindingKind::NoTape, {{"width", base::mm(tape_.widthMm)},
+                                                        {"length", base::mm(tape_.minLengthMm)}}));
     if (first)
       findings.push_back(plan::makeFinding(plan::FindingKind::TapesLeftOut,
                                            {{"bent", base::mm(bent)},
-                                            {"radius", base::mm(tape_.leastBendRadiusMm)},
+                                            {"radius", base::mm(tape_.minBendRadiusMm)},
                                             {"short", base::mm(tooShort)},
-                                            {"length", base::mm(tape_.leastLengthMm)}},
+                                            {"length", base::mm(tape_.minLengthMm)}},
                                            first->surface.vertices.front()));
     const BareTapes bare = bareTapes(plan, tape_.widthMm);
     s.tapeBareMm = bare.lengthMm;

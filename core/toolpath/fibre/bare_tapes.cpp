@@ -44,9 +44,9 @@ private:
     const Vector3d tip = (1.0 - t) * plan_.position[w - 1] + t * plan_.position[w];
     const Vector3d& up = plan_.direction[w];
     const double depth = up.dot(tip - place), height = static_cast<double>(plan_.heightMm[w]);
-    const double aside = (tip - place - depth * up).norm();
+    const double lateral = (tip - place - depth * up).norm();
     return depth > 0.0 && depth <= kHeights * height &&
-           aside <= kBeside * static_cast<double>(plan_.widthMm[w]);
+           lateral <= kBeside * static_cast<double>(plan_.widthMm[w]);
   }
 
   std::vector<SegmentGrid::Segment> collect() {
@@ -89,9 +89,9 @@ BareTapes bareTapes(const plan::ToolPlan& plan, double tapeWidthMm) {
     for (std::size_t w = path.first + 1; w < path.first + path.count; ++w) {
       const Vector3d step = plan.position[w] - plan.position[w - 1];
       const Vector3d middle = plan.position[w] - 0.5 * step;
-      const Vector3d aside = step.cross(plan.direction[w]).normalized();
+      const Vector3d lateral = step.cross(plan.direction[w]).normalized();
       const bool covered = std::ranges::all_of(kAcross, [&](double across) {
-        return beads.cover(middle + 0.5 * across * tapeWidthMm * aside, k);
+        return beads.cover(middle + 0.5 * across * tapeWidthMm * lateral, k);
       });
       if (covered)
         continue;

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStepMm = 0.5;
-constexpr std::size_t kMostSteps = 20000;
+constexpr std::size_t kMaxSteps = 20000;
 // A step that gets less far than this share of it has met the boundary.
 constexpr double kStuck = 0.5;
 // Streamlines end at this share of the distance from others.
@@ -72,7 +72,7 @@ private:
   // Returns the points from the seed on in a direction.
   std::vector<SurfacePoint> from(const SurfacePoint& seed, Vector3d ahead, bool& closed) const {
     std::vector<SurfacePoint> points = {seed};
-    for (std::size_t i = 0; i < kMostSteps; ++i) {
+    for (std::size_t i = 0; i < kMaxSteps; ++i) {
       const SurfacePoint& here = points.back();
       // The direction at half a step: second order.
       const SurfacePoint half = s_.project(here.position + 0.5 * kStepMm * ahead, here.triangle);
@@ -101,9 +101,9 @@ private:
       const std::size_t i = (middle + k) % line.points.size();
       const SurfacePoint& p = line.points[i];
       const Vector3d along = field_.at(s_, p, Vector3d::UnitX());
-      const Vector3d aside = s_.interpolate(s_.normal, p).cross(along);
+      const Vector3d lateral = s_.interpolate(s_.normal, p).cross(along);
       for (const double side : {-1.0, 1.0}) {
-        const SurfacePoint seed = s_.project(p.position + side * apartMm_ * aside, p.triangle);
+        const SurfacePoint seed = s_.project(p.position + side * apartMm_ * lateral, p.triangle);
         if ((seed.position - p.position).norm() > kCloser * apartMm_)
           seeds.push_back(seed);
       }
@@ -137,10 +137,10 @@ SurfacePoint middleOf(const PatchSurface& s) {
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     middle += s.triangleArea[t] / s.areaMm2 * centreOf(t);
   SurfacePoint nearest{centreOf(0), 0};
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
-    if (const double d = (centreOf(t) - middle).squaredNorm(); d < least) {
-      least = d;
+    if (const double d = (centreOf(t) - middle).squaredNorm(); d < minimum) {
+      minimum = d;
       nearest = {centreOf(t), static_cast<int>(t)};
     }
   return s.project(middle, nearest.triangle);
@@ -174,8 +174,8 @@ std::vector<SurfaceCurve> evenStreamlines(const PatchSurface& surface, const Dir
     return {};
   const SurfacePoint middle = middleOf(surface);
   const Vector3d along = field.at(surface, middle, Vector3d::UnitX());
-  const Vector3d aside = surface.interpolate(surface.normal, middle).cross(along);
-  const SurfacePoint first = surface.project(middle.position + firstMm * aside, middle.triangle);
+  const Vector3d lateral = surface.interpolate(surface.normal, middle).cross(along);
+  const SurfacePoint first = surface.project(middle.position + firstMm * lateral, middle.triangle);
   return Tracer(surface, field, apartMm).trace(first, ctx);
 }
 

@@ -25,13 +25,13 @@ using Eigen::Vector3d;
 
 // Returns up to six numbers separated by commas; none if the word has anything else.
 std::vector<double> numbersOf(const std::string& word) {
-  constexpr std::size_t kMost = 6;
+  constexpr std::size_t kMaxCount = 6;
   std::vector<double> numbers;
   const char *at = word.data(), *end = word.data() + word.size();
   while (true) {
     double number = 0.0;
     const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || !std::isfinite(number) || numbers.size() == kMost)
+    if (error != std::errc{} || !std::isfinite(number) || numbers.size() == kMaxCount)
       return {};
     numbers.push_back(number);
     if (next == end)

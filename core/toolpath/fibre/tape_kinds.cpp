@@ -26,9 +26,9 @@ TapeFamily linesAt(const PatchSurface& s, const std::vector<double>& values, dou
   TapeFamily family;
   for (double k = std::ceil((low - middle) / widthMm - shift);
        middle + (k + shift) * widthMm <= high; k += 1.0) {
-    const double aside = (k + shift) * widthMm;
-    for (SurfaceCurve& curve : isolines(s, values, middle + aside))
-      family.push_back({std::move(curve), aside});
+    const double offset = (k + shift) * widthMm;
+    for (SurfaceCurve& curve : isolines(s, values, middle + offset))
+      family.push_back({std::move(curve), offset});
   }
   return family;
 }
@@ -68,13 +68,13 @@ std::vector<TapeFamily> alongContour(const PatchSurface& s, const process::Tape&
 // Returns the point of the surface nearest to p.
 SurfacePoint nearestPoint(const PatchSurface& s, const Vector3d& p) {
   int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     Vector3d middle = Vector3d::Zero();
     for (const int v : s.triangles[t])
       middle += s.position[static_cast<std::size_t>(v)] / 3.0;
-    if (const double d = (middle - p).squaredNorm(); d < least) {
-      least = d;
+    if (const double d = (middle - p).squaredNorm(); d < minimum) {
+      minimum = d;
       nearest = static_cast<int>(t);
     }
   }

@@ -62,7 +62,7 @@ public:
         if (piece.points.size() < 2)
           continue;
         const double length = lengthOf(piece);
-        if (length >= tape_.leastLengthMm)
+        if (length >= tape_.minLengthMm)
           pieces.push_back(std::move(piece));
         else
           out.shortMm += length;
@@ -178,7 +178,7 @@ private:
       const double radius =
           bendRadius(p[(i + n - reach % n) % n].position, p[i].position,
                      p[(i + reach) % n].position, s_.interpolate(s_.normal, p[i]));
-      bends[i] = radius < (1.0 - kNarrower) * tape_.leastBendRadiusMm ? 1 : 0;
+      bends[i] = radius < (1.0 - kNarrower) * tape_.minBendRadiusMm ? 1 : 0;
     }
     return bends;
   }
@@ -192,7 +192,7 @@ private:
 // A family as tapes.
 struct ClippedFamily {
   TapePaths tapes;
-  std::vector<double> asideMm; // per path
+  std::vector<double> offsetMm; // per path
   double lengthMm = 0.0;
 };
 
@@ -202,7 +202,7 @@ ClippedFamily clipped(const Clipper& clipper, const TapeFamily& family) {
     for (SurfaceCurve& piece : clipper.clip(line.curve, out.tapes)) {
       out.lengthMm += lengthOf(piece);
       out.tapes.paths.push_back(std::move(piece));
-      out.asideMm.push_back(std::abs(line.asideMm));
+      out.offsetMm.push_back(std::abs(line.offsetMm));
     }
   return out;
 }
@@ -239,7 +239,7 @@ void keepApart(ClippedFamily& family, const process::Tape& tape) {
       parts = {piece};
     for (SurfaceCurve& part : parts) {
       const double length = lengthOf(part);
-      if (part.points.size() < 2 || length < tape.leastLengthMm) {
+      if (part.points.size() < 2 || length < tape.minLengthMm) {
         kept.tapes.shortMm += length;
         continue;
       }
@@ -247,7 +247,7 @@ void keepApart(ClippedFamily& family, const process::Tape& tape) {
         segments.push_back(
             {part.points[i - 1].position, part.points[i % part.points.size()].position});
       kept.lengthMm += length;
-      kept.asideMm.push_back(family.asideMm[k]);
+      kept.offsetMm.push_back(family.offsetMm[k]);
       kept.tapes.paths.push_back(std::move(part));
     }
   }
@@ -256,11 +256,11 @@ void keepApart(ClippedFamily& family, const process::Tape& tape) {
 
 // Keeps the longest tapes; of equally long ones those nearest to the middle. No rule leaves out the
 // others.
-void keepLongest(ClippedFamily& family, std::size_t most) {
+void keepLongest(ClippedFamily& family, std::size_t maxCount) {
   constexpr double kSameLength = 0.01;
-  if (family.tapes.paths.size() >= most)
+  if (family.tapes.paths.size() >= maxCount)
     family.tapes.bentMm = family.tapes.shortMm = 0.0;
-  if (family.tapes.paths.size() <= most)
+  if (family.tapes.paths.size() <= maxCount)
     return;
   std::vector<std::size_t> order(family.tapes.paths.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -268,15 +268,15 @@ void keepLongest(ClippedFamily& family, std::size_t most) {
   const auto rank = [&](std::size_t i) {
     const double length = lengthOf(family.tapes.paths[i]);
     return std::pair(-std::lround(std::log(length) / kSameLength),
-                     std::lround(1e3 * family.asideMm[i]));
+                     std::lround(1e3 * family.offsetMm[i]));
   };
   std::ranges::stable_sort(order, {}, rank);
-  order.resize(most);
+  order.resize(maxCount);
   std::ranges::sort(order);
   ClippedFamily kept;
   for (const std::size_t i : order) {
     kept.lengthMm += lengthOf(family.tapes.paths[i]);
-    kept.asideMm.push_back(family.asideMm[i]);
+    kept.offsetMm.push_back(family.offsetMm[i]);
     kept.tapes.paths.push_back(std::move(family.tapes.paths[i]));
   }
   family = std::move(kept);
@@ -285,16 +285,16 @@ void keepLongest(ClippedFamily& family, std::size_t most) {
 // Returns the family that covers most; of equal ones the one nearest to the middle.
 std::size_t bestOf(const std::vector<ClippedFamily>& families) {
   constexpr double kSameMm = 0.5;
-  const auto aside = [](const ClippedFamily& f) {
+  const auto offset = [](const ClippedFamily& f) {
     double sum = 0.0;
-    for (const double mm : f.asideMm)
+    for (const double mm : f.offsetMm)
       sum += mm;
     return sum;
   };
   std::size_t best = 0;
   for (std::size_t i = 1; i < families.size(); ++i) {
     const double more = families[i].lengthMm - families[best].lengthMm;
-    if (more > kSameMm || (more > -kSameMm && aside(families[i]) < aside(families[best]) - 1e-6))
+    if (more > kSameMm || (more > -kSameMm && offset(families[i]) < offset(families[best]) - 1e-6))
       best = i;
   }
   return best;
@@ -323,15 +323,15 @@ TapePaths tapePaths(const PatchSurface& surface, const process::Tape& tape,
     families.push_back(clipped(clipper, family));
     if (kind.mayCross)
       keepApart(families.back(), tape);
-    if (choice.most > 0)
-      keepLongest(families.back(), static_cast<std::size_t>(choice.most));
+    if (choice.maxCount > 0)
+      keepLongest(families.back(), static_cast<std::size_t>(choice.maxCount));
   }
   if (families.empty())
     return {};
   const std::size_t best = kind.isInOrder ? 0 : bestOf(families);
   std::vector<TapeSet> all; // A limited number of tapes covers its own region only.
   for (const ClippedFamily& family : families)
-    if (choice.most == 0 || &family == &families[best])
+    if (choice.maxCount == 0 || &family == &families[best])
       all.emplace_back(family.tapes.paths);
   const TapeCover cover = coverOf(surface, families[best].tapes.paths, all, tape.widthMm, ctx);
   TapePaths tapes = std::move(families[best].tapes);

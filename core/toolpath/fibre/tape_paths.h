@@ -18,7 +18,7 @@ namespace voluta::toolpath {
 struct TapeChoice {
   std::string paths = "direction"; // id in tapeKinds()
   double directionRad = 0.0;       // of the kind `direction`, from x towards y
-  int most = 0;                    // the longest ones are kept; 0: as many as fit
+  int maxCount = 0;                // the longest ones are kept; 0: as many as fit
   double endMm = 0.0;              // least distance of a tape's ends from the outline
   std::vector<std::vector<Eigen::Vector3d>> curves = {}; // of the kind `curves`; work frame [mm]
   std::vector<FieldSample> field = {};                   // of the kind `field`
@@ -37,14 +37,14 @@ struct TapePaths {
 
 // Returns the tapes of the kind that covers most, evenly spaced by their width. Throws Cancelled;
 // Error{Usage} for an unknown kind.
-// Example: tapePaths(PatchSurface::refine(patch, 1.0), *process.tape, {.most = 1}, 2.0, ctx)
+// Example: tapePaths(PatchSurface::refine(patch, 1.0), *process.tape, {.maxCount = 1}, 2.0, ctx)
 TapePaths tapePaths(const PatchSurface& surface, const process::Tape& tape,
                     const TapeChoice& choice, double stepMm, const base::RunContext& ctx);
 
 // Centrelines of tapes that lie beside each other, one width apart.
 struct TapeLine {
   SurfaceCurve curve;
-  double asideMm = 0.0; // distance from the middle of the region
+  double offsetMm = 0.0; // distance from the middle of the region
 };
 using TapeFamily = std::vector<TapeLine>;
 

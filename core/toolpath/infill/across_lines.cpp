@@ -27,7 +27,7 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   if (mean.norm() > 0.1 * s.areaMm2) {
     const Vector3d m = mean.normalized();
     // Rotate with the mean plane of the patch, so that no patch is cut parallel to itself.
-    normal = geometry::leastTurn(Vector3d::UnitZ(), m) * normal;
+    normal = geometry::shortestRotation(Vector3d::UnitZ(), m) * normal;
   }
   std::vector<double> u(s.position.size());
   for (std::size_t v = 0; v < u.size(); ++v)

@@ -58,7 +58,7 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
   // The exact turn of straighter places is not needed.
   const double straight = (1.0 + 1e-9) * std::max(0.0, std::cos(o.cornerRad));
   std::size_t back = 0, ahead = 0;
-  std::vector<double> s, turn;
+  std::vector<double> s, bend;
   for (std::size_t i = 0; i < c.knots().size(); ++i) {
     const double at = c.knots()[i];
     if (closed ? i + 1 == c.knots().size() // Wrap to the first knot
@@ -74,15 +74,15 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
         along > 0.0 &&
         along * along > straight * straight * before.squaredNorm() * after.squaredNorm();
     s.push_back(at);
-    turn.push_back(isStraight ? 0.0 : geometry::angleBetween(before, after));
+    bend.push_back(isStraight ? 0.0 : geometry::angleBetween(before, after));
   }
   std::vector<double> corners;
   for (std::size_t i = 0; i < s.size(); ++i) {
-    bool peak = turn[i] > o.cornerRad;
+    bool peak = bend[i] > o.cornerRad;
     for (std::size_t j = i; peak && j-- > 0 && s[i] - s[j] < window;)
-      peak = turn[j] <= turn[i];
+      peak = bend[j] <= bend[i];
     for (std::size_t j = i + 1; peak && j < s.size() && s[j] - s[i] < window; ++j)
-      peak = turn[j] < turn[i];
+      peak = bend[j] < bend[i];
     if (peak && (corners.empty() || s[i] - corners.back() > window))
       corners.push_back(s[i]);
   }

@@ -71,11 +71,11 @@ public:
     }
     return last;
   }
-  std::vector<int> wayTo(int v) const {
-    std::vector<int> way;
+  std::vector<int> pathTo(int v) const {
+    std::vector<int> path;
     for (; v >= 0; v = parent_[at(v)])
-      way.push_back(v);
-    return way;
+      path.push_back(v);
+    return path;
   }
 
 private:
@@ -88,21 +88,21 @@ private:
 // Removes the ends of a way that leave the middle of the gap: the vertex that is farthest away is
 // in a corner of it.
 void dropCorners(const PatchSurface& s, const std::vector<double>& room, double reachMm,
-                 std::vector<int>& way) {
+                 std::vector<int>& path) {
   for (int end = 0; end < 2; ++end) {
     double length = 0.0, widest = 0.0;
     std::size_t reach = 0;
-    for (; reach < way.size() && length < reachMm; ++reach) {
-      widest = std::max(widest, room[at(way[reach])]);
+    for (; reach < path.size() && length < reachMm; ++reach) {
+      widest = std::max(widest, room[at(path[reach])]);
       if (reach > 0)
-        length += (s.position[at(way[reach])] - s.position[at(way[reach - 1])]).norm();
+        length += (s.position[at(path[reach])] - s.position[at(path[reach - 1])]).norm();
     }
     std::size_t first = 0;
-    while (first < reach && room[at(way[first])] < kMiddle * widest)
+    while (first < reach && room[at(path[first])] < kMiddle * widest)
       ++first;
-    if (way.size() - first >= 2)
-      way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(first));
-    std::ranges::reverse(way);
+    if (path.size() - first >= 2)
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(first));
+    std::ranges::reverse(path);
   }
 }
 
@@ -140,7 +140,8 @@ void moveToRidge(const PatchSurface& s, const std::vector<double>& room, double 
 // boundaries, and straight on where that middle ends.
 void extendEnds(const PatchSurface& s, const std::vector<double>& room,
                 const std::vector<double>& boundaryMm, double hatchMm, SurfaceCurve& c) {
-  constexpr double kStepShare = 0.25, kTurnShare = 0.3; // [hatches]; weight of the newest direction
+  constexpr double kStepShare = 0.25,
+                   kRotationShare = 0.3; // [hatches]; weight of the newest direction
   constexpr int kSteps = 12, kSides = 3;
   const double step = kStepShare * hatchMm;
   for (int end = 0; end < 2; ++end) {
@@ -160,7 +161,7 @@ void extendEnds(const PatchSurface& s, const std::vector<double>& room,
                           std::max(wide, s.interpolate(boundaryMm, next) + 1e-6), next);
       if (s.interpolate(room, next) < kEdge)
         break;
-      along = (along + kTurnShare * ((next.position - last.position).normalized() - along))
+      along = (along + kRotationShare * ((next.position - last.position).normalized() - along))
                   .normalized();
       c.points.push_back(next);
     }
@@ -202,11 +203,11 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
       const int a = ways.furthest(middle, false);
       const int b = ways.furthest(a, false);
       ways.furthest(a, true);
-      std::vector<int> way = ways.wayTo(b);
+      std::vector<int> path = ways.pathTo(b);
       const double hatch = hatchMm[at(middle)];
-      dropCorners(s, room, kCornerReach * hatch, way);
+      dropCorners(s, room, kCornerReach * hatch, path);
       SurfaceCurve c;
-      for (const int v : way)
+      for (const int v : path)
         c.points.push_back({s.position[at(v)], *s.ringBegin(v)});
       const double shortest = beadScale * (half > 0.4 ? kShortestWide : kShortestNarrow);
       if (c.points.size() < 2)

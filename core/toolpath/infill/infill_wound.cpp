@@ -21,11 +21,11 @@ constexpr double kQuarter = 0.5 * base::kPi;
 constexpr double kAround = 1e-3; // [rad]: lines with a smaller inclination run around
 // [hatches] inside the region's edge: depth at which its ends are examined
 constexpr double kEndDepth = 0.02;
-constexpr double kStraight = 0.05;   // [hatches]: an end that deviates less is straight
-constexpr double kMinWidth = 0.5;    // [pitches]: initial bead width of a narrowing turn
-constexpr double kTurnStep = 0.25;   // Point spacing of such a turn [mm]
-constexpr double kMaxBend = 0.09;    // [rad]: maximum change of the angle to keep the spacing
-constexpr double kOnChart = 1e-8;    // [mm]
+constexpr double kStraight = 0.05;       // [hatches]: an end that deviates less is straight
+constexpr double kMinWidth = 0.5;        // [pitches]: initial bead width of a narrowing turn
+constexpr double kRevolutionStep = 0.25; // Point spacing of such a turn [mm]
+constexpr double kMaxBend = 0.09;        // [rad]: maximum change of the angle to keep the spacing
+constexpr double kOnChart = 1e-8;        // [mm]
 constexpr double kOffSurface = 0.02; // [mm]: tolerance for chart points that are off the surface
 
 using base::at;
@@ -220,15 +220,15 @@ private:
   }
 
   // Appends a turn from the curve's end, where the bead is a pitch wide and touches the end of the
-  // part, towards that end (`way`: direction in v). Over this turn the gap next to the previous
+  // part, towards that end (`sign`: direction in v). Over this turn the gap next to the previous
   // turn narrows; the bead fills it and stays at the end.
-  void appendNarrowing(SurfaceCurve& c, double way, double pitch) const {
+  void appendNarrowing(SurfaceCurve& c, double sign, double pitch) const {
     const double period = s_.chart.periodMm;
     const Vector2d from = chartAt(s_, c.points.back());
-    const int steps = static_cast<int>(std::ceil((1.0 - kMinWidth) * period / kTurnStep));
+    const int steps = static_cast<int>(std::ceil((1.0 - kMinWidth) * period / kRevolutionStep));
     for (int k = 1; k <= steps; ++k) {
       const double turned = (1.0 - kMinWidth) * k / steps;
-      const auto p = placeOf(s_, from + way * Vector2d(turned * period, 0.5 * turned * pitch),
+      const auto p = placeOf(s_, from + sign * Vector2d(turned * period, 0.5 * turned * pitch),
                              c.points.back());
       if (!p)
         return;

@@ -20,9 +20,9 @@ constexpr double kStep = 0.25; // [hatches]: distance of the points of even loop
 // leaves a wedge open, small if it is steep; two loops have their ends joined side by side, a hatch
 // apart.
 constexpr double kWindow = 6.0, kEndWindow = 2.5;
-constexpr double kWindowMost = 0.4; // The same as a share of the loop's length
-constexpr int kPlaces = 48;         // Places tried for that stretch
-constexpr double kBeside = 1.25;    // [hatches] both ways: curves are to be straight where joined
+constexpr double kMaxWindowShare = 0.4; // The same as a share of the loop's length
+constexpr int kPlaces = 48;             // Places tried for that stretch
+constexpr double kBeside = 1.25; // [hatches] both ways: curves are to be straight where joined
 constexpr double kBentCost = 4.0;
 
 // A closed curve of evenly spaced points.
@@ -81,8 +81,8 @@ public:
       rings_.emplace_back(s, loop);
     const std::size_t n = chain.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const double most = n == 2 ? 1.0 : i < 2 || i + 2 >= n ? kEndWindow : kWindow;
-      window_.push_back(std::min(most * hatchMm, kWindowMost * rings_[i].lengthMm()));
+      const double maximum = n == 2 ? 1.0 : i < 2 || i + 2 >= n ? kEndWindow : kWindow;
+      window_.push_back(std::min(maximum * hatchMm, kMaxWindowShare * rings_[i].lengthMm()));
     }
     place();
   }
@@ -115,7 +115,7 @@ private:
         static_cast<std::size_t>(std::ranges::min_element(rings_, {}, byLength) - rings_.begin());
     const double length = rings_[shortest].lengthMm();
     const int places = std::clamp(static_cast<int>(length / hatch_), 4, kPlaces);
-    double least = INFINITY;
+    double minimum = INFINITY;
     for (int k = 0; k < places; ++k) {
       std::vector<double> middle(n);
       middle[shortest] = length * k / places;
@@ -130,8 +130,8 @@ private:
         next(i + 1, i);
       for (std::size_t i = shortest + 1; i < n; ++i)
         next(i - 1, i);
-      if (cost < least) {
-        least = cost;
+      if (cost < minimum) {
+        minimum = cost;
         middle_ = std::move(middle);
       }
     }

@@ -91,9 +91,9 @@ double fitting(double wantedMm, double roomMm, double hatchMm, const process::Pr
   double width = std::min(wantedMm, roomMm + overlap);
   const double left = roomMm + overlap - width,
                // Half the minimum width of a bead along the middle
-      least = 0.5 * (process.beadWidthMinMm - overlap);
-  if (width + left > process.beadWidthMaxMm && left < least)
-    width -= least - left;
+      minimum = 0.5 * (process.beadWidthMinMm - overlap);
+  if (width + left > process.beadWidthMaxMm && left < minimum)
+    width -= minimum - left;
   return std::max(process.beadWidthMm, width);
 }
 

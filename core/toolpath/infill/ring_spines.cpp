@@ -36,8 +36,8 @@ CurveEnd endOf(const SurfaceCurve& c, bool back, double reachMm) {
 class EndPairs {
 public:
   EndPairs(const PatchSurface& s, const std::vector<SurfaceCurve>& curves,
-           const std::vector<double>& room, double leastRoom, double reachMm)
-      : s_(s), room_(room), leastRoom_(leastRoom), reachMm_(reachMm) {
+           const std::vector<double>& room, double minRoom, double reachMm)
+      : s_(s), room_(room), minRoom_(minRoom), reachMm_(reachMm) {
     for (const SurfaceCurve& c : curves)
       for (const bool back : {false, true})
         ends_.push_back(endOf(c, back, reachMm));
@@ -55,11 +55,11 @@ private:
   std::optional<std::size_t> nearestTo(std::size_t e,
                                        const std::vector<SurfaceCurve>& curves) const {
     std::optional<std::size_t> best;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t o = 0; o < ends_.size(); ++o)
       if (const double d = (ends_[o].at.position - ends_[e].at.position).norm();
-          o != e && !curves[o / 2].closed && d < least && face(ends_[e], ends_[o], d)) {
-        least = d;
+          o != e && !curves[o / 2].closed && d < minimum && face(ends_[e], ends_[o], d)) {
+        minimum = d;
         best = o;
       }
     return best;
@@ -75,13 +75,12 @@ private:
     if (a.outward.dot(to) < kAligned || b.outward.dot(to) > -kAligned)
       return false;
     const SurfacePoint on = s_.project(middle, a.at.triangle);
-    return (on.position - middle).norm() < 0.25 * reachMm_ &&
-           s_.interpolate(room_, on) > leastRoom_;
+    return (on.position - middle).norm() < 0.25 * reachMm_ && s_.interpolate(room_, on) > minRoom_;
   }
 
   const PatchSurface& s_;
   const std::vector<double>& room_;
-  const double leastRoom_, reachMm_;
+  const double minRoom_, reachMm_;
   std::vector<CurveEnd> ends_;
   std::vector<std::optional<std::size_t>> nearest_;
 };
@@ -101,9 +100,9 @@ std::vector<std::size_t> ringFrom(std::size_t curve, const EndPairs& pairs) {
 } // namespace
 
 std::vector<SurfaceCurve> joinRings(const PatchSurface& s, std::vector<SurfaceCurve> curves,
-                                    const std::vector<double>& room, double leastRoom,
+                                    const std::vector<double>& room, double minRoom,
                                     double reachMm) {
-  const EndPairs pairs(s, curves, room, leastRoom, reachMm);
+  const EndPairs pairs(s, curves, room, minRoom, reachMm);
   std::vector<SurfaceCurve> out;
   std::vector<char> isJoined(curves.size(), 0);
   for (std::size_t k = 0; k < curves.size(); ++k) {

@@ -30,30 +30,30 @@ struct PlacedBead {
 };
 
 // Beads of one tool and one turn of a patch.
-struct ToolTurn {
+struct ToolGroup {
   int tool = 0;
-  StopTurn stops;
+  StopGroup stops;
 };
 
 // The beads of all patches as stops of the head, by index.
 struct BeadStops {
   std::vector<PlacedBead> beads;
   std::vector<Stop> stops;
-  std::vector<std::vector<ToolTurn>> turnsOfPatch;
+  std::vector<std::vector<ToolGroup>> groupsOfPatch;
 
   // The tools of these patches, ascending, each once.
   std::vector<int> toolsOf(std::span<const std::size_t> patches) const {
     std::set<int> tools;
     for (const std::size_t patch : patches)
-      for (const ToolTurn& turn : turnsOfPatch[patch])
-        tools.insert(turn.tool);
+      for (const ToolGroup& toolGroup : groupsOfPatch[patch])
+        tools.insert(toolGroup.tool);
     return {tools.begin(), tools.end()};
   }
 
   // The turns of these patches in that order; within a layer, tool after tool, so that the fewest
   // changes are needed. Beads of one layer do not support each other.
-  std::vector<StopTurn> turnsOf(const layers::LayerStack& stack,
-                                const std::vector<std::size_t>& patches) const {
+  std::vector<StopGroup> turnsOf(const layers::LayerStack& stack,
+                                 const std::vector<std::size_t>& patches) const {
     const auto isOtherLayer = [&](std::size_t a, std::size_t b) {
       return stack.patches[a].layer != stack.patches[b].layer;
     };
@@ -66,14 +66,14 @@ struct BeadStops {
       begin = end;
     }
     const std::vector<std::vector<int>> order = toolOrder(tools);
-    std::vector<StopTurn> turns;
+    std::vector<StopGroup> groups;
     for (std::size_t l = 0; l < layers.size(); ++l)
       for (const int tool : order[l])
         for (const std::size_t patch : layers[l])
-          for (const ToolTurn& turn : turnsOfPatch[patch])
-            if (turn.tool == tool)
-              turns.push_back(turn.stops);
-    return turns;
+          for (const ToolGroup& toolGroup : groupsOfPatch[patch])
+            if (toolGroup.tool == tool)
+              groups.push_back(toolGroup.stops);
+    return groups;
   }
 };
 
@@ -99,17 +99,17 @@ BeadStops beadStops(const layers::LayerStack& stack, const std::vector<PatchCove
                     const std::vector<std::vector<std::optional<Bead>>>& atSeams) {
   BeadStops out;
   for (std::size_t i = 0; i < covers.size(); ++i) {
-    std::map<std::pair<int, int>, StopTurn> turns; // by turn and tool
+    std::map<std::pair<int, int>, StopGroup> groups; // by turn and tool
     for (std::size_t k = 0; k < covers[i].beads.size(); ++k) {
       const std::optional<Bead>& atSeam = atSeams[i][k];
       const Bead& bead = atSeam ? *atSeam : covers[i].beads[k];
-      turns[{printTurn(bead), toolOf(stack.patches[i], bead)}].push_back(out.stops.size());
+      groups[{printOrder(bead), toolOf(stack.patches[i], bead)}].push_back(out.stops.size());
       out.stops.push_back(stopOf(bead, atSeam.has_value()));
       out.beads.push_back({i, &bead});
     }
-    std::vector<ToolTurn>& ofPatch = out.turnsOfPatch.emplace_back();
-    for (auto& [turn, stops] : turns)
-      ofPatch.push_back({turn.second, std::move(stops)});
+    std::vector<ToolGroup>& ofPatch = out.groupsOfPatch.emplace_back();
+    for (auto& [toolGroup, stops] : groups)
+      ofPatch.push_back({toolGroup.second, std::move(stops)});
   }
   return out;
 }
@@ -125,12 +125,12 @@ std::vector<Visit> shortestVisits(const layers::LayerStack& stack, const BeadSto
       visitShortly(beads.stops, beads.turnsOf(stack, inOrder), Vector3d::Zero());
   if (!options.orderIslands)
     return shortest;
-  double leastMm = travelMm(beads.stops, shortest);
+  double minMm = travelMm(beads.stops, shortest);
   for (const std::vector<std::size_t>& order : islandOrders(stack)) {
     std::vector<Visit> visits =
         visitShortly(beads.stops, beads.turnsOf(stack, order), Vector3d::Zero());
-    if (const double mm = travelMm(beads.stops, visits); mm < leastMm) {
-      leastMm = mm;
+    if (const double mm = travelMm(beads.stops, visits); mm < minMm) {
+      minMm = mm;
       shortest = std::move(visits);
     }
   }

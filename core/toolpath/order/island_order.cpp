@@ -40,9 +40,10 @@ Vector3d middleOf(const layers::Patch& patch) {
 }
 
 // Returns the patches in the order of the visits to one closed stop for each of them.
-std::vector<std::size_t> visited(const std::vector<Stop>& stops, std::span<const StopTurn> turns) {
+std::vector<std::size_t> visited(const std::vector<Stop>& stops,
+                                 std::span<const StopGroup> groups) {
   std::vector<std::size_t> order;
-  for (const Visit& visit : visitShortly(stops, turns, Vector3d::Zero()))
+  for (const Visit& visit : visitShortly(stops, groups, Vector3d::Zero()))
     order.push_back(visit.stop);
   return order;
 }
@@ -71,12 +72,12 @@ std::vector<std::vector<std::size_t>> islandOrders(const layers::LayerStack& sta
   const std::vector<IslandRun> runs = islandRuns(stack);
   if (std::ranges::all_of(runs, [](const IslandRun& run) { return run.end - run.first == 1; }))
     return {};
-  std::vector<StopTurn> turns;
+  std::vector<StopGroup> groups;
   std::vector<Stop> middles, outlines;
   for (const IslandRun& run : runs) {
-    StopTurn& turn = turns.emplace_back();
+    StopGroup& stopGroup = groups.emplace_back();
     for (std::size_t p = run.first; p < run.end; ++p) {
-      turn.push_back(p);
+      stopGroup.push_back(p);
       const std::vector<Vector3d>& vertices = stack.patches[p].surface.vertices;
       middles.push_back({{Vector3d::Zero()}, true});
       outlines.push_back(middles.back());
@@ -89,7 +90,7 @@ std::vector<std::vector<std::size_t>> islandOrders(const layers::LayerStack& sta
         outlines.back().ends.push_back(vertices[v]);
     }
   }
-  return {visited(middles, turns), visited(outlines, turns)};
+  return {visited(middles, groups), visited(outlines, groups)};
 }
 
 std::vector<std::size_t> orderAsBelow(const layers::LayerStack& stack) {

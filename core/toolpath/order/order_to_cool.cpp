@@ -24,11 +24,11 @@ constexpr double kWorthS = 0.05;
 // longer one, in shares of the least time: it saves one in the next layer, if not in this one.
 constexpr double kWorthTurns = 0.05, kSameWait = 0.01;
 
-int turnOf(const plan::ToolPath& path) {
+int rankOf(const plan::ToolPath& path) {
   Bead bead;
   bead.kind = path.kind;
   bead.ring = path.ring;
-  return printTurn(bead);
+  return printOrder(bead);
 }
 
 bool ofOnePatch(const plan::ToolPath& a, const plan::ToolPath& b) {
@@ -48,8 +48,8 @@ struct Course {
 struct Planned {
   std::size_t path = 0;
   Course course;
-  std::size_t turn = 0;
-  int kind = 0;           // turnOf()
+  std::size_t rank = 0;
+  int kind = 0;           // rankOf()
   std::vector<int> below; // kinds that it covers, but its own
 };
 
@@ -76,8 +76,8 @@ std::vector<Planned> inOrderOfBelow(std::vector<Planned> left) {
 
 class Cooler {
 public:
-  Cooler(Assembled& assembled, bool movesSeams, double leastS)
-      : in_(assembled), movesSeams_(movesSeams), leastS_(leastS), grid_(assembled.plan) {}
+  Cooler(Assembled& assembled, bool movesSeams, double minS)
+      : in_(assembled), movesSeams_(movesSeams), minS_(minS), grid_(assembled.plan) {}
 
   void run() {
     const std::vector<plan::ToolPath>& paths = in_.plan.paths;
@@ -100,18 +100,18 @@ private:
 
   void order(std::size_t first, std::size_t end) {
     std::vector<Planned> planned;
-    std::size_t turn = 0;
+    std::size_t rank = 0;
     for (std::size_t p = first; p < end; ++p) {
-      turn += p > first && turnOf(in_.plan.paths[p]) != turnOf(in_.plan.paths[p - 1]);
+      rank += p > first && rankOf(in_.plan.paths[p]) != rankOf(in_.plan.paths[p - 1]);
       const plan::ToolPath& path = in_.plan.paths[p];
-      planned.push_back({p, bestCourse(path), turn, turnOf(path), kindsBelow(path)});
+      planned.push_back({p, bestCourse(path), rank, rankOf(path), kindsBelow(path)});
     }
     std::ranges::stable_sort(planned, {},
-                             [](const Planned& p) { return std::pair(p.turn, p.course.readyS); });
-    if (leastS_ > 0.0) {
+                             [](const Planned& p) { return std::pair(p.rank, p.course.readyS); });
+    if (minS_ > 0.0) {
       std::vector<Planned> free = inOrderOfBelow(planned);
       const double wait = waitBefore(planned);
-      if (wait > kWorthTurns * leastS_ && waitBefore(free) < wait + kSameWait * leastS_)
+      if (wait > kWorthTurns * minS_ && waitBefore(free) < wait + kSameWait * minS_)
         planned = std::move(free);
     }
     for (const Planned& p : planned)
@@ -122,7 +122,7 @@ private:
   double waitBefore(const std::vector<Planned>& planned) const {
     double wait = 0.0, beginS = nowS_;
     for (const Planned& p : planned) {
-      wait = std::max(wait, p.course.readyS + leastS_ - beginS);
+      wait = std::max(wait, p.course.readyS + minS_ - beginS);
       const plan::ToolPath& path = in_.plan.paths[p.path];
       for (std::size_t k = 1; k < path.count; ++k)
         beginS += secondsTo(path.first + k);
@@ -146,11 +146,11 @@ private:
 
   // Returns the kinds of beads, but the path's own, below a tenth or more of it.
   std::vector<int> kindsBelow(const plan::ToolPath& path) const {
-    constexpr double kLeastShare = 0.1;
+    constexpr double kMinShare = 0.1;
     std::map<int, std::size_t> counts;
     std::size_t count = 0;
     std::vector<BeadSample> samples;
-    for (std::size_t k = 1; leastS_ > 0.0 && k < path.count; ++k) {
+    for (std::size_t k = 1; minS_ > 0.0 && k < path.count; ++k) {
       samples.clear();
       collision::appendSamples(in_.plan, path.first + k - 1, path.first + k, samples);
       for (const BeadSample& sample : samples) {
@@ -163,8 +163,8 @@ private:
     }
     std::vector<int> below;
     for (const auto& [kind, times] : counts)
-      if (kind != turnOf(path) &&
-          static_cast<double>(times) >= kLeastShare * static_cast<double>(count))
+      if (kind != rankOf(path) &&
+          static_cast<double>(times) >= kMinShare * static_cast<double>(count))
         below.push_back(kind);
     return below;
   }
@@ -239,7 +239,7 @@ private:
       for (const BeadSample& sample : samples) {
         grid_.add(sample);
         endS_.push_back(nowS_ + sample.to * seconds);
-        kindOf_.push_back(turnOf(path));
+        kindOf_.push_back(rankOf(path));
       }
       nowS_ += seconds;
     }
@@ -248,7 +248,7 @@ private:
   Assembled& in_;
   Assembled out_;
   bool movesSeams_;
-  double leastS_;
+  double minS_;
   BeadSampleGrid grid_;
   std::vector<double> endS_; // per sample in the grid
   std::vector<int> kindOf_;  // likewise
@@ -256,8 +256,8 @@ private:
 };
 } // namespace
 
-void orderToCool(Assembled& assembled, bool movesSeams, double leastS) {
-  Cooler(assembled, movesSeams, leastS).run();
+void orderToCool(Assembled& assembled, bool movesSeams, double minS) {
+  Cooler(assembled, movesSeams, minS).run();
 }
 
 } // namespace voluta::toolpath

@@ -125,12 +125,12 @@ std::vector<double> turnsLeft(const Bead& b) {
 // Returns the places where the bead turns most, and about as much as there.
 std::vector<SeamPlace> sharpest(std::span<const double> turns) {
   std::vector<SeamPlace> places;
-  const double most = *std::ranges::max_element(turns);
-  if (most < kCornerRad)
+  const double maximum = *std::ranges::max_element(turns);
+  if (maximum < kCornerRad)
     return places;
   const std::size_t n = turns.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (turns[i] >= most - kSimilarRad && turns[i] >= turns[(i + 1) % n] &&
+    if (turns[i] >= maximum - kSimilarRad && turns[i] >= turns[(i + 1) % n] &&
         turns[i] > turns[(i + n - 1) % n])
       places.push_back({i, 0.0});
   return places;
@@ -167,8 +167,8 @@ SeamPlace alignedSeam(const SeamInput& input) {
 SeamPlace cornerSeam(const SeamInput& input) {
   std::vector<double> turns = turnsLeft(input.bead);
   const std::vector<SeamPlace> outwards = sharpest(turns);
-  for (double& turn : turns)
-    turn = -turn;
+  for (double& angle : turns)
+    angle = -angle;
   const std::vector<SeamPlace> inwards = sharpest(turns);
   if (!inwards.empty())
     return preferred(input, inwards);

@@ -75,9 +75,9 @@ public:
       const double length = lengthMm_[i] - lengthMm_[i - 1];
       if (!(length > 0.0))
         continue;
-      const double least = std::clamp((fromMm - lengthMm_[i - 1]) / length, 0.0, 1.0),
-                   most = std::clamp((untilMm - lengthMm_[i - 1]) / length, least, 1.0);
-      const double share = std::clamp((to - a).dot(along) / along.squaredNorm(), least, most);
+      const double minimum = std::clamp((fromMm - lengthMm_[i - 1]) / length, 0.0, 1.0),
+                   maximum = std::clamp((untilMm - lengthMm_[i - 1]) / length, minimum, 1.0);
+      const double share = std::clamp((to - a).dot(along) / along.squaredNorm(), minimum, maximum);
       if (const double d = (a + share * along - to).norm(); d < best.distanceMm)
         best = {i - 1, share, lengthMm_[i - 1] + share * length, d};
     }
@@ -141,7 +141,8 @@ std::optional<Loop> continued(const Loop& below, const Loop& loop) {
 }
 
 // Appends the turn that rises from one loop to the next.
-void appendTurn(const Loop& below, const Loop& loop, bool isFirst, std::vector<LoopPoint>& spiral) {
+void appendRevolution(const Loop& below, const Loop& loop, bool isFirst,
+                      std::vector<LoopPoint>& spiral) {
   double alongMm = 0.0;
   const std::size_t last = loop.points().size() - 1;
   for (std::size_t i = 1; i <= last; ++i) {
@@ -171,7 +172,7 @@ void appendEnd(const Loop& loop, std::vector<LoopPoint>& spiral) {
 std::vector<LoopPoint> spiralOf(const std::vector<Loop>& loops) {
   std::vector<LoopPoint> spiral = loops.front().points();
   for (std::size_t k = 1; k < loops.size(); ++k)
-    appendTurn(loops[k - 1], loops[k], k == 1, spiral);
+    appendRevolution(loops[k - 1], loops[k], k == 1, spiral);
   appendEnd(loops.back(), spiral);
   return spiral;
 }

@@ -72,15 +72,15 @@ std::vector<std::size_t> candidates(std::span<const Stop> stops, std::span<const
     anchors.push_back(exit(stops, visits[k - 1]));
   if (k + 1 < visits.size())
     anchors.push_back(entry(stops, visits[k + 1]));
-  std::array<double, kBegins> least;
-  least.fill(std::numeric_limits<double>::infinity());
+  std::array<double, kBegins> minimum;
+  minimum.fill(std::numeric_limits<double>::infinity());
   std::array<std::size_t, kBegins> best{};
   std::array<double, 6> distance{};
   for (std::size_t p = 0; p < stop.ends.size(); ++p) {
     std::size_t slot = 0;
     const auto offer = [&](double d) {
-      if (d < least[slot]) {
-        least[slot] = d;
+      if (d < minimum[slot]) {
+        minimum[slot] = d;
         best[slot] = p;
       }
       ++slot;
@@ -93,17 +93,17 @@ std::vector<std::size_t> candidates(std::span<const Stop> stops, std::span<const
         offer(distance[a] + distance[b]);
   }
   for (std::size_t slot = 0; slot < kBegins; ++slot)
-    if (least[slot] < std::numeric_limits<double>::infinity() &&
+    if (minimum[slot] < std::numeric_limits<double>::infinity() &&
         std::ranges::find(begins, best[slot]) == begins.end())
       begins.push_back(best[slot]);
   return begins;
 }
 
 // One turn's part of the visits, between two points that stay.
-class TurnOrder {
+class GroupOrder {
 public:
-  TurnOrder(std::span<const Stop> stops, std::span<Visit> visits, const Vector3d* before,
-            const Vector3d* after)
+  GroupOrder(std::span<const Stop> stops, std::span<Visit> visits, const Vector3d* before,
+             const Vector3d* after)
       : stops_(stops), visits_(visits), before_(before), after_(after) {}
 
   void shorten() {
@@ -194,12 +194,12 @@ double travelMm(std::span<const Stop> stops, std::span<const Visit> visits,
   return mm;
 }
 
-std::vector<Visit> visitNearestFirst(std::span<const Stop> stops, std::span<const StopTurn> turns,
+std::vector<Visit> visitNearestFirst(std::span<const Stop> stops, std::span<const StopGroup> groups,
                                      const Vector3d& from) {
   std::vector<Visit> visits;
   Vector3d here = from;
-  for (const StopTurn& turn : turns) {
-    StopTurn left = turn;
+  for (const StopGroup& group : groups) {
+    StopGroup left = group;
     while (!left.empty()) {
       double nearest = std::numeric_limits<double>::infinity();
       auto next = left.begin();
@@ -248,35 +248,35 @@ void chooseBegins(std::span<const Stop> stops, std::span<Visit> visits,
       }
       states[k].push_back(state);
     }
-  const auto least = std::ranges::min_element(states.back(), {}, &State::mm);
-  auto s = static_cast<std::size_t>(least - states.back().begin());
+  const auto minimum = std::ranges::min_element(states.back(), {}, &State::mm);
+  auto s = static_cast<std::size_t>(minimum - states.back().begin());
   for (std::size_t k = visits.size(); k-- > 0;) {
     visits[k].begin = states[k][s].begin;
     s = states[k][s].previous;
   }
 }
 
-void reorderWithinTurns(std::span<const Stop> stops, std::span<const StopTurn> turns,
-                        std::span<Visit> visits, const std::optional<Vector3d>& from) {
+void reorderWithinGroups(std::span<const Stop> stops, std::span<const StopGroup> groups,
+                         std::span<Visit> visits, const std::optional<Vector3d>& from) {
   std::size_t first = 0;
-  for (const StopTurn& turn : turns) {
-    const std::size_t end = first + turn.size();
+  for (const StopGroup& group : groups) {
+    const std::size_t end = first + group.size();
     base::require(end <= visits.size(), "all stops of the turns are visited");
     const Vector3d* before = first > 0 ? &exit(stops, visits[first - 1]) : from ? &*from : nullptr;
     const Vector3d* after = end < visits.size() ? &entry(stops, visits[end]) : nullptr;
-    if (turn.size() > 1)
-      TurnOrder(stops, visits.subspan(first, turn.size()), before, after).shorten();
+    if (group.size() > 1)
+      GroupOrder(stops, visits.subspan(first, group.size()), before, after).shorten();
     first = end;
   }
 }
 
-std::vector<Visit> visitShortly(std::span<const Stop> stops, std::span<const StopTurn> turns,
+std::vector<Visit> visitShortly(std::span<const Stop> stops, std::span<const StopGroup> groups,
                                 const Vector3d& from) {
-  std::vector<Visit> visits = visitNearestFirst(stops, turns, from);
+  std::vector<Visit> visits = visitNearestFirst(stops, groups, from);
   chooseBegins(stops, visits);
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<Visit> before = visits;
-    reorderWithinTurns(stops, turns, visits);
+    reorderWithinGroups(stops, groups, visits);
     if (visits == before)
       break;
     chooseBegins(stops, visits);

@@ -22,7 +22,7 @@ struct Visit {
   bool operator==(const Visit&) const = default;
 };
 // Indices of the stops that may change places with each other.
-using StopTurn = std::vector<std::size_t>;
+using StopGroup = std::vector<std::size_t>;
 
 // Returns the length of the moves from stop to stop [mm]; with that from `from`, if given.
 double travelMm(std::span<const Stop> stops, std::span<const Visit> visits,
@@ -31,7 +31,7 @@ double travelMm(std::span<const Stop> stops, std::span<const Visit> visits,
 // Returns the visits that always go on with the nearest stop of the turn, and begin it at its point
 // nearest to the end of the last. The first is the nearest to `from`. All of a turn is visited
 // before the next turn.
-std::vector<Visit> visitNearestFirst(std::span<const Stop> stops, std::span<const StopTurn> turns,
+std::vector<Visit> visitNearestFirst(std::span<const Stop> stops, std::span<const StopGroup> groups,
                                      const Eigen::Vector3d& from);
 
 // Begins each stop where the travel of all is least. The order stays; travel never grows. The
@@ -41,12 +41,12 @@ void chooseBegins(std::span<const Stop> stops, std::span<Visit> visits,
 
 // Shortens the travel within every turn by 2-opt and Or-opt moves, with a limited number of passes.
 // Precondition: as returned by visitNearestFirst() for the same turns.
-void reorderWithinTurns(std::span<const Stop> stops, std::span<const StopTurn> turns,
-                        std::span<Visit> visits, const std::optional<Eigen::Vector3d>& from = {});
+void reorderWithinGroups(std::span<const Stop> stops, std::span<const StopGroup> groups,
+                         std::span<Visit> visits, const std::optional<Eigen::Vector3d>& from = {});
 
 // Returns visits in the order of the turns whose travel is at most that of visitNearestFirst(), by
 // all of the above.
-std::vector<Visit> visitShortly(std::span<const Stop> stops, std::span<const StopTurn> turns,
+std::vector<Visit> visitShortly(std::span<const Stop> stops, std::span<const StopGroup> groups,
                                 const Eigen::Vector3d& from);
 
 } // namespace voluta::toolpath

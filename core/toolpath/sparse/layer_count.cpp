@@ -39,11 +39,11 @@ LayerCount::LayerCount(const layers::LayerStack& stack, const base::RunContext& 
 
 // Calls layer(hit, distance) for each layer that counts; stops if it returns false.
 template <typename F>
-void LayerCount::walk(std::size_t patch, const Vector3d& place, const Vector3d& way,
+void LayerCount::walk(std::size_t patch, const Vector3d& place, const Vector3d& ray,
                       double thicknessMm, int enough, F&& layer) const {
   static const double sameDirection = std::cos(base::degreesToRadians(kSameDirectionDeg));
   const double start = kSameLayer * thicknessMm;
-  const Vector3d from = place + start * way, to = place + kGap * maxThicknessMm_ * enough * way;
+  const Vector3d from = place + start * ray, to = place + kGap * maxThicknessMm_ * enough * ray;
   Eigen::AlignedBox3d box(from);
   box.extend(to);
   std::vector<int> near = query_.near(box, 0, static_cast<int>(stack_.patches.size()));
@@ -64,7 +64,7 @@ void LayerCount::walk(std::size_t patch, const Vector3d& place, const Vector3d& 
     const double distance = start + hit.distance;
     if (distance - last > kGap * std::max(thickness, lastThickness) ||
         other.group == layers::kSupportGroup ||
-        std::abs(other.direction[vertex].dot(way)) < sameDirection)
+        std::abs(other.direction[vertex].dot(ray)) < sameDirection)
       return;
     if (distance - last < kSameLayer * std::min(thickness, lastThickness))
       continue;
@@ -75,11 +75,11 @@ void LayerCount::walk(std::size_t patch, const Vector3d& place, const Vector3d& 
   }
 }
 
-LayerCount::Layers LayerCount::along(std::size_t patch, const Vector3d& place, const Vector3d& way,
+LayerCount::Layers LayerCount::along(std::size_t patch, const Vector3d& place, const Vector3d& ray,
                                      double thicknessMm, int enough) const {
   Layers layers;
   if (enough > 0)
-    walk(patch, place, way, thicknessMm, enough, [&](const auto&, double distance) {
+    walk(patch, place, ray, thicknessMm, enough, [&](const auto&, double distance) {
       layers = {layers.count + 1, distance};
       return layers.count < enough;
     });

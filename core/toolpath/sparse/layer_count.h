@@ -24,7 +24,7 @@ public:
   // patch along a unit vector, at most `enough`. A layer of another build direction, such as that
   // of the next piece in planar mode, ends the count, and so does a support. Preconditions: the
   // place is on patch `patch`, whose thickness there is `thicknessMm`.
-  Layers along(std::size_t patch, const Eigen::Vector3d& place, const Eigen::Vector3d& way,
+  Layers along(std::size_t patch, const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
                double thicknessMm, int enough) const;
 
   // Returns the patch directly below a place of patch `patch`, whose build direction there is
@@ -34,7 +34,7 @@ public:
 
 private:
   template <typename F>
-  void walk(std::size_t patch, const Eigen::Vector3d& place, const Eigen::Vector3d& way,
+  void walk(std::size_t patch, const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
             double thicknessMm, int enough, F&& layer) const;
 
   const layers::LayerStack& stack_;

@@ -48,8 +48,8 @@ private:
     const double rise = std::min(0.45, kRise * beadMm_ / spacing);
     if (b.apartMm <= 0.0)
       return countBelow(t, rise);
-    const double aside = b.apartMm / spacing;
-    return countBelow(t - aside, rise) + countBelow(t + aside, rise);
+    const double offset = b.apartMm / spacing;
+    return countBelow(t - offset, rise) + countBelow(t + offset, rise);
   }
 
   double spacingMm_, beadMm_;
@@ -94,14 +94,14 @@ PatternValue cubic(double period, double bead) {
 // Hexagons with edges of `period`: lines that run along every second of their edges and meet their
 // neighbours, a bead apart, along the others.
 PatternValue honeycomb(double period, double bead) {
-  const double row = 0.5 * sqrt3 * period, most = std::max(0.0, 0.5 - 0.5 * bead / row);
+  const double row = 0.5 * sqrt3 * period, maximum = std::max(0.0, 0.5 - 0.5 * bead / row);
   // Lines of a family are two rows apart. Half a bead, so that ramps of neighbours do not overlap.
   const Families families(2.0 * row, 0.5 / kRise * bead);
   return [=](const Vector3d& p, const Branching& b) {
     const double t = p.x() / (3.0 * period);
     // Flat over a third of a period, sloping over a sixth.
     const double wave = std::clamp(6.0 * (std::abs(t - std::floor(t) - 0.5) - 0.25), -0.5, 0.5);
-    const double shift = 2.0 * wave * most, y = p.y() / row;
+    const double shift = 2.0 * wave * maximum, y = p.y() / row;
     // Odd lines are mirror images of even ones.
     return families.at(b, 0.5 * (y - shift), 0.5 * (y + shift) + 0.5);
   };
@@ -112,10 +112,10 @@ PatternValue gyroid(double period, double bead) {
   const Families families(period / kGyroidLength, bead);
   return [=](const Vector3d& p, const Branching& b) {
     const Vector3d q = 2.0 * base::kPi / period * p;
-    constexpr double kMost = 1.5; // midway between the sheets
+    constexpr double kMaximum = 1.5; // midway between the sheets
     const double g = std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
                      std::sin(q.z()) * std::cos(q.x());
-    return families.at(b, 0.5 * g / kMost);
+    return families.at(b, 0.5 * g / kMaximum);
   };
 }
 

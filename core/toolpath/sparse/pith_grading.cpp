@@ -11,7 +11,7 @@ namespace voluta::toolpath {
 
 namespace {
 // Some lines are left below the skin, so that it is carried.
-constexpr double kMostSwing = 0.8;
+constexpr double kMaxSwing = 0.8;
 } // namespace
 
 double PithGrading::densityAt(double mm) const {
@@ -41,11 +41,11 @@ PithGrading pithGrading(std::span<const double> mm, std::span<const double> area
   if (!(sum > 0.0))
     return grading;
   // Of mean + swing x wave = density, with the greatest swing that keeps it between 0 and 1.
-  const double wave = kMostSwing * waves / sum;
+  const double wave = kMaxSwing * waves / sum;
   grading.mean = density / (1.0 + wave);
   if (grading.mean > 0.5)
     grading.mean = (density - wave) / (1.0 - wave);
-  grading.swing = kMostSwing * std::min(grading.mean, 1.0 - grading.mean);
+  grading.swing = kMaxSwing * std::min(grading.mean, 1.0 - grading.mean);
   return grading;
 }
 

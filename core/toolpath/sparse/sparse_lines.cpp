@@ -62,12 +62,12 @@ std::vector<double> distanceFromWalls(const PatchSurface& s, const layers::Patch
   const std::vector<SourceSegment> edges = boundaryParts(whole).surface;
   std::vector<double> mm(s.position.size(), 0.0);
   for (std::size_t v = 0; v < mm.size(); ++v) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const SourceSegment& edge : edges) {
       const double t = geometry::nearestShare(s.position[v], edge.a, edge.b);
-      least = std::min(least, (s.position[v] - edge.a - t * (edge.b - edge.a)).squaredNorm());
+      minimum = std::min(minimum, (s.position[v] - edge.a - t * (edge.b - edge.a)).squaredNorm());
     }
-    mm[v] = std::sqrt(least) - wallsMm;
+    mm[v] = std::sqrt(minimum) - wallsMm;
   }
   return mm;
 }
@@ -146,18 +146,18 @@ private:
   std::vector<double> apart_; // Per branching, its end [mm]
 };
 
-// Returns per vertex the number of layers to the skin above, at most `most`.
+// Returns per vertex the number of layers to the skin above, at most `maximum`.
 std::vector<int> layersToSkin(const PatchSurface& s, std::size_t patch, const LayerCount& count,
-                              const ToolpathOptions& o, int most) {
-  std::vector<int> left(s.position.size(), most);
-  if (most == 0 || o.topLayers == 0)
+                              const ToolpathOptions& o, int maximum) {
+  std::vector<int> left(s.position.size(), maximum);
+  if (maximum == 0 || o.topLayers == 0)
     return left;
   for (std::size_t v = 0; v < left.size(); ++v) {
     const int skin =
         std::max(o.topLayers, static_cast<int>(std::ceil(o.skinMm / s.thicknessMm[v] - 1e-6)));
     const int above =
-        count.along(patch, s.position[v], s.direction[v], s.thicknessMm[v], skin + most).count;
-    left[v] = std::clamp(above - skin, 0, most);
+        count.along(patch, s.position[v], s.direction[v], s.thicknessMm[v], skin + maximum).count;
+    left[v] = std::clamp(above - skin, 0, maximum);
   }
   return left;
 }
@@ -263,8 +263,8 @@ std::vector<PatternFrame> patternFrames(const layers::LayerStack& stack,
     sum.periodMm += patch.chart.periodMm;
     sum.charts += patch.chart.periodMm > 0.0;
   }
-  const double turn = base::degreesToRadians(options.infillAngleDeg + 45.0);
-  const Matrix3d turned = Eigen::AngleAxisd(-turn, Vector3d::UnitZ()).toRotationMatrix();
+  const double angle = base::degreesToRadians(options.infillAngleDeg + 45.0);
+  const Matrix3d turned = Eigen::AngleAxisd(-angle, Vector3d::UnitZ()).toRotationMatrix();
   std::vector<PatternFrame> frames;
   for (const layers::Patch& patch : stack.patches) {
     const Sum& sum = groups[{patch.item, patch.group}];
@@ -272,7 +272,7 @@ std::vector<PatternFrame> patternFrames(const layers::LayerStack& stack,
     const Vector3d up = sum.direction.norm() > 1e-6 ? Vector3d(sum.direction.normalized())
                                                     : Vector3d(Vector3d::UnitZ());
     frame.fromWork =
-        turned * geometry::leastTurn(Vector3d::UnitZ(), up).inverse().toRotationMatrix();
+        turned * geometry::shortestRotation(Vector3d::UnitZ(), up).inverse().toRotationMatrix();
     frame.radiusMm = sum.periodMm / std::max(1, sum.charts) / (2.0 * base::kPi);
     frames.push_back(frame);
   }

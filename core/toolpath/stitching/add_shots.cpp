@@ -102,10 +102,10 @@ void acceptBeadsOnPockets(const plan::ToolPlan& plan, std::span<const layers::Po
     const auto height = static_cast<double>(plan.heightMm[i]);
     const Vector3d under = plan.position[i] - height * plan.direction[i];
     unsupported[i] = std::ranges::none_of(pockets, [&](const layers::Pocket& pocket) {
-      const Vector3d way = under - pocket.top;
-      const double up = way.dot(pocket.direction), aside = (way - up * pocket.direction).norm();
+      const Vector3d step = under - pocket.top;
+      const double up = step.dot(pocket.direction), lateral = (step - up * pocket.direction).norm();
       return std::abs(up) < 0.5 * height &&
-             aside < 0.5 * (pocket.openingMm + static_cast<double>(plan.widthMm[i]));
+             lateral < 0.5 * (pocket.openingMm + static_cast<double>(plan.widthMm[i]));
     });
   }
 }

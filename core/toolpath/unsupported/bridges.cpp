@@ -49,9 +49,9 @@ bool onPlate(const platform::PlatformSolid& platform, const Vector3d& point) {
          geometry::inConvexPolygon(platform.polygon, point.head<2>());
 }
 
-// Inverts stretches of `value` shorter than `leastMm`. Stretches of supported waypoints at an end
+// Inverts stretches of `value` shorter than `minMm`. Stretches of supported waypoints at an end
 // of the path are kept at any length.
-void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char value, double leastMm,
+void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char value, double minMm,
                std::vector<char>& marks) {
   const std::size_t end = path.first + path.count;
   for (std::size_t b = path.first; b < end;) {
@@ -63,7 +63,7 @@ void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char valu
         length += (plan.position[e] - plan.position[e - 1]).norm();
     }
     const bool inner = b > path.first && e < end;
-    if (marks[b] == value && length < leastMm && (value == 1 || inner))
+    if (marks[b] == value && length < minMm && (value == 1 || inner))
       std::fill(marks.begin() + static_cast<std::ptrdiff_t>(b),
                 marks.begin() + static_cast<std::ptrdiff_t>(e), static_cast<char>(1 - value));
     b = e;
@@ -85,10 +85,10 @@ int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std
   const std::size_t before = softSince(plan, path, waypoint);
   int places = 0;
   for (int k = 0; k < kPlacesAcross && places < enough; ++k) {
-    const double aside =
+    const double offset =
         ((k + 0.5) / kPlacesAcross - 0.5) * static_cast<double>(plan.widthMm[waypoint]);
     places += std::ranges::any_of(kBelow, [&](double share) {
-      const Vector3d point = tip + aside * side - share * height * direction;
+      const Vector3d point = tip + offset * side - share * height * direction;
       return onPlate(platform, point) || part.holds(point, before);
     });
   }
@@ -98,7 +98,7 @@ int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std
 std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
                                        const collision::GrowingPart& part,
                                        const platform::PlatformSolid& platform,
-                                       const base::RunContext& ctx, int leastPlaces) {
+                                       const base::RunContext& ctx, int minPlaces) {
   std::vector<char> unsupported(plan.waypointCount(), 0);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
@@ -108,7 +108,7 @@ std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
         unsupported[i] = supportedSamples(plan, path, i, plan.position[i], plan.direction[i], part,
-                                          platform, leastPlaces) < leastPlaces;
+                                          platform, minPlaces) < minPlaces;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
       dropShort(plan, path, 0, width, unsupported);

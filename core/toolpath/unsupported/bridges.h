@@ -23,14 +23,14 @@ struct PlatformSolid;
 namespace voluta::toolpath {
 
 // Returns per waypoint 1 if the bead is unsupported: neither the platform nor earlier material is
-// directly below it at any of eight samples across its width (at fewer than `leastPlaces` of them),
+// directly below it at any of eight samples across its width (at fewer than `minPlaces` of them),
 // within its height and a quarter more below the tip. Ignores stretches shorter than a bead's
 // width, interruptions of longer stretches by that little, and waste. `part`: the plan's beads with
 // its ground. Throws Cancelled.
 std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
                                        const collision::GrowingPart& part,
                                        const platform::PlatformSolid& platform,
-                                       const base::RunContext& ctx, int leastPlaces = 1);
+                                       const base::RunContext& ctx, int minPlaces = 1);
 
 // A range [begin, end) of unsupported waypoints of one path.
 struct UnsupportedStretch {

@@ -17,7 +17,7 @@ bool HeadClearance::clears(const collision::GrowingPart& part, const Eigen::Vect
                            double marginMm) const {
   Eigen::Isometry3d work_T_tool = Eigen::Isometry3d::Identity();
   work_T_tool.linear() =
-      geometry::leastTurn(Eigen::Vector3d::UnitZ(), -direction).toRotationMatrix();
+      geometry::shortestRotation(Eigen::Vector3d::UnitZ(), -direction).toRotationMatrix();
   work_T_tool.translation() = tip;
   return !collision_.headTouchesPlatform(work_T_tool, 0.0) &&
          !collision_.headTouchesPart(work_T_tool, part, before, marginMm) &&

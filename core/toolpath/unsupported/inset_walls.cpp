@@ -37,14 +37,14 @@ public:
 private:
   // Returns the smallest offset to that side (-1, 1) at which enough of the bead is supported; 0 if
   // there is none.
-  double least(const plan::ToolPath& path, std::size_t i, int side) const {
+  double minOffset(const plan::ToolPath& path, std::size_t i, int side) const {
     const int steps = static_cast<int>(kMax / kStep);
     for (int k = 1; k <= steps; ++k) {
-      const double aside = k * kStep * tooling_.of(path).process.beadWidthMm;
-      const Vector3d tip = plan_.position[i] + side * aside * sideOf(plan_, path, i);
+      const double offset = k * kStep * tooling_.of(path).process.beadWidthMm;
+      const Vector3d tip = plan_.position[i] + side * offset * sideOf(plan_, path, i);
       if (supportedSamples(plan_, path, i, tip, plan_.direction[i], part_, platform_,
                            kMinSupportedSamples) >= kMinSupportedSamples)
-        return aside;
+        return offset;
     }
     return 0.0;
   }
@@ -52,7 +52,7 @@ private:
   void draw(const plan::ToolPath& path, const UnsupportedStretch& s,
             std::vector<Vector3d>& moves) const {
     const LateralOffset draw =
-        betterSide(s, [&](std::size_t i, int side) { return least(path, i, side); });
+        betterSide(s, [&](std::size_t i, int side) { return minOffset(path, i, side); });
     if (draw.side == 0)
       return;
     taperAlongPath(plan_, path, s, draw.amounts, kSlope, [&](std::size_t i, double mm) {

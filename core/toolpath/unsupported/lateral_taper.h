@@ -17,19 +17,19 @@ struct LateralOffset {
   int side = 0;
   std::vector<double> amounts;
 };
-// Returns the offsets to the side on which least(waypoint, side) helps at more waypoints; left wins
-// ties.
-template <typename Least>
-LateralOffset betterSide(const UnsupportedStretch& s, const Least& least) {
+// Returns the offsets to the side on which minAmount(waypoint, side) helps at more waypoints; left
+// wins ties.
+template <typename MinAmount>
+LateralOffset betterSide(const UnsupportedStretch& s, const MinAmount& minAmount) {
   LateralOffset best;
-  std::ptrdiff_t most = 0;
+  std::ptrdiff_t maximum = 0;
   for (const int side : {-1, 1}) {
     std::vector<double> amounts(s.end - s.begin);
     for (std::size_t i = s.begin; i < s.end; ++i)
-      amounts[i - s.begin] = least(i, side);
+      amounts[i - s.begin] = minAmount(i, side);
     const auto helped = std::ranges::count_if(amounts, [](double a) { return a > 0.0; });
-    if (helped > most) {
-      most = helped;
+    if (helped > maximum) {
+      maximum = helped;
       best = {side, std::move(amounts)};
     }
   }

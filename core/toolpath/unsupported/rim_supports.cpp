@@ -82,7 +82,7 @@ struct Course {
 std::vector<Visit> visitsOf(const std::vector<const Course*>& courses, const Vector3d& up,
                             const Vector3d& last, const Vector3d& next) {
   std::vector<Stop> stops;
-  std::vector<StopTurn> turns;
+  std::vector<StopGroup> turns;
   double lowest = -std::numeric_limits<double>::infinity();
   for (const Course* course : courses) {
     const double height = course->meanAlong(up);
@@ -93,7 +93,7 @@ std::vector<Visit> visitsOf(const std::vector<const Course*>& courses, const Vec
     turns.back().push_back(stops.size());
     stops.push_back({{course->tip.front(), course->tip.back()}});
   }
-  turns.insert(turns.begin(), StopTurn{stops.size()});
+  turns.insert(turns.begin(), StopGroup{stops.size()});
   stops.push_back({{last}, true});
   turns.push_back({stops.size()});
   stops.push_back({{next}, true});
@@ -142,17 +142,17 @@ private:
   double gapBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
     const Vector3d bottom = bottomOf(i);
-    const double most = kSlender * process_.beadWidthMaxMm;
-    const double plate = d.z() >= kUpright ? bottom.z() / d.z() : 2.0 * most;
+    const double maximum = kSlender * process_.beadWidthMaxMm;
+    const double plate = d.z() >= kUpright ? bottom.z() / d.z() : 2.0 * maximum;
     const double pitch = part_.grid().pitch, step = 0.25 * pitch;
-    for (double depth = 0.5 * step; depth <= std::min(most, plate); depth += step) {
+    for (double depth = 0.5 * step; depth <= std::min(maximum, plate); depth += step) {
       const Vector3d at = bottom - depth * d;
       if (part_.holds(at, before_))
         return depth > pitch ? depth - 0.5 * step : 0.0;
       if (part_.holds(at, i))
         return 0.0;
     }
-    return plate > 0.0 && plate <= most &&
+    return plate > 0.0 && plate <= maximum &&
                    geometry::inConvexPolygon(platform_.polygon, (bottom - plate * d).head<2>())
                ? plate
                : 0.0;
@@ -161,10 +161,10 @@ private:
   Room roomBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
     const double gap = gapBeneath(i);
-    const double least = kMinShare * process_.layerHeightMinMm;
+    const double minimum = kMinShare * process_.layerHeightMinMm;
     const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
-    Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
-    if (room.mm < least)
+    Room room{apart >= minimum ? apart : gap, bottomOf(i) - gap * d};
+    if (room.mm < minimum)
       return {};
     return room;
   }
@@ -204,34 +204,34 @@ private:
 
   // Returns the number of courses that the highest place needs. Stretches are split where the
   // lowest place is too low for that many.
-  int coursesFor(double mostMm) const {
-    return static_cast<int>(std::ceil(mostMm / process_.layerHeightMaxMm - 1e-9));
+  int coursesFor(double maxMm) const {
+    return static_cast<int>(std::ceil(maxMm / process_.layerHeightMaxMm - 1e-9));
   }
 
   // Returns the spaces below a stretch, with the nozzle direction for which most of them are clear.
   std::vector<Room> roomsBeneath(std::size_t b, std::size_t e) const {
     std::vector<Room> rooms(e - b), best(e - b);
-    std::size_t any = 0, most = 0;
+    std::size_t any = 0, maximum = 0;
     for (std::size_t i = b; i < e; ++i)
       any += (rooms[i - b] = roomBeneath(i)).mm > 0.0 ? 1 : 0;
     if (any == 0)
       return best;
-    for (const std::vector<Vector3d>& way : nozzles(b, e)) {
+    for (const std::vector<Vector3d>& tips : nozzles(b, e)) {
       std::vector<Room> clear(e - b);
       std::size_t count = 0;
       for (std::size_t i = b; i < e; ++i) {
         Room room = rooms[i - b];
-        room.nozzle = way[i - b];
+        room.nozzle = tips[i - b];
         if (room.mm > 0.0 && clears(room, i)) {
           clear[i - b] = room;
           ++count;
         }
       }
-      if (count > most) {
-        most = count;
+      if (count > maximum) {
+        maximum = count;
         best = std::move(clear);
       }
-      if (most == any)
+      if (maximum == any)
         break;
     }
     return best;
@@ -241,36 +241,37 @@ private:
     const std::vector<Room> room = roomsBeneath(b, e);
     const double thinnest = kMinShare * process_.layerHeightMinMm;
     for (std::size_t s = b; s < e;) {
-      double most = room[s - b].mm, least = most;
+      double maximum = room[s - b].mm, minimum = maximum;
       std::size_t t = s + 1;
-      for (; most > 0.0 && t < e; ++t) {
+      for (; maximum > 0.0 && t < e; ++t) {
         const double mm = room[t - b].mm;
-        if (mm <= 0.0 || coursesFor(std::max(most, mm)) * thinnest > std::min(least, mm) + 1e-9)
+        if (mm <= 0.0 ||
+            coursesFor(std::max(maximum, mm)) * thinnest > std::min(minimum, mm) + 1e-9)
           break;
-        most = std::max(most, mm);
-        least = std::min(least, mm);
+        maximum = std::max(maximum, mm);
+        minimum = std::min(minimum, mm);
       }
       // A bead that is too short does not stick.
-      if (most > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
-        stack(s, t, room.data() + (s - b), most, to);
+      if (maximum > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
+        stack(s, t, room.data() + (s - b), maximum, to);
       s = t;
     }
   }
 
-  void stack(std::size_t s, std::size_t t, const Room* room, double most,
+  void stack(std::size_t s, std::size_t t, const Room* room, double maximum,
              std::vector<Course>& to) const {
-    const int count = coursesFor(most);
+    const int count = coursesFor(maximum);
     for (int c = 0; c < count; ++c) {
       Course course;
       course.widthMm =
-          std::clamp(most / kSlender, process_.beadWidthMinMm, process_.beadWidthMaxMm);
+          std::clamp(maximum / kSlender, process_.beadWidthMinMm, process_.beadWidthMaxMm);
       for (std::size_t i = s; i < t; ++i) {
         const Vector3d& d = plan_.direction[i];
         const Room& r = room[i - s];
-        const double height = r.mm / count, laid = height * d.dot(r.nozzle);
-        course.tip.push_back(r.foot + (c + 0.5) * height * d + 0.5 * laid * r.nozzle);
+        const double height = r.mm / count, beadHeight = height * d.dot(r.nozzle);
+        course.tip.push_back(r.foot + (c + 0.5) * height * d + 0.5 * beadHeight * r.nozzle);
         course.direction.push_back(r.nozzle);
-        course.heightMm.push_back(static_cast<float>(laid));
+        course.heightMm.push_back(static_cast<float>(beadHeight));
         course.above.push_back(i);
       }
       to.push_back(std::move(course));

@@ -17,10 +17,10 @@ std::optional<PassResult> slowBridges(const UnsupportedBeads& beads, const SeenP
   PassResult out{beads};
   plan::ToolPlan& plan = out.beads.plan;
   for (const plan::ToolPath& path : plan.paths) {
-    const auto most = static_cast<float>(scene.tooling.of(path).process.bridgeSpeedMmPerS);
+    const auto limit = static_cast<float>(scene.tooling.of(path).process.bridgeSpeedMmPerS);
     for (std::size_t i = path.first; i < path.first + path.count; ++i)
       if (unsupported[i] || (i > path.first && unsupported[i - 1]))
-        plan.speedMmPerS[i] = std::min(plan.speedMmPerS[i], most);
+        plan.speedMmPerS[i] = std::min(plan.speedMmPerS[i], limit);
   }
   return out;
 }

@@ -67,7 +67,7 @@ public:
 private:
   // Returns the lateral distance of a point's foot from the patches below; twice the search radius
   // if none is near.
-  double asideMm(std::size_t v, const Vector3d& point) const {
+  double lateralMm(std::size_t v, const Vector3d& point) const {
     const Vector3d& up = patch_.direction[v];
     const Vector3d foot = point - patch_.thicknessMm[v] * up;
     const layers::StackQuery::Place place = query_.closest(below_, foot, reachMm_);
@@ -80,22 +80,22 @@ private:
     for (const int corner : below.surface.triangles[at(place.triangle)])
       along += below.direction[at(corner)];
     along.normalize();
-    const Vector3d aside = place.point - foot;
-    return (aside - aside.dot(along) * along).norm();
+    const Vector3d lateral = place.point - foot;
+    return (lateral - lateral.dot(along) * along).norm();
   }
 
   double widthAt(std::size_t v, const Vector3d& inwards) const {
     const double usual = process_.beadWidthMm, sample = usual / kSamples, on = kOn * usual;
     const Vector3d& rim = patch_.surface.vertices[v];
-    const auto aside = [&](double inMm) { return asideMm(v, rim + inMm * inwards); };
+    const auto lateral = [&](double inMm) { return lateralMm(v, rim + inMm * inwards); };
     // Common case: the rim is above the patch below or close to it.
-    if (aside(0.0) < (1.0 - kCarried) * usual && aside(0.5 * usual) < on)
+    if (lateral(0.0) < (1.0 - kCarried) * usual && lateral(0.5 * usual) < on)
       return usual;
     const auto count =
         static_cast<std::size_t>(std::ceil((process_.beadWidthMaxMm + kTouches * usual) / sample));
     std::vector<char> isCarried(count, 0);
     for (std::size_t i = 0; i < count;) {
-      const double off = aside((static_cast<double>(i) + 0.5) * sample);
+      const double off = lateral((static_cast<double>(i) + 0.5) * sample);
       isCarried[i] = off < on;
       // No sample closer than `off` can be over a patch.
       i += std::max<std::size_t>(
@@ -116,12 +116,12 @@ private:
 
 double carriedWidth(const std::vector<char>& isCarried, double sampleMm,
                     const process::Process& process) {
-  const double usual = process.beadWidthMm, most = process.beadWidthMaxMm;
+  const double usual = process.beadWidthMm, maximum = process.beadWidthMaxMm;
   double best = usual, bestShare = 0.0;
   std::size_t carried = 0;
   for (std::size_t i = 0; i < isCarried.size(); ++i) {
     carried += isCarried[i] != 0 ? 1 : 0;
-    const double width = std::min(most, static_cast<double>(i + 1) * sampleMm);
+    const double width = std::min(maximum, static_cast<double>(i + 1) * sampleMm);
     if (width < usual - 1e-9)
       continue;
     const double share = static_cast<double>(carried) / static_cast<double>(i + 1);

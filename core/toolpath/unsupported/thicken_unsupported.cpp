@@ -22,8 +22,8 @@ std::vector<double> reachDown(const plan::ToolPlan& plan, const UnsupportedStret
   for (std::size_t i = s.begin; i < s.end; ++i) {
     const auto height = static_cast<double>(plan.heightMm[i]);
     const Eigen::Vector3d bottom = plan.position[i] - height * plan.direction[i];
-    const double most = thickestMm - height;
-    for (double depth = 0.5 * step; depth <= most; depth += step)
+    const double maximum = thickestMm - height;
+    for (double depth = 0.5 * step; depth <= maximum; depth += step)
       if (part.holds(bottom - depth * plan.direction[i], i)) {
         by[i - s.begin] = depth - 0.5 * step;
         break;

@@ -40,7 +40,7 @@ public:
   void brace(const plan::ToolPath& path, const UnsupportedStretch& s,
              std::vector<Vector3d>& directions) const {
     const LateralOffset lean =
-        betterSide(s, [&](std::size_t i, int side) { return leastDeg(path, i, side); });
+        betterSide(s, [&](std::size_t i, int side) { return minTiltDeg(path, i, side); });
     if (lean.side == 0)
       return;
     taperAlongPath(plan_, path, s, lean.amounts, kFadeDegPerMm, [&](std::size_t i, double deg) {
@@ -58,17 +58,17 @@ public:
 private:
   // Returns the smallest tilt to that side (-1, 1) at which enough of the bead is supported,
   // otherwise the one with most support; 0 if no tilt gives any.
-  double leastDeg(const plan::ToolPath& path, std::size_t i, int side) const {
+  double minTiltDeg(const plan::ToolPath& path, std::size_t i, int side) const {
     const double half = 0.5 * static_cast<double>(plan_.heightMm[i]);
     const Vector3d middle = plan_.position[i] - half * plan_.direction[i];
     double best = 0.0;
-    int most = 0;
-    for (double deg = kStepDeg; deg <= kMaxDeg && most < kMinSupportedSamples; deg += kStepDeg) {
+    int maximum = 0;
+    for (double deg = kStepDeg; deg <= kMaxDeg && maximum < kMinSupportedSamples; deg += kStepDeg) {
       const Vector3d d = leaning(plan_, path, i, side * deg);
       const int places = supportedSamples(plan_, path, i, middle + half * d, d, part_, platform_,
                                           kMinSupportedSamples);
-      if (places > most) {
-        most = places;
+      if (places > maximum) {
+        maximum = places;
         best = deg;
       }
     }
@@ -94,7 +94,7 @@ std::optional<plan::Finding> braced(const std::vector<std::size_t>& tilted,
                                     const plan::ToolPlan& begun,
                                     const std::vector<Vector3d>& direction) {
   std::size_t paths = 0;
-  double most = 1.0; // Cosine
+  double minCosine = 1.0;
   Vector3d where = Vector3d::Zero();
   auto next = tilted.begin();
   for (const plan::ToolPath& path : begun.paths) {
@@ -106,7 +106,7 @@ std::optional<plan::Finding> braced(const std::vector<std::size_t>& tilted,
       if (paths == 0 && !any)
         where = begun.position[*next];
       any = true;
-      most = std::min(most, own.dot(direction[*next]));
+      minCosine = std::min(minCosine, own.dot(direction[*next]));
     }
     paths += any ? 1 : 0;
   }
@@ -114,8 +114,8 @@ std::optional<plan::Finding> braced(const std::vector<std::size_t>& tilted,
     return std::nullopt;
   return plan::makeFinding(
       plan::FindingKind::Braced,
-      {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(most)))}}, where,
-      paths);
+      {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(minCosine)))}},
+      where, paths);
 }
 
 } // namespace

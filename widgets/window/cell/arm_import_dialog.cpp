@@ -174,7 +174,7 @@ void ArmImportDialog::import() {
         const process::Process process = process::loadProcess(project::Choices().tool().process);
         const auto import = std::make_shared<const cells::ArmImport>(
             cells::importArm(file, asked, mount, process, ctx));
-        return std::pair(import, cells::filesInTheWay(*import, folder));
+        return std::pair(import, cells::conflictingFiles(*import, folder));
       },
       [this](const base::Outcome<std::pair<Import, Files>>& outcome) {
         setBusy(false);

@@ -258,11 +258,11 @@ void CellEditor::listen() {
       showDraft();
   });
   connect(importing_, &ObstacleImport::started, this,
-          [this](const QString& file) { tell(tr("Reading %1…").arg(file)); });
+          [this](const QString& file) { showStatus(tr("Reading %1…").arg(file)); });
   connect(importing_, &ObstacleImport::imported, this, &CellEditor::addSolids);
   connect(importing_, &ObstacleImport::failed, this, [this](const QString& why) {
     showFaults();
-    tell(why, forms::Icon::Blocked);
+    showStatus(why, forms::Icon::Blocked);
   });
   connect(frame_, &panels::FrameForm::frameChanged, this, [this](const Eigen::Isometry3d& pose) {
     if (const auto body = tree_->chosen())
@@ -313,7 +313,7 @@ void CellEditor::showBody() {
       body ? tr("%1, %2").arg(BodyTree::nameOf(*body), BodyTree::parentOf(*body, draft_))
            : tr("Select a body to move it"));
   frame_->setSizeMm(body ? body->sizeMm : std::nullopt);
-  frame_->setTurnVisible(!isPurgePlace);
+  frame_->setRotationVisible(!isPurgePlace);
   if (body)
     frame_->setFrame(body->pose);
   scene::ViewState view;
@@ -335,7 +335,7 @@ void CellEditor::showBody() {
 
 void CellEditor::look() {
   save_->setEnabled(false);
-  tell(tr("checking…"));
+  showStatus(tr("checking…"));
   inBackground(
       runner_,
       [text = draft_.text(), id = draft_.id(), process = process_, partKg = partKg_,
@@ -376,7 +376,7 @@ void CellEditor::drag(const viewer::GizmoChange& change, bool finished) {
     return;
   Eigen::Isometry3d there = base_T_body(*held_);
   there.translation() += change.moveMm;
-  there.linear() = change.turn.toRotationMatrix() * there.linear();
+  there.linear() = change.rotation.toRotationMatrix() * there.linear();
   heldAt_ = base_T_parent(*held_, *checked_.cell).inverse(Eigen::Isometry) * there;
   if (!finished) {
     frame_->setFrame(heldAt_);
@@ -384,7 +384,8 @@ void CellEditor::drag(const viewer::GizmoChange& change, bool finished) {
     return;
   }
   const DraftBody body = *std::exchange(held_, std::nullopt);
-  if (change.moveMm.isZero() && change.turn.angularDistance(Eigen::Quaterniond::Identity()) == 0.0)
+  if (change.moveMm.isZero() &&
+      change.rotation.angularDistance(Eigen::Quaterniond::Identity()) == 0.0)
     showDraft();
   else
     edit(draft_.withPose(body, heldAt_), tr("move %1").arg(BodyTree::nameOf(body)));
@@ -412,7 +413,7 @@ void CellEditor::preview() {
       });
 }
 
-void CellEditor::tell(const QString& text, std::optional<forms::Icon> icon) {
+void CellEditor::showStatus(const QString& text, std::optional<forms::Icon> icon) {
   if (icon)
     faultIcon_->setPixmap(forms::iconBeside(*this, *icon));
   else
@@ -435,10 +436,10 @@ void CellEditor::showFaults() {
     nameGood = false;
     lines << language::words(error.message()) + ": " + language::words(error.remedy());
   }
-  tell(lines.isEmpty() ? tr("No problems.") : lines.join(QLatin1Char('\n')),
-       !checked_.cell || !nameGood ? forms::Icon::Blocked
-       : lines.isEmpty()           ? forms::Icon::Good
-                                   : forms::Icon::Warning);
+  showStatus(lines.isEmpty() ? tr("No problems.") : lines.join(QLatin1Char('\n')),
+             !checked_.cell || !nameGood ? forms::Icon::Blocked
+             : lines.isEmpty()           ? forms::Icon::Good
+                                         : forms::Icon::Warning);
   save_->setEnabled(checked_.cell && nameGood);
   rest_->setEnabled(checked_.cell != nullptr);
 }

@@ -83,7 +83,7 @@ private:
   void addSolids(const QString& name, const std::vector<robot::Shape>& solids);
   void measure();
   void removeBody();
-  void tell(const QString& text, std::optional<forms::Icon> icon = {});
+  void showStatus(const QString& text, std::optional<forms::Icon> icon = {});
   void rest();
   void save();
   bool mayDiscard();

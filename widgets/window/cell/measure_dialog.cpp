@@ -19,7 +19,7 @@ namespace voluta::window {
 
 namespace {
 
-constexpr int kWidth = 520, kRows = 9, kToldRows = 5;
+constexpr int kWidth = 520, kRows = 9, kResultRows = 5;
 constexpr std::size_t kOfAPose = 7; // x, y, z, qw, qx, qy, qz
 
 } // namespace
@@ -45,7 +45,7 @@ MeasureDialog* MeasureDialog::ofTip(const QString& body, const robot::RobotModel
 MeasureDialog::MeasureDialog(const QString& body, const QString& what, const QString& example,
                              std::optional<robot::RobotModel> robot, QWidget* parent)
     : QDialog(parent), robot_(std::move(robot)), rows_(new QPlainTextEdit(this)),
-      sign_(new QLabel(this)), told_(new QLabel(this)) {
+      sign_(new QLabel(this)), result_(new QLabel(this)) {
   setObjectName("measureDialog");
   setWindowTitle(tr("Measure %1").arg(body));
   setMinimumWidth(kWidth);
@@ -57,11 +57,11 @@ MeasureDialog::MeasureDialog(const QString& body, const QString& what, const QSt
   rows_->setPlaceholderText(example);
   rows_->setTabChangesFocus(true);
   rows_->setMinimumHeight(kRows * fontMetrics().height());
-  told_->setObjectName("measureTold");
-  told_->setWordWrap(true);
-  told_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  told_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  told_->setMinimumHeight(kToldRows * fontMetrics().height());
+  result_->setObjectName("measureTold");
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  result_->setMinimumHeight(kResultRows * fontMetrics().height());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   use_ = buttons->addButton(tr("Use this frame"), QDialogButtonBox::AcceptRole);
   use_->setObjectName("measureUse");
@@ -71,7 +71,7 @@ MeasureDialog::MeasureDialog(const QString& body, const QString& what, const QSt
 
   auto* line = new QHBoxLayout;
   line->addWidget(sign_, 0, Qt::AlignTop);
-  line->addWidget(told_, 1);
+  line->addWidget(result_, 1);
   auto* column = new QVBoxLayout(this);
   column->addWidget(asked);
   column->addWidget(rows_, 1);
@@ -83,7 +83,7 @@ MeasureDialog::MeasureDialog(const QString& body, const QString& what, const QSt
 void MeasureDialog::evaluate() {
   frame_.reset();
   sign_->clear();
-  told_->clear();
+  result_->clear();
   const std::string text = rows_->toPlainText().toStdString();
   try {
     const robot::NumberRows rows = base::readRows(text, tr("Rows").toStdString());
@@ -101,12 +101,12 @@ void MeasureDialog::evaluate() {
         residual = measured.residual;
       }
       frame_ = found;
-      told_->setText(language::words(robot::placeOf(found)) + QLatin1Char('\n') +
-                     language::words(robot::agreementOf(residual, rows.size())));
+      result_->setText(language::words(robot::placeOf(found)) + QLatin1Char('\n') +
+                       language::words(robot::agreementOf(residual, rows.size())));
       sign_->setPixmap(forms::iconBeside(*this, forms::Icon::Good));
     }
   } catch (const base::Error& error) {
-    told_->setText(language::words(error.whole()));
+    result_->setText(language::words(error.whole()));
     sign_->setPixmap(forms::iconBeside(*this, forms::Icon::Blocked));
   }
   use_->setEnabled(frame_.has_value());

@@ -37,7 +37,7 @@ private:
   std::optional<robot::RobotModel> robot_; // For a tip
   std::optional<Eigen::Isometry3d> frame_;
   QPlainTextEdit* rows_;
-  QLabel *sign_, *told_;
+  QLabel *sign_, *result_;
   QPushButton* use_;
 };
 

@@ -17,24 +17,24 @@
 namespace voluta::window {
 
 namespace {
-constexpr double kMostMm = 2000.0, kMostDeg = 180.0;
+constexpr double kMaxMm = 2000.0, kMaxDeg = 180.0;
 
 struct NumberRow {
   const char *name, *label, *unit;
   double process::HeadNumbers::*value;
-  double most;
+  double maximum;
 };
 constexpr NumberRow kRows[] = {
     {"headTip", QT_TRANSLATE_NOOP("HeadNumbersDialog", "Nozzle tip radius"), "mm",
-     &process::HeadNumbers::tipRadiusMm, kMostMm},
+     &process::HeadNumbers::tipRadiusMm, kMaxMm},
     {"headAngle", QT_TRANSLATE_NOOP("HeadNumbersDialog", "Cone angle"), "°",
-     &process::HeadNumbers::coneAngleDeg, kMostDeg},
+     &process::HeadNumbers::coneAngleDeg, kMaxDeg},
     {"headCone", QT_TRANSLATE_NOOP("HeadNumbersDialog", "Cone height"), "mm",
-     &process::HeadNumbers::coneHeightMm, kMostMm},
+     &process::HeadNumbers::coneHeightMm, kMaxMm},
     {"headWidth", QT_TRANSLATE_NOOP("HeadNumbersDialog", "Block width"), "mm",
-     &process::HeadNumbers::blockWidthMm, kMostMm},
+     &process::HeadNumbers::blockWidthMm, kMaxMm},
     {"headHeight", QT_TRANSLATE_NOOP("HeadNumbersDialog", "Block height"), "mm",
-     &process::HeadNumbers::blockHeightMm, kMostMm}};
+     &process::HeadNumbers::blockHeightMm, kMaxMm}};
 } // namespace
 
 HeadNumbersDialog::HeadNumbersDialog(const process::Process& process, QWidget* parent)
@@ -49,7 +49,7 @@ HeadNumbersDialog::HeadNumbersDialog(const process::Process& process, QWidget* p
     auto* box = new forms::NumberBox(this);
     box->setObjectName(row.name);
     box->setUnit(QString::fromUtf8(row.unit));
-    box->setRange(0.0, row.most);
+    box->setRange(0.0, row.maximum);
     box->setValue(numbers_.*row.value);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, at = row.value](double value) {
       numbers_.*at = value;

@@ -536,11 +536,11 @@ std::optional<process::NozzlePoints> LibraryDialog::askNozzle(const base::Messag
                   this);
   box.setObjectName(QStringLiteral("headUpsideDownBox"));
   box.setInformativeText(tr("Does the nozzle point up in the drawing?"));
-  const QPushButton* turn = box.addButton(tr("Turn it over"), QMessageBox::AcceptRole);
+  const QPushButton* overButton = box.addButton(tr("Turn it over"), QMessageBox::AcceptRole);
   const QPushButton* use = box.addButton(tr("Use it as drawn"), QMessageBox::DestructiveRole);
   box.addButton(QMessageBox::Cancel);
   box.exec();
-  if (box.clickedButton() == turn)
+  if (box.clickedButton() == overButton)
     return process::NozzlePoints::Up;
   return box.clickedButton() == use ? std::optional(process::NozzlePoints::Down) : std::nullopt;
 }

@@ -125,14 +125,14 @@ QWidget* MillDialog::buildSide() {
   figures_->setWordWrap(true);
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   figures_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  auto* told = new QHBoxLayout;
-  told->addWidget(sign_);
-  told->addWidget(figures_, 1);
+  auto* results = new QHBoxLayout;
+  results->addWidget(sign_);
+  results->addWidget(figures_, 1);
   auto* column = new QVBoxLayout(content);
   column->addWidget(form_);
   column->addWidget(buildLegend());
   column->addWidget(progress_);
-  column->addLayout(told);
+  column->addLayout(results);
   column->addStretch(1);
   progress_->hide();
   auto* side = new QScrollArea(this);

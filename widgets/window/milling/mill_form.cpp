@@ -22,8 +22,8 @@ namespace {
 struct NumberRow {
   const char *id, *label, *tip; // source texts of the context "MillForm"
   double& (*value)(MillRule&);
-  double least, most, step;
-  const char* atLeast = nullptr; // shown instead of the least value
+  double minimum, maximum, step;
+  const char* atMinimum = nullptr; // shown instead of the least value
 };
 
 const std::array<NumberRow, 8> kNumbers{{
@@ -102,10 +102,10 @@ void MillForm::addNumbers(QFormLayout& form) {
     box->setObjectName(row.id);
     box->setUnit(QStringLiteral("mm"));
     box->setDecimals(3);
-    box->setRange(row.least, row.most);
+    box->setRange(row.minimum, row.maximum);
     box->setSingleStep(row.step);
-    if (row.atLeast)
-      box->setSpecialValueText(text(row.atLeast));
+    if (row.atMinimum)
+      box->setSpecialValueText(text(row.atMinimum));
     box->setValue(row.value(rule));
     box->setToolTip(text(row.tip));
     form.addRow(text(row.label), box);

@@ -12,7 +12,7 @@ using milling::MillStep;
 
 namespace {
 
-constexpr std::size_t kMostColumns = 160000; // of the milled block
+constexpr std::size_t kMaxColumns = 160000; // of the milled block
 
 struct Row {
   const char* name; // source text of the context "MillPicture"
@@ -77,7 +77,7 @@ MillPicture pictureOf(const geometry::TriangleMesh& part) {
 MillPicture pictureOf(const pipeline::MilledPart& milled) {
   MillPicture picture = pictureOf(milled.part);
   if (milled.verdict.rest)
-    picture.milled = scene::drawWithoutEdges(milling::meshOf(*milled.verdict.rest, kMostColumns));
+    picture.milled = scene::drawWithoutEdges(milling::meshOf(*milled.verdict.rest, kMaxColumns));
   const auto group = [&](MillLines which) -> auto& {
     return picture.lines[static_cast<std::size_t>(which)].lines;
   };

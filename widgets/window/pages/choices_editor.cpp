@@ -179,7 +179,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   connectTools();
   connect(&document_, &document::Document::stateChanged, this, [this] {
     if (document_.choices().item().automatic && !document_.unusable())
-      form_->setNotice(wayChosen(), {}, false); // Called often, so no file is read here
+      form_->setNotice(chosenStrategy(), {}, false); // Called often, so no file is read here
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
@@ -316,7 +316,7 @@ void ChoicesEditor::showNotice() {
   } else if (document_.partCount() > 1 && concernsTheJob(document_.unusable())) {
     form_->setNotice(language::words(document_.unusable()->whole()), {}, true);
   } else if (choices.item().automatic) {
-    form_->setNotice(wayChosen(), {}, false);
+    form_->setNotice(chosenStrategy(), {}, false);
   } else if (wantsBody(choices)) {
     form_->setNotice(tr("Which body is printed on? If none is chosen, the plate."),
                      tr("Choose the body…"), false);
@@ -327,7 +327,7 @@ void ChoicesEditor::showNotice() {
   }
 }
 
-QString ChoicesEditor::wayChosen() const {
+QString ChoicesEditor::chosenStrategy() const {
   const auto result = document_.lastResult();
   if (!result)
     return {};

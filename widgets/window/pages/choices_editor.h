@@ -41,7 +41,7 @@ private:
   void switchMode(const std::string& mode);
   void showNotice();
   // For automatic choices: the choice made and why others were rejected; empty: not planned yet.
-  QString wayChosen() const;
+  QString chosenStrategy() const;
   void pressNotice();
 
   document::Document& document_;

@@ -17,16 +17,17 @@ ComparePage::ComparePage(const Workspace& workspace)
       side_(scrolled(view_->panel())) {
   view_->setObjectName("comparePage");
   connect(&work().comparing, &document::Comparing::failed, this, [this](const QString& message) {
-    work().shell.tell(tr("Nothing can be compared"), message);
+    work().shell.showMessage(tr("Nothing can be compared"), message);
   });
-  connect(view_, &CompareView::adopted, this,
-          [this](const QString& way, const std::shared_ptr<const pipeline::PlanResult>& result) {
-            // Plan reuses the results of the comparison.
-            if (result)
-              pipeline::seedCache(*work().planning.cache(), result->job);
-            work().shell.say(tr("Adopted: %1. Press Plan.").arg(way));
-            work().shell.showStates();
-          });
+  connect(
+      view_, &CompareView::adopted, this,
+      [this](const QString& strategy, const std::shared_ptr<const pipeline::PlanResult>& result) {
+        // Plan reuses the results of the comparison.
+        if (result)
+          pipeline::seedCache(*work().planning.cache(), result->job);
+        work().shell.say(tr("Adopted: %1. Press Plan.").arg(strategy));
+        work().shell.showStates();
+      });
 }
 
 QWidget* ComparePage::centre() {

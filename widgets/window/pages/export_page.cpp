@@ -105,8 +105,8 @@ ExportPage::ExportPage(const Workspace& workspace)
 
 void ExportPage::open(const QString& path) {
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
-    work().shell.tell(tr("Cannot open %1").arg(QDir::toNativeSeparators(path)),
-                      tr("No program on this computer is set up to open it."));
+    work().shell.showMessage(tr("Cannot open %1").arg(QDir::toNativeSeparators(path)),
+                             tr("No program on this computer is set up to open it."));
 }
 
 void ExportPage::listenToPanel() {
@@ -157,7 +157,7 @@ void ExportPage::listenToRuns() {
   connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
     writing_ = false;
     show();
-    work().shell.tell(tr("Nothing was exported"), message);
+    work().shell.showMessage(tr("Nothing was exported"), message);
   });
   document::Planning* planning = &work().planning;
   connect(planning, &document::Planning::finished, this, [this] {
@@ -407,11 +407,11 @@ void ExportPage::write(const Order& order) {
     if (!program->passed && !order.includeRefused)
       leftOut_ << formatOf(program);
   if (programs.empty()) {
-    work().shell.tell(tr("Nothing was exported"),
-                      tr("The replay refused all programs: %1.").arg(leftOut_.join(", ")));
+    work().shell.showMessage(tr("Nothing was exported"),
+                             tr("The replay refused all programs: %1.").arg(leftOut_.join(", ")));
     return;
   }
-  const QStringList there = document::Exporting::inTheWay(order.folder, *result, programs);
+  const QStringList there = document::Exporting::conflictingFiles(order.folder, *result, programs);
   if (!there.isEmpty() && !mayReplace(order.folder, there))
     return;
   exported_ = result;

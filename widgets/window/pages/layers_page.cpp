@@ -249,14 +249,14 @@ void LayersPage::draw(scene::ViewState& view) {
     view.moves = static_cast<std::size_t>(work().timeline.move());
 }
 
-std::optional<Laid> LayersPage::laid() const {
+std::optional<PrintProgress> LayersPage::printProgress() const {
   const int layer = work().layers.last();
   const auto& moves = work().presenter.waypointsOf(layer);
   const int move = work().timeline.move();
   const bool partly = planOfLayers(work().document) &&
                       work().timeline.mode() == timeline::BarMode::Moves &&
                       move < static_cast<int>(moves.size());
-  return Laid{layer, partly ? moves[static_cast<std::size_t>(move)] : kAllLaid};
+  return PrintProgress{layer, partly ? moves[static_cast<std::size_t>(move)] : kAllPrinted};
 }
 
 void LayersPage::goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) {

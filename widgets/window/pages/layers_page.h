@@ -30,7 +30,7 @@ public:
 
   void draw(scene::ViewState& view) override;
   void drawn() override { pieces_.showHandles(); }
-  std::optional<Laid> laid() const override;
+  std::optional<PrintProgress> printProgress() const override;
   void goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) override;
   int interest(const plan::Finding&) const override { return 1; }
   bool goTo(const plan::Finding& finding) override;

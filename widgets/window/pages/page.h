@@ -55,8 +55,8 @@ public:
   virtual void addPart() = 0;
   // Opens the rest of the print, from a point of the trajectory, as a new project.
   virtual void resume(std::size_t point) = 0;
-  virtual void say(const QString& text) = 0;                           // in the status line
-  virtual void tell(const QString& title, const QString& message) = 0; // in a message box
+  virtual void say(const QString& text) = 0;                                  // in the status line
+  virtual void showMessage(const QString& title, const QString& message) = 0; // in a message box
 };
 
 // The objects that the pages work on; all of them outlive the pages.
@@ -80,8 +80,8 @@ struct Workspace : WorkspaceParts {
 
 struct PageInfo {
   const char* id;
-  const char* name;   // source text of the context "Commands", with its mnemonic
-  bool aside = false; // beside the flow, not a step of it
+  const char* name;      // source text of the context "Commands", with its mnemonic
+  bool separate = false; // beside the flow, not a step of it
 };
 
 struct PageLayout {
@@ -131,7 +131,7 @@ public:
   virtual void draw(scene::ViewState& view) = 0;
   virtual void drawn() {} // called after the viewport has drawn it
   // The printed layers on show; none: the page shows no printing.
-  virtual std::optional<Laid> laid() const { return {}; }
+  virtual std::optional<PrintProgress> printProgress() const { return {}; }
   // Moves the view to a waypoint of that path.
   virtual void goToWaypoint(const plan::ToolPath&, std::size_t /*waypoint*/) {}
 

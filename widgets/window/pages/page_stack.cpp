@@ -145,7 +145,7 @@ void PageStack::listenToBars() {
   });
   connect(&workspace_.document, &document::Document::resultChanged, this, [this](Stage stage) {
     if (stage == Stage::Layers || stage == Stage::Toolpath)
-      unrolled_.showLaid(page_->laid());
+      unrolled_.showProgress(page_->printProgress());
   });
 }
 
@@ -249,7 +249,7 @@ void PageStack::showView() {
   if (std::exchange(world_, view.world) != view.world)
     // A cell appeared or disappeared, so that everything is in another place
     workspace_.viewport.frameAll();
-  unrolled_.showLaid(page_->laid());
+  unrolled_.showProgress(page_->printProgress());
   page_->drawn();
   legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()
                                                            : scene::Legend{});
@@ -281,7 +281,7 @@ void PageStack::showStates() {
 void PageStack::retranslate() {
   std::vector<FlowStep> steps;
   for (const auto& page : pages_)
-    steps.push_back({page->id(), page->title(), page->info().aside});
+    steps.push_back({page->id(), page->title(), page->info().separate});
   flow_->setSteps(steps);
   for (const auto& page : pages_)
     page->retranslate();

@@ -44,7 +44,7 @@ public:
   void addPart() override { emit addPartAsked(); }
   void resume(std::size_t point) override { emit resumeAsked(point); }
   void say(const QString& text) override { emit said(text); }
-  void tell(const QString& title, const QString& message) override {
+  void showMessage(const QString& title, const QString& message) override {
     emit messageRaised(title, message);
   }
   void retranslate();

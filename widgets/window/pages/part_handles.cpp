@@ -26,7 +26,7 @@ std::vector<Command> PartHandles::toolCommands() {
       {"toolMove", QT_TRANSLATE_NOOP("Commands", "&Move"),
        QT_TRANSLATE_NOOP("Commands", "Move the part with handles"), "M", "move", Tool::Move},
       {"toolTurn", QT_TRANSLATE_NOOP("Commands", "&Turn"),
-       QT_TRANSLATE_NOOP("Commands", "Rotate the part with handles"), "R", "turn", Tool::Turn},
+       QT_TRANSLATE_NOOP("Commands", "Rotate the part with handles"), "R", "turn", Tool::Rotate},
       {"toolScale", QT_TRANSLATE_NOOP("Commands", "&Scale"),
        QT_TRANSLATE_NOOP("Commands", "Scale the part with handles"), "S", "scale", Tool::Scale},
       {"toolLayFlat", QT_TRANSLATE_NOOP("Commands", "&Lay on face"),
@@ -168,7 +168,7 @@ void PartHandles::gizmoDragged(const viewer::GizmoChange& change, bool finished)
   const Eigen::Vector3d centre =
       box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center().eval();
   Eigen::Affine3d preview = Eigen::Affine3d::Identity();
-  preview.translate(centre + change.moveMm).rotate(change.turn).scale(change.scale);
+  preview.translate(centre + change.moveMm).rotate(change.rotation).scale(change.scale);
   preview.translate(-centre);
   scene::Scene& scene = work_.viewport.scene();
   scene.setPartPreview(preview);
@@ -188,12 +188,12 @@ void PartHandles::placeDragged(const viewer::GizmoChange& change) {
   placement.liftMm += change.moveMm.z();
   if (!modes::findMode(document.choices().item().mode).aroundRod)
     placement.liftMm = std::max(0.0, placement.liftMm);
-  placement.rotation = (change.turn * placement.rotation).normalized();
+  placement.rotation = (change.rotation * placement.rotation).normalized();
   switch (work_.viewport.tool()) {
   case Tool::Move:
     document.place(placement, tr("move"));
     break;
-  case Tool::Turn:
+  case Tool::Rotate:
     document.place(placement, tr("turn"));
     break;
   case Tool::Scale:

@@ -18,7 +18,7 @@ using document::Document;
 
 namespace {
 
-QString wayText(const project::ItemChoices& item) {
+QString strategyText(const project::ItemChoices& item) {
   if (item.automatic)
     return PartsView::tr("Automatic");
   const modes::Mode* mode = modes::modeNamed(item.mode);
@@ -93,7 +93,7 @@ void PartsView::arrange() {
   try {
     work_.document.arrangeParts();
   } catch (const base::Error& error) {
-    work_.shell.tell(tr("Arrange parts"), language::words(error.whole()));
+    work_.shell.showMessage(tr("Arrange parts"), language::words(error.whole()));
   }
 }
 
@@ -109,7 +109,7 @@ void PartsView::show() {
   std::vector<panels::ListedPart> parts;
   for (std::size_t i = 0; i < sources.size(); ++i)
     parts.push_back(
-        {names[static_cast<qsizetype>(i)], wayText(choices.item(i)), sizeText(placed, i)});
+        {names[static_cast<qsizetype>(i)], strategyText(choices.item(i)), sizeText(placed, i)});
   list_->setParts(parts, document.active());
   list_->setPrintOrder(choices.printOrder);
 }

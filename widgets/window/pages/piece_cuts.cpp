@@ -46,10 +46,10 @@ std::string chosenText(const project::Choices& choices, const char* key) {
 planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& change) {
   planar::GivenCut out;
   out.point = cut.point + change.moveMm;
-  out.plane.normal = (change.turn * cut.plane.normal).normalized();
+  out.plane.normal = (change.rotation * cut.plane.normal).normalized();
   out.plane.offsetMm = out.plane.normal.dot(out.point);
   for (const Eigen::Vector3d& p : cut.also)
-    out.also.push_back(out.point + change.turn * (p - cut.point));
+    out.also.push_back(out.point + change.rotation * (p - cut.point));
   return out;
 }
 
@@ -197,7 +197,7 @@ std::optional<Eigen::Isometry3d> PieceCuts::movedBase() const {
   const Eigen::Vector3d to = from - plane.heightOf(from) * plane.normal;
   Eigen::Isometry3d moved_T_base = Eigen::Isometry3d::Identity();
   moved_T_base.translate(to);
-  moved_T_base.rotate(geometry::leastTurn(shown[cut].plane.normal, plane.normal));
+  moved_T_base.rotate(geometry::shortestRotation(shown[cut].plane.normal, plane.normal));
   moved_T_base.translate(-from);
   return moved_T_base;
 }

@@ -191,7 +191,7 @@ void PreparePage::editCell() {
     else
       document.setChoices(with, tr("cell"));
   } catch (const base::Error& error) {
-    work().shell.tell(tr("Edit cell"), language::words(error.whole()));
+    work().shell.showMessage(tr("Edit cell"), language::words(error.whole()));
   }
 }
 

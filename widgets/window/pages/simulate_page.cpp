@@ -185,15 +185,15 @@ void SimulatePage::draw(scene::ViewState& view) {
   view.collisionSolids = solids_->isChecked();
 }
 
-std::optional<Laid> SimulatePage::laid() const {
-  Laid laid;
+std::optional<PrintProgress> SimulatePage::printProgress() const {
+  PrintProgress printProgress;
   if (const auto& clock = work().presenter.clock(); clock && !clock->empty())
-    laid.end = clock->printedWaypoints(work().timeline.timeS());
+    printProgress.end = clock->printedWaypoints(work().timeline.timeS());
   const auto plan = planOfLayers(work().document);
   const plan::ToolPath* path =
-      plan ? plan::pathOf(*plan, std::max<std::size_t>(laid.end, 1) - 1) : nullptr;
-  laid.layer = path ? path->layer : work().layers.last();
-  return laid;
+      plan ? plan::pathOf(*plan, std::max<std::size_t>(printProgress.end, 1) - 1) : nullptr;
+  printProgress.layer = path ? path->layer : work().layers.last();
+  return printProgress;
 }
 
 void SimulatePage::goToTimeOf(std::size_t waypoint) {

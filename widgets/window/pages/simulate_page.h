@@ -31,7 +31,7 @@ public:
   void entered() override;
   void retranslate() override;
   void draw(scene::ViewState& view) override;
-  std::optional<Laid> laid() const override;
+  std::optional<PrintProgress> printProgress() const override;
   void goToWaypoint(const plan::ToolPath& path, std::size_t waypoint) override;
   int interest(const plan::Finding& finding) const override;
   bool goTo(const plan::Finding& finding) override;

@@ -27,20 +27,21 @@ QString roughTime(double seconds) {
                         : forms::durationText(60.0 * minutes);
 }
 
-panels::ShownWay shownWay(const placement::Way& way, const QImage& picture) {
-  panels::ShownWay shown;
+panels::ShownOrientation shownOrientation(const placement::StandingOrientation& orientation,
+                                          const QImage& picture) {
+  panels::ShownOrientation shown;
   shown.picture = picture;
-  shown.contactMm2 = way.score.contactMm2;
-  shown.overhangMm2 = way.score.riskyMm2;
-  shown.heightMm = way.score.heightMm;
-  shown.missed = way.missed;
-  shown.voxels = way.voxels;
+  shown.contactMm2 = orientation.score.contactMm2;
+  shown.overhangMm2 = orientation.score.riskyMm2;
+  shown.heightMm = orientation.score.heightMm;
+  shown.missed = orientation.missed;
+  shown.voxels = orientation.voxels;
   return shown;
 }
 } // namespace
 
 struct StandChooser::Found {
-  std::vector<placement::Way> ways;
+  std::vector<placement::StandingOrientation> ways;
   std::vector<QImage> pictures;
   Eigen::Quaterniond rotation; // of the part's file; the orientations are relative to it
 };
@@ -49,14 +50,14 @@ StandChooser::StandChooser(const Workspace& workspace, const PartHandles& handle
     : QObject(parent), work_(workspace), handles_(handles), list_(new panels::WaysList) {
   list_->setObjectName(QStringLiteral("waysToStand"));
   connect(list_, &panels::WaysList::chosen, this,
-          [this](int way) { lay(static_cast<std::size_t>(way)); });
+          [this](int orientation) { lay(static_cast<std::size_t>(orientation)); });
   using document::Document;
   connect(&work_.document, &Document::choicesChanged, this, &StandChooser::refresh);
   connect(&work_.document, &Document::sourceChanged, this, &StandChooser::refresh);
   connect(&work_.document, &Document::resultChanged, this, &StandChooser::refresh);
   // Frame the view again, because the new orientation may not be in view.
   connect(&work_.presenter, &Presenter::partDrawn, this, [this] {
-    if (std::exchange(laid_, false))
+    if (std::exchange(oriented_, false))
       work_.viewport.frameAll();
   });
   refresh();
@@ -66,7 +67,7 @@ Eigen::Vector3d StandChooser::down() const {
   return handles_.placed().rotation.normalized().conjugate() * -Eigen::Vector3d::UnitZ();
 }
 
-std::optional<std::size_t> StandChooser::wayDown(const Eigen::Vector3d& down) const {
+std::optional<std::size_t> StandChooser::orientationWithDown(const Eigen::Vector3d& down) const {
   for (std::size_t n = 0; n < downs_.size(); ++n)
     if ((downs_[n] - down).norm() < kSame)
       return n;
@@ -92,7 +93,7 @@ void StandChooser::refresh() {
                                                 pipeline::resolve(document.choices()));
   // A custom orientation is shown beside the others; while the part has one of the computed ones,
   // they stay.
-  if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame)) {
+  if (key == key_ && (orientationWithDown(down()) || (lookedFrom_ - down()).norm() < kSame)) {
     showTimes();
     showNow();
   } else {
@@ -119,8 +120,8 @@ void StandChooser::look(const std::string& key) {
                     {},
                     placed.placement.rotation.normalized()};
         std::vector<Eigen::Quaterniond> turns;
-        for (const placement::Way& way : found.ways)
-          turns.push_back(way.turn);
+        for (const placement::StandingOrientation& orientation : found.ways)
+          turns.push_back(orientation.rotation);
         found.pictures =
             panels::standPictures(*placed.part, turns, panels::WaysList::pictureSize());
         return found;
@@ -132,8 +133,9 @@ void StandChooser::take(Found found) {
   downs_.clear();
   shown_.clear();
   for (std::size_t n = 0; n < found.ways.size(); ++n) {
-    downs_.push_back((found.ways[n].turn * found.rotation).conjugate() * -Eigen::Vector3d::UnitZ());
-    shown_.push_back(shownWay(found.ways[n], found.pictures[n]));
+    downs_.push_back((found.ways[n].rotation * found.rotation).conjugate() *
+                     -Eigen::Vector3d::UnitZ());
+    shown_.push_back(shownOrientation(found.ways[n], found.pictures[n]));
   }
   ways_ = std::move(found.ways);
   list_->setLooking(false);
@@ -161,20 +163,20 @@ void StandChooser::showTimes() {
 }
 
 void StandChooser::showNow() {
-  list_->setNow(wayDown(down()));
+  list_->setNow(orientationWithDown(down()));
 }
 
-void StandChooser::lay(std::size_t way) {
-  if (way >= downs_.size())
+void StandChooser::lay(std::size_t orientation) {
+  if (orientation >= downs_.size())
     return;
   project::Choices choices = work_.document.choices();
   choices.item().placement = handles_.placed();
   const Eigen::Quaterniond rotation = choices.item().placement.rotation.normalized();
   choices.item().placement.rotation =
-      (geometry::rotationLayingFlat(rotation * downs_[way]) * rotation).normalized();
+      (geometry::rotationLayingFlat(rotation * downs_[orientation]) * rotation).normalized();
   choices.item().placement.liftMm = 0.0;
   choices.item().parameters.erase("orient"); // a search would rotate it further
-  laid_ = true;
+  oriented_ = true;
   work_.document.setChoices(choices, tr("change orientation"));
 }
 

@@ -35,10 +35,10 @@ private:
   void showTimes();
   void showNow();
   // Returns the orientation in which that direction of the file points down; none if there is none.
-  std::optional<std::size_t> wayDown(const Eigen::Vector3d& down) const;
+  std::optional<std::size_t> orientationWithDown(const Eigen::Vector3d& down) const;
   // Returns the direction that points down at present, in the part's file.
   Eigen::Vector3d down() const;
-  void lay(std::size_t way);
+  void lay(std::size_t orientation);
 
   const Workspace& work_;
   const PartHandles& handles_;
@@ -47,9 +47,9 @@ private:
   std::string key_;                    // of the orientations computed last
   Eigen::Vector3d lookedFrom_;         // the direction that pointed down then
   std::vector<Eigen::Vector3d> downs_; // of the shown orientations
-  std::vector<placement::Way> ways_;
-  std::vector<panels::ShownWay> shown_;
-  bool laid_ = false; // by a click, and not drawn yet
+  std::vector<placement::StandingOrientation> ways_;
+  std::vector<panels::ShownOrientation> shown_;
+  bool oriented_ = false; // by a click, and not drawn yet
 };
 
 } // namespace voluta::window

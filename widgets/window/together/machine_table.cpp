@@ -13,8 +13,8 @@
 namespace voluta::window {
 
 namespace {
-enum Column { Job, Cell, X, Y, Z, Turn, Columns };
-constexpr double kMostMm = 20000.0;
+enum Column { Job, Cell, X, Y, Z, Rotation, Columns };
+constexpr double kMaxMm = 20000.0;
 constexpr int kRows = 4;
 
 // x, y, z [mm] and the rotation [degrees], as the columns.
@@ -47,11 +47,11 @@ void MachineTable::addMachine(const QString& job, const QString& cell,
   const std::array<double, 4> values = valuesOf(place);
   for (int column = X; column < Columns; ++column) {
     auto* box = new forms::NumberBox(this);
-    const bool isTurn = column == Turn;
-    box->setRange(isTurn ? -360.0 : -kMostMm, isTurn ? 360.0 : kMostMm);
+    const bool isAngle = column == Rotation;
+    box->setRange(isAngle ? -360.0 : -kMaxMm, isAngle ? 360.0 : kMaxMm);
     box->setDecimals(1);
-    box->setSingleStep(isTurn ? 15.0 : 10.0);
-    box->setUnit(isTurn ? QStringLiteral("deg") : QStringLiteral("mm"));
+    box->setSingleStep(isAngle ? 15.0 : 10.0);
+    box->setUnit(isAngle ? QStringLiteral("deg") : QStringLiteral("mm"));
     box->setValue(values[static_cast<std::size_t>(column - X)]);
     box->setFrame(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons); // all columns fit beside the view
@@ -91,7 +91,8 @@ Eigen::Isometry3d MachineTable::placeOf(int row) const {
   };
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
   place.translation() = Eigen::Vector3d(value(X), value(Y), value(Z));
-  place.rotate(Eigen::AngleAxisd(base::degreesToRadians(value(Turn)), Eigen::Vector3d::UnitZ()));
+  place.rotate(
+      Eigen::AngleAxisd(base::degreesToRadians(value(Rotation)), Eigen::Vector3d::UnitZ()));
   return place;
 }
 

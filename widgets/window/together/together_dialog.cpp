@@ -305,8 +305,8 @@ void TogetherDialog::refresh() {
   const bool isBusy = joining_.planning();
   const std::size_t count = machines_->all().size();
   const auto& result = machines_->result();
-  addFile_->setEnabled(!isBusy && count < plan::kMostMachines);
-  addAgain_->setEnabled(!isBusy && count > 0 && count < plan::kMostMachines);
+  addFile_->setEnabled(!isBusy && count < plan::kMaxMachines);
+  addAgain_->setEnabled(!isBusy && count > 0 && count < plan::kMaxMachines);
   remove_->setEnabled(!isBusy && count > 1);
   table_->setEnabled(!isBusy);
   clearance_->setEnabled(!isBusy);
@@ -374,7 +374,7 @@ void TogetherDialog::showResult() {
                    .arg(forms::durationText(clocks[k].waitS()),
                         forms::durationText(clocks[k].totalS));
     lines << tr("Minimum distance %1 mm; collisions: %2")
-                 .arg(number(result->replay->leastDistanceMm, 1))
+                 .arg(number(result->replay->minDistanceMm, 1))
                  .arg(result->replay->collisions);
     if (!refusal && !result->work.order->meetings.empty())
       lines << tr("Start the programs in any order: each waits at its first point for the others, "

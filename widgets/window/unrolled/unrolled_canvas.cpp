@@ -32,11 +32,11 @@ QColor between(const QColor& a, const QColor& b, double t) {
   return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
-// Returns the smallest of 1, 2 or 5 times a power of ten that is at least `least`.
-double niceStep(double least) {
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+// Returns the smallest of 1, 2 or 5 times a power of ten that is at least `minStep`.
+double niceStep(double minStep) {
+  const double decade = std::pow(10.0, std::floor(std::log10(minStep)));
   for (const double times : {1.0, 2.0, 5.0})
-    if (times * decade >= least * (1.0 - 1e-9))
+    if (times * decade >= minStep * (1.0 - 1e-9))
       return times * decade;
   return 10.0 * decade;
 }

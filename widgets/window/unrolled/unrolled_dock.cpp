@@ -54,8 +54,8 @@ bool UnrolledDock::offered() const {
          !(document_.voxelsAhead() && presenter_.hasVoxels());
 }
 
-void UnrolledDock::showLaid(const std::optional<Laid>& laid) {
-  const bool on = laid && wanted_ && offered();
+void UnrolledDock::showProgress(const std::optional<PrintProgress>& printProgress) {
+  const bool on = printProgress && wanted_ && offered();
   if (on != isVisibleTo(parentWidget())) {
     setVisible(on);
     if (on && !std::exchange(sized_, true))
@@ -65,10 +65,11 @@ void UnrolledDock::showLaid(const std::optional<Laid>& laid) {
     return;
   const auto stack = document_.result(Stage::Layers)->job.item().layers;
   view_->setPlan(stack, planOfLayers(document_));
-  const int layer = std::max(0, std::min(laid->layer, stack->layerCount - 1));
+  const int layer = std::max(0, std::min(printProgress->layer, stack->layerCount - 1));
   const QString number = tr("Layer %1 of %2").arg(layer + 1).arg(stack->layerCount);
   const QString top = layers_.topText(layer);
-  view_->showLayer(layer, laid->end, top.isEmpty() ? number : QString("%1, %2").arg(number, top));
+  view_->showLayer(layer, printProgress->end,
+                   top.isEmpty() ? number : QString("%1, %2").arg(number, top));
   view_->choose(chosen_);
 }
 

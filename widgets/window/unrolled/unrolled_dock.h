@@ -24,12 +24,12 @@ namespace voluta::window {
 class Presenter;
 class UnrolledView;
 
-inline constexpr std::size_t kAllLaid = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t kAllPrinted = std::numeric_limits<std::size_t>::max();
 // Progress of the print in the picture: the shown layer, and the first waypoint that is not printed
 // yet.
-struct Laid {
+struct PrintProgress {
   int layer = 0;
-  std::size_t end = kAllLaid;
+  std::size_t end = kAllPrinted;
 };
 
 // Returns the plan whose paths belong to the shown layers; nullptr if its paths were made from
@@ -52,7 +52,7 @@ public:
   bool offered() const;
 
   // nullopt: the current page has no layers to unroll. Shows or hides the dock.
-  void showLaid(const std::optional<Laid>& laid);
+  void showProgress(const std::optional<PrintProgress>& printProgress);
   // Highlights the waypoint's path in both views; nullopt: no path.
   void choose(std::optional<std::size_t> waypoint);
   // Marks the path in the view that shows paths.

@@ -14,24 +14,24 @@ namespace {
 constexpr std::size_t kBetweenChecks = 4096;
 
 // Returns (u, v) with u within half a period of 0.
-Eigen::Vector2d inTurn(const Eigen::Vector2d& at, double period) {
+Eigen::Vector2d wrapped(const Eigen::Vector2d& at, double period) {
   return period > 0.0 ? Eigen::Vector2d(std::remainder(at.x(), period), at.y()) : at;
 }
 
-// The segment from `from` (with u within half a period) by `way`, divided at the seam into at most
+// The segment from `from` (with u within half a period) by `step`, divided at the seam into at most
 // two pieces.
 struct Pieces {
   std::array<std::pair<Eigen::Vector2d, Eigen::Vector2d>, 2> ends;
   int count = 1;
 };
-Pieces cutAtSeam(const Eigen::Vector2d& from, const Eigen::Vector2d& way, double period) {
-  const Eigen::Vector2d to = from + way;
+Pieces cutAtSeam(const Eigen::Vector2d& from, const Eigen::Vector2d& step, double period) {
+  const Eigen::Vector2d to = from + step;
   const double half = 0.5 * period;
   if (period <= 0.0 || std::abs(to.x()) <= half)
     return {{{{from, to}}}, 1};
   const double side = std::copysign(half, to.x());
-  const double t = (side - from.x()) / way.x();
-  const double v = from.y() + t * way.y();
+  const double t = (side - from.x()) / step.x();
+  const double v = from.y() + t * step.y();
   return {{{{from, {side, v}}, {{-side, v}, {to.x() - std::copysign(period, to.x()), to.y()}}}}, 2};
 }
 
@@ -48,7 +48,7 @@ void addOutline(const layers::Patch& patch, UnrolledLayer& out) {
     if (count != 1)
       continue;
     const Eigen::Vector2d from =
-        inTurn(patch.chart.at[static_cast<std::size_t>(ends.first)], out.periodMm);
+        wrapped(patch.chart.at[static_cast<std::size_t>(ends.first)], out.periodMm);
     const Pieces pieces =
         cutAtSeam(from, patch.chart.between(ends.first, ends.second), out.periodMm);
     for (int i = 0; i < pieces.count; ++i) {
@@ -94,16 +94,16 @@ public:
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       if ((i - path.first) % kBetweenChecks == 0)
         ctx.checkpoint();
-      const Eigen::Vector2d here = inTurn(chart.at(plan_.position[i]), out_.periodMm);
+      const Eigen::Vector2d here = wrapped(chart.at(plan_.position[i]), out_.periodMm);
       if (i == path.first) {
         begin(index, path.kind);
         put(here, i);
       } else {
-        const Eigen::Vector2d way = here - last;
-        const Eigen::Vector2d shortWay =
-            out_.periodMm > 0.0 ? Eigen::Vector2d(std::remainder(way.x(), out_.periodMm), way.y())
-                                : way;
-        const Pieces pieces = cutAtSeam(last, shortWay, out_.periodMm);
+        const Eigen::Vector2d step = here - last;
+        const Eigen::Vector2d shortest =
+            out_.periodMm > 0.0 ? Eigen::Vector2d(std::remainder(step.x(), out_.periodMm), step.y())
+                                : step;
+        const Pieces pieces = cutAtSeam(last, shortest, out_.periodMm);
         put(pieces.ends[0].second, i);
         if (pieces.count == 2) {
           begin(index, path.kind);

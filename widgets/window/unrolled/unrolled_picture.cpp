@@ -32,9 +32,9 @@ public:
     }
     if (first <= 0 && last >= 0)
       drawSheet(painter);
-    for (const bool laid : {false, true})
+    for (const bool printed : {false, true})
       for (int repeat = first; repeat <= last; ++repeat)
-        drawStretches(painter, repeat * period, laid, false);
+        drawStretches(painter, repeat * period, printed, false);
     if (content_.path)
       for (int repeat = first; repeat <= last; ++repeat)
         drawStretches(painter, repeat * period, true, true);
@@ -52,23 +52,24 @@ private:
   }
 
   // The printed part of a stretch is at its beginning.
-  std::size_t laidCount(const UnrolledLayer::Stretch& s) const {
+  std::size_t printedCount(const UnrolledLayer::Stretch& s) const {
     const auto from = layer_.waypoint.begin() + static_cast<std::ptrdiff_t>(s.first);
-    return static_cast<std::size_t>(
-        std::lower_bound(from, from + static_cast<std::ptrdiff_t>(s.count), content_.notLaidFrom) -
-        from);
+    return static_cast<std::size_t>(std::lower_bound(from,
+                                                     from + static_cast<std::ptrdiff_t>(s.count),
+                                                     content_.unprintedFrom) -
+                                    from);
   }
 
-  void drawStretches(QPainter& painter, double shiftMm, bool laid, bool chosenOnly) {
+  void drawStretches(QPainter& painter, double shiftMm, bool printed, bool chosenOnly) {
     painter.setBrush(Qt::NoBrush);
     for (const UnrolledLayer::Stretch& s : layer_.stretches) {
       if (chosenOnly && s.path != *content_.path)
         continue;
       if ((&s - layer_.stretches.data()) % 64 == 0)
         ctx_.checkpoint();
-      const std::size_t done = laidCount(s);
-      std::size_t first = laid ? 0 : std::max<std::size_t>(done, 1) - 1;
-      std::size_t count = laid ? done : s.count - first;
+      const std::size_t done = printedCount(s);
+      std::size_t first = printed ? 0 : std::max<std::size_t>(done, 1) - 1;
+      std::size_t count = printed ? done : s.count - first;
       if (chosenOnly) {
         first = 0;
         count = s.count;
@@ -76,7 +77,7 @@ private:
       if (count < 2)
         continue;
       QColor colour = look_.kinds[std::min(static_cast<std::size_t>(s.kind), plan::kPathKinds - 1)];
-      if (!laid)
+      if (!printed)
         colour.setAlpha(kFaint);
       const double bead =
           kShareOfBead * double(layer_.widthMm[s.first + first]) * frame_.pixelsPerMm;

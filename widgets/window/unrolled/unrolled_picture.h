@@ -42,7 +42,7 @@ struct UnrolledLook {
 struct UnrolledContent {
   std::shared_ptr<const UnrolledLayer> layer; // nullptr: nothing
   // Waypoints from this one on are not printed yet and drawn faintly.
-  std::size_t notLaidFrom = std::numeric_limits<std::size_t>::max();
+  std::size_t unprintedFrom = std::numeric_limits<std::size_t>::max();
   std::optional<std::size_t> path; // Highlighted path
   bool operator==(const UnrolledContent&) const = default;
 };

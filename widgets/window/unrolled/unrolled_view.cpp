@@ -78,10 +78,10 @@ void UnrolledView::setPlan(std::shared_ptr<const layers::LayerStack> stack,
   refresh();
 }
 
-void UnrolledView::showLayer(int layer, std::size_t laidEnd, const QString& title) {
+void UnrolledView::showLayer(int layer, std::size_t printedEnd, const QString& title) {
   title_->setText(title);
   wanted_ = layer;
-  laidEnd_ = laidEnd;
+  printedEnd_ = printedEnd;
   prepare();
   refresh();
 }
@@ -118,7 +118,7 @@ void UnrolledView::prepare() {
 void UnrolledView::refresh() {
   UnrolledContent content;
   content.layer = layer_;
-  content.notLaidFrom = laidEnd_;
+  content.unprintedFrom = printedEnd_;
   if (const plan::ToolPath* path = chosen_ && plan_ ? plan::pathOf(*plan_, *chosen_) : nullptr)
     content.path = static_cast<std::size_t>(path - plan_->paths.data());
   canvas_->setContent(content);

@@ -27,9 +27,9 @@ public:
   // Of one plan; nullptr: none.
   void setPlan(std::shared_ptr<const layers::LayerStack> stack,
                std::shared_ptr<const plan::ToolPlan> plan);
-  // Shows the layer with that index; waypoints of the plan before `laidEnd` are printed. `title`:
-  // the layer's name.
-  void showLayer(int layer, std::size_t laidEnd, const QString& title);
+  // Shows the layer with that index; waypoints of the plan before `printedEnd` are printed.
+  // `title`: the layer's name.
+  void showLayer(int layer, std::size_t printedEnd, const QString& title);
   // Highlights its path and marks its position.
   void choose(std::optional<std::size_t> waypoint);
 
@@ -56,7 +56,7 @@ private:
   std::shared_ptr<const plan::ToolPlan> plan_;
   std::shared_ptr<const UnrolledLayer> layer_;
   int wanted_ = -1, preparing_ = -1;
-  std::size_t laidEnd_ = 0;
+  std::size_t printedEnd_ = 0;
   std::optional<std::size_t> chosen_;
   QLabel *title_, *place_;
   UnrolledCanvas* canvas_;
