@@ -7,7 +7,6 @@
 #include "plan/trajectory.h"
 #include "plan/waypoints.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace voluta::cli {
@@ -32,16 +31,13 @@ void sayRun(const replay::SharedRun& run) {
 void sayRests(const pipeline::StationResult& result) {
   for (std::size_t k = 0; k < result.plans.size(); ++k) {
     const project::Job& job = result.plans[k].job;
-    const auto begin =
-        job.trajectory->waypoint.begin() + static_cast<std::ptrdiff_t>(job.resumedAt);
-    const auto first = std::find_if(begin, job.trajectory->waypoint.end(),
-                                    [](std::size_t w) { return w != plan::kNoWaypoint; });
-    if (job.resumedAt == 0 || first == job.trajectory->waypoint.end())
+    const std::size_t first = plan::waypointAhead(*job.trajectory, job.resumedAt);
+    if (job.resumedAt == 0 || first == plan::kNoWaypoint)
       continue;
     const double printed = job.trajectory->extrudedMm3[job.resumedAt];
     fmt::print("machine {}: from bead {} of {}; {:.0f} mm3 printed, {:.0f} mm3 left\n", k + 1,
-               plan::pathOf(*job.toolPlan, *first) - job.toolPlan->paths.data() + 1,
-               job.toolPlan->paths.size(), printed, job.trajectory->extrudedMm3.back() - printed);
+               plan::beadNumber(*job.toolPlan, first), job.toolPlan->paths.size(), printed,
+               job.trajectory->extrudedMm3.back() - printed);
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <string>
 
 namespace voluta::cli {
@@ -16,13 +15,9 @@ namespace voluta::cli {
 namespace {
 
 // Other jobs may be large: only the beginning is read.
-bool isMillJob(const std::filesystem::path& file) {
+bool isMillJobFile(const std::filesystem::path& file) {
   constexpr std::size_t kBegin = 64;
-  std::ifstream in(file, std::ios::binary);
-  std::string begin(kBegin, '\0');
-  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(in.gcount()));
-  return pipeline::isMillJob(begin);
+  return pipeline::isMillJob(base::beginningOf(file, kBegin));
 }
 
 // Prints the findings on a program, and to stderr the first one that blocks.
@@ -59,7 +54,7 @@ ExitCode verifyMilled(const VerifyOptions& options) {
 } // namespace
 
 ExitCode verifyCommand(const VerifyOptions& options) {
-  if (isMillJob(options.job))
+  if (isMillJobFile(options.job))
     return verifyMilled(options);
   auto outcome = runInterruptibly(
       [options](const base::RunContext& ctx) {

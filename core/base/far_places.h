@@ -1,4 +1,4 @@
-// The limit of places and lengths that users type, or give in lists.
+// The limit of places and lengths that users type and files contain.
 #pragma once
 
 #include "base/error.h"

@@ -12,8 +12,8 @@ namespace voluta::base {
 // unreadable.
 std::string readFile(const std::filesystem::path& path);
 
-// Returns up to `count` bytes from the beginning of a file; fewer, or none, if it is shorter or cannot
-// be read.
+// Returns up to `count` bytes from the beginning of a file; fewer, or none, if it is shorter or
+// cannot be read.
 std::string beginningOf(const std::filesystem::path& path, std::size_t count);
 
 // Writes to a temporary file beside `path` and renames it. Throws Error{CannotWrite}; `path` is

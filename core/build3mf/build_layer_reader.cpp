@@ -1,6 +1,7 @@
 #include "build3mf/build_layer_reader.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/lower_case.h"
 
 #include <Eigen/Geometry>
@@ -25,7 +26,6 @@ using geometry::XmlName;
 namespace {
 
 constexpr std::size_t kMaxWaypoints = 20'000'000;
-constexpr double kFarthestMm = 1e6;
 constexpr double kStepMm = 0.1;       // Length over which a stepwise change of section is spread
 constexpr double kSameShare = 1e-4;   // Tolerance within which sections are the same
 constexpr double kMinLengthMm = 1e-6; // Shorter lines deposit nothing
@@ -285,7 +285,7 @@ private:
     for (std::size_t k = 0; k < N; ++k)
       position[static_cast<Eigen::Index>(k)] =
           frame_.unitMm * static_cast<double>(attributes.integer(axes[k]));
-    if (!(position.cwiseAbs().maxCoeff() <= kFarthestMm))
+    if (!(position.cwiseAbs().maxCoeff() <= base::kFarthestMm))
       throw wrong("a point more than a kilometre away"_text);
     return position;
   }

@@ -73,7 +73,7 @@ struct Profile {
   bool used = false;
   std::string uuid;
 };
-using Profiles = std::array<Profile, kKindNames.size()>;
+using KindProfiles = std::array<Profile, kKindNames.size()>;
 
 std::size_t indexOf(plan::PathKind kind) {
   return static_cast<std::size_t>(kind);
@@ -93,8 +93,8 @@ void check(const plan::ToolPlan& plan, const geometry::TriangleMesh& part) {
                         "a tool-path is beyond the range of a build file"_text);
 }
 
-Profiles profilesOf(const plan::ToolPlan& plan, const std::string& seed) {
-  Profiles profiles;
+KindProfiles profilesOf(const plan::ToolPlan& plan, const std::string& seed) {
+  KindProfiles profiles;
   for (const plan::ToolPath& path : plan.paths) {
     Profile& profile = profiles[indexOf(path.kind)];
     profile.used = true;
@@ -193,8 +193,8 @@ void addSegment(Text out, const plan::ToolPlan& plan, const plan::ToolPath& path
   fmt::format_to(out, "  </segment>\n");
 }
 
-std::string layerXml(const plan::ToolPlan& plan, const LayerPart& part, const Profiles& profiles,
-                     const std::string& itemUuid) {
+std::string layerXml(const plan::ToolPlan& plan, const LayerPart& part,
+                     const KindProfiles& profiles, const std::string& itemUuid) {
   std::string text = kHead;
   Text out(text);
   fmt::format_to(out,
@@ -214,7 +214,7 @@ std::string layerXml(const plan::ToolPlan& plan, const LayerPart& part, const Pr
   return text;
 }
 
-void addProfiles(Text out, const Profiles& profiles) {
+void addProfiles(Text out, const KindProfiles& profiles) {
   fmt::format_to(out, "   <tp:toolpathprofiles>\n");
   for (std::size_t k = 0; k < profiles.size(); ++k) {
     const Profile& profile = profiles[k];
@@ -249,7 +249,7 @@ void addMesh(Text out, const geometry::TriangleMesh& part) {
 }
 
 std::string modelXml(const geometry::TriangleMesh& part, const std::string& name,
-                     const Profiles& profiles, const std::vector<LayerPart>& layers,
+                     const KindProfiles& profiles, const std::vector<LayerPart>& layers,
                      const std::string& seed, const std::string& itemUuid) {
   std::string text = kHead;
   Text out(text);
@@ -315,7 +315,7 @@ std::string writeBuild(const plan::ToolPlan& plan, const geometry::TriangleMesh&
   for (const Vector3d& p : plan.position)
     seed.append(reinterpret_cast<const char*>(p.data()), 3 * sizeof(double));
   seed = fmt::format("{:016x}{:016x}", hashOf(seed, 0xcbf29ce484222325ull), hashOf(seed, 1));
-  const Profiles profiles = profilesOf(plan, seed);
+  const KindProfiles profiles = profilesOf(plan, seed);
   const std::vector<LayerPart> layers = layerPartsOf(plan);
   const std::string itemUuid = uuidOf(seed + " item");
   geometry::ZipWriter zip;

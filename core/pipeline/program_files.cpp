@@ -84,4 +84,14 @@ FoundProgram findProgram(const fs::path& file, const std::vector<project::Progra
   return programFrom(file.filename().string(), file, file, folder);
 }
 
+fs::path firstProgramIn(const fs::path& folder,
+                        const std::vector<project::ProgramReport>& written) {
+  for (const project::ProgramReport& program : written)
+    if (!program.files.empty() && fs::exists(folder / program.files.front()))
+      return folder / program.files.front();
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    "the folder holds no program of the station"_text, folder.string(),
+                    "name a folder that 'together' wrote"_text);
+}
+
 } // namespace voluta::pipeline

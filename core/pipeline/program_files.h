@@ -30,4 +30,9 @@ struct FoundProgram {
 FoundProgram findProgram(const std::filesystem::path& file,
                          const std::vector<project::ProgramReport>& written);
 
+// Returns the first file of the first program in `written` that the folder holds. Throws
+// Error{UnusableInput} if it holds none.
+std::filesystem::path firstProgramIn(const std::filesystem::path& folder,
+                                     const std::vector<project::ProgramReport>& written);
+
 } // namespace voluta::pipeline

@@ -116,18 +116,14 @@ std::size_t pointOfLine(const ResumeRequest& request, const PlanResult& planned,
 void requireUnprinted(const project::Job& job, std::size_t point) {
   if (job.resumedAt == 0)
     return;
-  const auto beadOf = [&](std::size_t waypoint) {
-    return 1 + static_cast<std::size_t>(plan::pathOf(*job.toolPlan, waypoint) -
-                                        job.toolPlan->paths.data());
-  };
-  const auto begin = job.trajectory->waypoint.begin() + static_cast<std::ptrdiff_t>(job.resumedAt);
-  const auto first = std::find_if(begin, job.trajectory->waypoint.end(),
-                                  [](std::size_t w) { return w != plan::kNoWaypoint; });
-  const std::size_t bead = beadOf(job.trajectory->waypoint[point]);
-  if (first != job.trajectory->waypoint.end() && bead < beadOf(*first))
+  const std::size_t first = plan::waypointAhead(*job.trajectory, job.resumedAt);
+  const std::size_t bead = plan::beadNumber(*job.toolPlan, job.trajectory->waypoint[point]);
+  if (first == plan::kNoWaypoint)
+    return;
+  if (const std::size_t begin = plan::beadNumber(*job.toolPlan, first); bead < begin)
     throw Error(ErrorCode::Usage,
                 base::message("bead {bead} is printed: this rest begins with bead {first}"_text,
-                              bead, beadOf(*first)),
+                              bead, begin),
                 {}, "beads have the numbers of the whole print"_text);
 }
 
@@ -174,8 +170,7 @@ public:
     result_.plan = std::move(planned);
     const std::size_t waypoint = this->job().trajectory->waypoint[point];
     result_.waypoint = waypoint;
-    result_.bead = 1 + static_cast<std::size_t>(plan::pathOf(*this->job().toolPlan, waypoint) -
-                                                this->job().toolPlan->paths.data());
+    result_.bead = plan::beadNumber(*this->job().toolPlan, waypoint);
     result_.depositedMm3 = this->job().trajectory->extrudedMm3[point];
     result_.leftMm3 = this->job().trajectory->extrudedMm3.back() - result_.depositedMm3;
   }
@@ -306,8 +301,8 @@ ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::str
   return Resuming(resultInFormats(std::move(job), std::move(formats)), point).run(ctx);
 }
 
-project::Job restMotion(project::Job job, std::size_t point, const base::RunContext& ctx) {
-  return Resuming(resultOf(std::move(job)), point).motionOnly(ctx);
+project::Job restMotion(PlanResult planned, std::size_t point, const base::RunContext& ctx) {
+  return Resuming(std::move(planned), point).motionOnly(ctx);
 }
 
 PlanResult written(project::Job job, const base::RunContext& ctx) {

@@ -51,7 +51,7 @@ std::size_t resumePointOf(const ResumeRequest& request, const PlanResult& planne
                           const base::RunContext& ctx);
 // Returns the job with the motion of its rest from that point on, without programs. If no way leads
 // there, its report has a finding and resumedAt is 0. Precondition: as resumeJob(), without marks.
-project::Job restMotion(project::Job job, std::size_t point, const base::RunContext& ctx);
+project::Job restMotion(PlanResult planned, std::size_t point, const base::RunContext& ctx);
 
 // Writes the programs of a job again with its motion as it is, say with marks in it. Precondition
 // (Error{Internal}): the job is planned up to its motion.

@@ -20,15 +20,6 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-// Returns the first file of the first program that the machine's folder holds.
-std::filesystem::path programIn(const std::filesystem::path& folder, const project::Job& job) {
-  for (const project::ProgramReport& program : job.report.programs)
-    if (!program.files.empty() && std::filesystem::exists(folder / program.files.front()))
-      return folder / program.files.front();
-  throw Error(ErrorCode::UnusableInput, "the folder holds no program of the station"_text,
-              folder.string(), "name a folder that 'together' wrote"_text);
-}
-
 // Returns why a program alone is refused; nullopt if it is not.
 std::optional<base::Message> refusalOf(const VerifyResult& alone) {
   if (const plan::Finding* finding = firstBlocking(alone.findings))
@@ -56,7 +47,8 @@ StationCheck verifyStation(const std::filesystem::path& folder, const base::RunC
     const double from = share * static_cast<double>(k);
     const base::RunContext part = ctx.sub(from, from + share);
     project::Job& job = station.machines[k].job;
-    const std::filesystem::path program = programIn(file.parent_path() / machineFolder(k), job);
+    const std::filesystem::path program =
+        firstProgramIn(file.parent_path() / machineFolder(k), job.report.programs);
     check.programs.push_back(program);
     check.alone.push_back(verifyProgram(program, job, part));
     if (const auto refusal = refusalOf(check.alone.back()))

@@ -20,9 +20,9 @@ using plan::makeFinding;
 // Returns "layer 3", of the first bead in the segment or after it.
 base::Message layerIn(const together::PlacedMotion& motion, const together::Rests& rests,
                       std::size_t segment) {
-  for (std::size_t i = rests.point[segment]; i < motion.trajectory->pointCount(); ++i)
-    if (const std::size_t w = motion.trajectory->waypoint[i]; w != plan::kNoWaypoint)
-      return base::message("layer {layer}"_text, plan::pathOf(*motion.toolPlan, w)->layer);
+  const std::size_t w = plan::waypointAhead(*motion.trajectory, rests.point[segment]);
+  if (w != plan::kNoWaypoint)
+    return base::message("layer {layer}"_text, plan::pathOf(*motion.toolPlan, w)->layer);
   return "the way home"_text;
 }
 

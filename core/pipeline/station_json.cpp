@@ -2,6 +2,7 @@
 #include "pipeline/station_plan.h"
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
+#include "project/message_json.h"
 
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -48,11 +49,16 @@ Json runJson(const replay::SharedRun& run) {
 Json machineJson(const StationResult& result, std::size_t k) {
   const PlanResult& plan = result.plans[k];
   const Eigen::Isometry3d& place = result.shared_T_world[k];
-  Json json{{"part", plan.job.item().partName},     {"cell", plan.cell->id()},
-            {"folder", machineFolder(k)},           {"placeMm", pointJson(place.translation())},
-            {"turnDeg", machineRotationDeg(place)}, {"segments", result.work.rests[k].segments()}};
-  const std::vector<double>& seconds = result.work.seconds[k];
-  json["aloneS"] = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  Json json{{"part", plan.job.item().partName},
+            {"cell", plan.cell->id()},
+            {"folder", machineFolder(k)},
+            {"placeMm", pointJson(place.translation())},
+            {"turnDeg", machineRotationDeg(place)}};
+  if (!result.work.rests.empty()) { // a machine found no way to its place: nothing was compared
+    const std::vector<double>& seconds = result.work.seconds[k];
+    json["segments"] = result.work.rests[k].segments();
+    json["aloneS"] = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  }
   if (const CheckedProgram* replayed = replayedTogether(plan))
     json["program"] = replayed->program.files.front().name;
   if (result.replay) {
@@ -71,18 +77,6 @@ Json orderJson(const together::Order& order) {
     meetings.push_back(
         {{"machines", {r.first + 1, r.second + 1}}, {"segmentsDone", {r.firstRest, r.secondRest}}});
   return {{"marks", order.meetings.size()}, {"seconds", order.seconds}, {"meetings", meetings}};
-}
-
-Json findingJson(const plan::Finding& finding) {
-  Json json{{"kind", plan::reportId(finding)},
-            {"blocking", finding.blocking},
-            {"reason", plan::englishReason(finding)},
-            {"remedy", plan::englishRemedy(finding)}};
-  if (finding.where)
-    json["whereMm"] = pointJson(*finding.where);
-  if (finding.whenS)
-    json["atS"] = *finding.whenS;
-  return json;
 }
 
 // What the programs expect of their signals and their operator (plan/marks.h).
@@ -105,7 +99,7 @@ std::string stationJson(const StationResult& result) {
   Json json{{"passed", !why}, {"refusal", why ? Json(plan::englishReason(*why)) : Json()}};
   json["findings"] = Json::array();
   for (const plan::Finding& finding : result.findings)
-    json["findings"].push_back(findingJson(finding));
+    json["findings"].push_back(project::findingJson(finding));
   json["machines"] = machines;
   json["start"] = result.work.order ? startJson(*result.work.order) : Json();
   json["order"] = result.work.order ? orderJson(*result.work.order) : Json();

@@ -1,31 +1,38 @@
 #include "pipeline/station_resume.h"
 
 #include "base/error.h"
+#include "pipeline/program_files.h"
 #include "pipeline/station_findings.h"
 
 namespace voluta::pipeline {
 
 namespace {
+// `folder`: the machine's.
 ResumeRequest requestOf(const ResumePlace& place, const project::Job& job,
                         const std::filesystem::path& folder) {
   ResumeRequest request;
-  request.job = folder / "job.voluta";
   request.bead = place.bead;
   request.line = place.line;
-  if (place.line && !job.report.programs.empty() && !job.report.programs.front().files.empty())
-    request.program = folder / job.report.programs.front().files.front();
+  if (place.line)
+    request.program = firstProgramIn(folder, job.report.programs);
   return request;
 }
+
 // Returns the job with the motion of its rest. Errors name the machine, counted from 0.
-project::Job restOf(project::Job job, const ResumeRequest& request, std::size_t machine,
-                    const base::RunContext& ctx) {
+project::Job restOf(project::Job job, const ResumePlace& place, std::size_t machine,
+                    const std::filesystem::path& folder, const base::RunContext& ctx) {
+  const std::string name = machineFolder(machine);
+  requireMotion(job, name);
   try {
-    const std::size_t point = resumePointOf(request, resultOf(job), ctx.sub(0.0, 0.3));
-    return restMotion(withoutMarks(std::move(job)), point, ctx.sub(0.3, 1.0));
+    const ResumeRequest request = requestOf(place, job, folder / name);
+    PlanResult planned = resultOf(std::move(job));
+    const std::size_t point = resumePointOf(request, planned, ctx.sub(0.0, 0.3));
+    planned.job = withoutMarks(std::move(planned.job));
+    return restMotion(std::move(planned), point, ctx.sub(0.3, 1.0));
   } catch (const base::Error& error) {
     if (!error.context().empty())
       throw;
-    throw base::Error(error.code(), error.message(), machineFolder(machine), error.remedy());
+    throw base::Error(error.code(), error.message(), name, error.remedy());
   }
 }
 } // namespace
@@ -42,11 +49,9 @@ StationResult resumeStation(project::Station station, const std::vector<ResumePl
   const double share = 0.4 / static_cast<double>(count);
   for (std::size_t k = 0; k < count; ++k) {
     project::Job& job = station.machines[k].job;
-    requireMotion(job, machineFolder(k));
     const base::RunContext own =
         ctx.sub(share * static_cast<double>(k), share * static_cast<double>(k + 1));
-    const ResumeRequest request = requestOf(places[k], job, folder / machineFolder(k));
-    job = restOf(std::move(job), request, k, own);
+    job = restOf(std::move(job), places[k], k, folder, own);
     if (const plan::Finding* finding = firstBlocking(job.report.findings))
       refused.push_back(machineFinding(k, plan::reasonOf(*finding)));
   }

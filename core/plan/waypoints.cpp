@@ -12,6 +12,10 @@ const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint) {
   return after == plan.paths.begin() || waypoint >= plan.waypointCount() ? nullptr : &*(after - 1);
 }
 
+std::size_t beadNumber(const ToolPlan& plan, std::size_t waypoint) {
+  return 1 + static_cast<std::size_t>(pathOf(plan, waypoint) - plan.paths.data());
+}
+
 void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint) {
   to.position.push_back(from.position[waypoint]);
   to.direction.push_back(from.direction[waypoint]);

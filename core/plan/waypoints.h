@@ -12,6 +12,10 @@ namespace voluta::plan {
 // Returns the path of the waypoint, or nullptr if the plan has no such waypoint.
 const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
 
+// Returns the number of the waypoint's bead among all paths, counted from 1. Precondition: the plan
+// has the waypoint.
+std::size_t beadNumber(const ToolPlan& plan, std::size_t waypoint);
+
 // Appends a copy of one waypoint to another plan; paths stay unchanged.
 void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint);
 

@@ -344,6 +344,7 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
+       .waitsByMotion = true,
        .events = eventsOfTools({kRelease, kLock, kMark}),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.

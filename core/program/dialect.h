@@ -51,8 +51,9 @@ struct Dialect {
   bool supportsExternalAxes = true; // can state positions of external axes, or poses on the part
   // whether it can state those of this cell although it does not support all; nullptr: no
   bool (*supportsAxesOf)(const robot::Cell&) = nullptr;
-  bool tiltsNozzle = true;                  // can state directions other than the plate's normal
-  bool showsTexts = false;                  // its stops show the operator a text
+  bool tiltsNozzle = true;    // can state directions other than the plate's normal
+  bool showsTexts = false;    // its stops show the operator a text
+  bool waitsByMotion = false; // a wait is a point of a motion: it has none before the first one
   std::vector<plan::EventKind> events = {}; // that it has words for
   plan::TimeModel time = {};                // of its controller; readProgram passes it on
   MergeLimits merge = {}; // minimum printing motions that its controller can plan in time

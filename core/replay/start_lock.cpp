@@ -18,9 +18,6 @@ bool isLock(const StatedFact& fact) {
   return fact.kind == FactKind::ToolLocked && fact.number > 0.0;
 }
 
-// Its waits are points of a motion: it cannot wait before the first one.
-constexpr std::string_view kWaitsByMotion = "tmscript";
-
 bool beginsFile(const plan::ReadProgram& program, std::size_t motion) {
   return motion > program.firstMotion && motion < program.motions.size() &&
          program.motions[motion].file != program.motions[motion - 1].file;
@@ -64,7 +61,7 @@ void compareFirst(const plan::ReadProgram& program, std::vector<TextFinding>& fo
   if (stop && lock < stop)
     found.push_back(changedLock(program, *lock, name, base::message("before {event}"_text, pause),
                                 base::message("behind {event}"_text, pause)));
-  if (program.format == kWaitsByMotion)
+  if (program::findDialect(program.format).waitsByMotion)
     return;
   double seconds = 0.0;
   for (std::size_t p = lock->beforePause; p < program.pauses.size(); ++p)

@@ -1,6 +1,7 @@
 #include "sliced/gcode_machine.h"
 
 #include "base/error.h"
+#include "base/far_places.h"
 #include "base/run_context.h"
 #include "program/common/program_text.h"
 #include "program/gcode/gcode_line.h"
@@ -26,7 +27,7 @@ using base::ErrorCode;
 using Eigen::Vector3d;
 using program::GcodeWords;
 
-constexpr double kFarthestMm = 1e6, kInchMm = 25.4, kMinLengthMm = 1e-6;
+constexpr double kInchMm = 25.4, kMinLengthMm = 1e-6;
 constexpr double kThinnestMm = 0.01, kThickestMm = 1000.0; // Layers
 constexpr std::size_t kMaxPoints = 20'000'000;
 
@@ -319,7 +320,7 @@ private:
         target[axis] = unitMm_ * *value + (relative_ ? position_[axis] : shift_[axis]);
         known_[k] = known_[k] || !relative_;
       }
-    if (!(target.cwiseAbs().maxCoeff() <= kFarthestMm))
+    if (!(target.cwiseAbs().maxCoeff() <= base::kFarthestMm))
       fail("a position more than a kilometre away"_text,
            "the file may be damaged; export it again"_text);
     return target;
@@ -332,7 +333,7 @@ private:
     const double value = unitMm_ * *w['E'];
     const double length = relative_ || relativeE_ ? value : value - e_;
     e_ += length;
-    if (!(std::abs(length) <= kFarthestMm))
+    if (!(std::abs(length) <= base::kFarthestMm))
       fail("a length of filament of more than a kilometre"_text,
            "the file may be damaged; export it again"_text);
     // What one tool draws back is no debt of another, unless their filaments share the nozzle.

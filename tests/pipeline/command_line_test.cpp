@@ -1,8 +1,9 @@
 // The program as its users meet it: started as a process, judged by its exit code, its one line on
 // stderr and the files it writes.
+#include "command_line_fixture.h"
+
 #include "base/files.h"
 #include "helpers/shapes.h"
-#include "helpers/temporary_folder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,97 +21,9 @@
 
 namespace fs = std::filesystem;
 using namespace voluta;
+using test::CommandLine, test::Ended, test::expectOneLine;
 
 namespace {
-
-struct Ended {
-  int code = -1;
-  std::string out, err;
-};
-
-class CommandLine : public ::testing::Test {
-protected:
-  // With `cancelled`, the program begins with a SIGTERM that waits for it.
-  pid_t start(const std::vector<std::string>& words, bool cancelled = false) const {
-    std::vector<std::string> all{VOLUTA_CLI};
-    all.insert(all.end(), words.begin(), words.end());
-    std::vector<char*> argv;
-    for (std::string& word : all)
-      argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      const int out = ::open((folder_ / "stdout").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
-      const int err = ::open((folder_ / "stderr").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
-      ::dup2(out, STDOUT_FILENO);
-      ::dup2(err, STDERR_FILENO);
-      if (cancelled) {
-        sigset_t set;
-        sigemptyset(&set);
-        sigaddset(&set, SIGTERM);
-        ::sigprocmask(SIG_BLOCK, &set, nullptr);
-        ::raise(SIGTERM);
-      }
-      ::execv(argv[0], argv.data());
-      ::_exit(127);
-    }
-    return child;
-  }
-  Ended finish(pid_t child) const {
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    Ended ended;
-    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ended.out = base::readFile(folder_ / "stdout");
-    ended.err = base::readFile(folder_ / "stderr");
-    return ended;
-  }
-  Ended run(const std::vector<std::string>& words) const { return finish(start(words)); }
-
-  // A binary STL of a mesh.
-  std::string stl(const std::string& name, const geometry::TriangleMesh& mesh) const {
-    std::string bytes(80, ' ');
-    const auto put = [&](const auto& value) {
-      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    };
-    put(static_cast<std::uint32_t>(mesh.triangles.size()));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (int k = 0; k < 3; ++k)
-        put(0.0f);
-      for (int k = 0; k < 3; ++k)
-        for (int axis = 0; axis < 3; ++axis)
-          put(static_cast<float>(mesh.corner(t, k)[axis]));
-      put(std::uint16_t{0});
-    }
-    base::writeFile(folder_ / name, bytes);
-    return (folder_ / name).string();
-  }
-  std::string smallBox() const {
-    return stl("box.stl", test::box(Eigen::Vector3d(-10, -9, 0), Eigen::Vector3d(10, 9, 8)));
-  }
-  static std::set<std::string> names(const fs::path& folder) {
-    std::set<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder))
-      found.insert(entry.path().filename().string());
-    return found;
-  }
-  // Every entry of the folder but the two that hold the child's words.
-  std::set<std::string> entries() const {
-    std::set<std::string> found = names(folder_.path());
-    found.erase("stdout");
-    found.erase("stderr");
-    return found;
-  }
-
-  const test::TemporaryFolder folder_;
-};
-
-void expectOneLine(const Ended& ended, int code, const std::vector<std::string>& says) {
-  EXPECT_EQ(ended.code, code) << ended.err;
-  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-  for (const std::string& word : says)
-    EXPECT_NE(ended.err.find(word), std::string::npos) << "no '" << word << "' in: " << ended.err;
-}
 
 TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   const std::string part = smallBox();
@@ -328,6 +241,15 @@ TEST_F(CommandLine, FilesOfOthersAreReplacedOnRequestOnly) {
   expectOneLine(run(plan), 2, {"report.json", "would be replaced"});
 }
 
+TEST_F(CommandLine, NumbersThatAreNoneAreRefused) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  expectOneLine(run({"together", part, "--clearance", "nan", "-o", out}), 2,
+                {"--clearance", "'nan' is no number"});
+  expectOneLine(run({"mill", part, "-o", out, "--cutter", "nan"}), 2, {"--cutter", "nan"});
+  expectOneLine(run({"mill", part, "-o", out, "--pitch", "inf"}), 2, {"--pitch", "inf"});
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST_F(CommandLine, ListsAnswerInTextAndJson) {
   for (const char* what : {"modes", "cells", "robots", "formats", "processes", "parameters"}) {
     const Ended text = run({"list", what});
@@ -456,6 +378,7 @@ TEST_F(CommandLine, APrintIsTakenUpAgain) {
                      "-o", rest}),
                 2, {"99999999", "print_box_1.script"});
   expectOneLine(run({"resume", job, "--bead", "0", "-o", rest}), 2, {"no bead 0"});
+  expectOneLine(run({"resume", job, "--bead", "3", "-o", first}), 2, {"the stopped print", first});
   expectOneLine(run({"resume", job, "-o", rest}), 2, {});
   expectOneLine(run({"resume", job, "--at", "99999999", "-o", rest}), 2, {"99999999"});
   expectOneLine(run({"resume", first + "/none.voluta", "--bead", "1", "-o", rest}), 3, {"none"});

@@ -388,6 +388,19 @@ TEST_F(ResumedPair, EarlierBeadsAreInTheCommonReplay) {
   EXPECT_TRUE(placed[1].printedEarlier.empty());
 }
 
+TEST_F(ResumedPair, AMachineThatFindsNoWayIsNamedInTheReport) {
+  project::Station station = stationOf(pair());
+  station.machines[1].job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has
+  StationResult result = resumeStation(std::move(station), {{.bead = 2}, {.bead = 3}}, {}, kCtx);
+  ASSERT_FALSE(passed(result));
+  EXPECT_NE(why(result).find("machine 2"), std::string::npos) << why(result);
+  const test::TemporaryFolder folder;
+  writeStationOutputs(result, folder.path(), kCtx);
+  const auto json = nlohmann::json::parse(base::readFile(folder.path() / "together.json"));
+  EXPECT_EQ(json.at("machines").size(), 2u);
+  EXPECT_FALSE(json.at("passed").get<bool>());
+}
+
 TEST_F(ResumedPair, EachMachineNeedsAPlace) {
   EXPECT_THROW(resumeStation(stationOf(pair()), {{.bead = 2}}, {}, kCtx), base::Error);
   EXPECT_THROW(rest(2, beads(1) + 1, {}), base::Error);

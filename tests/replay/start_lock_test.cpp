@@ -61,8 +61,8 @@ TEST_F(StartLock, IsBehindTheQuestionAndBeforeTheFirstMotion) {
     ASSERT_NE(stop, whole.facts.end());
     EXPECT_LT(stop->line, whole.facts[lock].line);
     EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
-    if (whole.format == "tmscript")
-      return; // its waits are points of a motion
+    if (program::findDialect(whole.format).waitsByMotion)
+      return;
     ASSERT_FALSE(whole.pauses.empty());
     EXPECT_EQ(whole.pauses[whole.facts[lock].beforePause].before, 0u);
     EXPECT_EQ(whole.pauses[whole.facts[lock].beforePause].durationS, robot::kChangerS);
@@ -101,7 +101,7 @@ TEST_F(StartLock, IsDemanded) {
 TEST_F(StartLock, ItsTimePassesAndItStays) {
   inEveryLanguage([&](const auto&, const plan::ReadProgram& whole, std::size_t lock) {
     const std::size_t line = whole.facts[lock].line;
-    if (whole.format != "tmscript") {
+    if (!program::findDialect(whole.format).waitsByMotion) {
       plan::ReadProgram early = whole; // its wait comes before it
       ++early.facts[lock].beforePause;
       expectAt(verify(std::move(early)), line);

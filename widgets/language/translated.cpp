@@ -21,11 +21,14 @@ QString translated(base::Text text, std::optional<long long> count) {
   return sentence;
 }
 
+QString capitalized(QString text) {
+  if (!text.isEmpty())
+    text[0] = text[0].toUpper();
+  return text;
+}
+
 QString translatedHeading(base::Text text) {
-  QString shown = translated(text);
-  if (!shown.isEmpty())
-    shown[0] = shown[0].toUpper();
-  return shown;
+  return capitalized(translated(text));
 }
 
 } // namespace voluta::language

@@ -69,10 +69,7 @@ std::string windowLanguageCode() {
 }
 
 QString heading(base::Text text) {
-  QString shown = words(text);
-  if (!shown.isEmpty())
-    shown[0] = shown[0].toUpper();
-  return shown;
+  return capitalized(words(text));
 }
 
 } // namespace voluta::language

@@ -1,5 +1,6 @@
 #include "robot/cell/json_pose.h"
 
+#include "base/far_places.h"
 #include "base/units.h"
 
 namespace voluta::robot {
@@ -15,9 +16,8 @@ Eigen::Isometry3d readPose(const base::JsonNode& node) {
   node.allowOnly({"xyzMm", "rpyDeg"});
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   // Beyond it distances of bodies overflow.
-  constexpr double kFarthestMm = 1e6;
   pose.translation() = readVector3(node.at("xyzMm"));
-  if (!(pose.translation().cwiseAbs().maxCoeff() <= kFarthestMm))
+  if (!(pose.translation().cwiseAbs().maxCoeff() <= base::kFarthestMm))
     node.at("xyzMm").fail("must be within a kilometre"_text);
   if (node.has("rpyDeg")) {
     const Eigen::Vector3d rpy = readVector3(node.at("rpyDeg")) * (base::kPi / 180.0);

@@ -96,7 +96,7 @@ Eigen::Isometry3d JoinedMachines::placeOpposite() const {
 }
 
 project::Station JoinedMachines::station(double clearanceMm) const {
-  project::Station station{machines_, {}};
+  project::Station station{machines_, rules_};
   station.rules.clearanceMm = clearanceMm;
   return station;
 }

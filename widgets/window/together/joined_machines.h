@@ -36,6 +36,8 @@ public:
   // one's, turned by 180 degrees. Precondition: there is a machine.
   Eigen::Isometry3d placeOpposite() const;
 
+  // The rules of the station that station() returns, but the clearance.
+  void setRules(const project::StationRules& rules) { rules_ = rules; }
   project::Station station(double clearanceMm) const;
   // The result of the machines as they are; null: none. Precondition: one plan per machine.
   void setResult(document::JoinedResult result);
@@ -55,6 +57,7 @@ private:
   timeline::WaitingClock waitingClockOf(std::size_t machine) const;
 
   std::vector<project::Machine> machines_;
+  project::StationRules rules_;
   std::vector<scene::MachineDrawing> drawings_;
   document::JoinedResult result_;
   std::vector<timeline::Clock> clocks_; // with a replay: per machine

@@ -62,10 +62,7 @@ TogetherDialog::TogetherDialog(const project::Station& station, QWidget* parent)
   row->addWidget(buildSide());
   row->addLayout(picture, 1);
   listen();
-  clearance_->setValue(station.rules.clearanceMm);
-  for (const project::Machine& machine : station.machines)
-    add(machine);
-  showResult();
+  takeMachines(station);
 }
 
 TogetherDialog::~TogetherDialog() = default;
@@ -246,6 +243,11 @@ void TogetherDialog::takeStation(const QString& file, const project::Station& st
     table_->removeMachine(machines_->all().size() - 1);
     machines_->remove(machines_->all().size() - 1);
   }
+  takeMachines(station);
+}
+
+void TogetherDialog::takeMachines(const project::Station& station) {
+  machines_->setRules(station.rules);
   clearance_->setValue(station.rules.clearanceMm);
   for (const project::Machine& machine : station.machines)
     add(machine);

@@ -60,6 +60,7 @@ private:
   void add(project::Machine machine);
   void addOpposite(project::Machine machine);
   void takeStation(const QString& file, const project::Station& station);
+  void takeMachines(const project::Station& station);
   void askForFile();
   void askForFolder();
   void removeChosen();
