@@ -11,12 +11,11 @@
 #include "pipeline/automatic.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
-#include "plan/statistics.h"
 #include "process/bead_model.h"
-#include "process/bead_to.h"
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/loaded_part.h"
+#include "toolpath/path_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -198,30 +197,6 @@ plan::Finding limitFinding(const OutsideLimits& outside, const plan::ToolPlan& p
       plan.position[outside.worstAt]);
 }
 
-plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
-  plan::ToolpathStatistics r;
-  r.paths = r.starts = plan.paths.size();
-  r.waypoints = plan.waypointCount();
-  for (std::size_t p = 0; p < plan.paths.size(); ++p) {
-    const plan::ToolPath& path = plan.paths[p];
-    const bool isShot = path.kind == plan::PathKind::Shot;
-    if (isShot) {
-      ++r.shots;
-      r.shotMm3 += plan.shotMm3(path);
-      r.materialMm3 += plan.shotMm3(path);
-    }
-    for (std::size_t i = path.first + 1; i < path.first + path.count && !isShot; ++i) {
-      r.lengthMm += (plan.position[i] - plan.position[i - 1]).norm();
-      r.materialMm3 += process::beadTo(plan, i);
-      const double cosine = std::clamp(plan.direction[i - 1].dot(plan.direction[i]), -1.0, 1.0);
-      r.maxRotationDeg = std::max(r.maxRotationDeg, base::radiansToDegrees(std::acos(cosine)));
-    }
-    if (p > 0)
-      r.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
-  }
-  return r;
-}
-
 } // namespace
 
 bool takesGivenPaths(const project::LoadedPart& loaded, const base::ParameterValues& values) {
@@ -322,7 +297,8 @@ std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPar
   const WorkTransform transform = workTransformOf(loaded, placed);
   Taking taking(*loaded.toolPaths, transform, tooling);
   stage->toolPlan = std::make_shared<plan::ToolPlan>(taking.take(ctx));
-  stage->report = statisticsOf(*stage->toolPlan);
+  toolpath::setPathFigures(*stage->toolPlan, 1, tooling, stage->report);
+  stage->report.maxRotationDeg = toolpath::maxRotationDeg(*stage->toolPlan);
   if (taking.filled > 0)
     stage->findings.push_back(plan::makeFinding(
         plan::FindingKind::GivenWithoutSection,

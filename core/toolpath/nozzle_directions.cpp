@@ -11,6 +11,7 @@
 #include "plan/waypoints.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
+#include "toolpath/path_figures.h"
 #include "toolpath/unsupported/head_clearance.h"
 #include "toolpath/unsupported/passes.h"
 
@@ -281,11 +282,7 @@ private:
   // Evaluates the result with its own beads and waypoints.
   void judge(OrientResult& r, const collision::GrowingPart& part) const {
     const ToolPlan& p = r.plan;
-    for (const plan::ToolPath& path : p.paths)
-      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        r.maxRotationDeg =
-            std::max(r.maxRotationDeg,
-                     base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
+    r.maxRotationDeg = maxRotationDeg(p);
     ctx_.report(0.8, "directions"_text);
     std::vector<double> marginMm(p.waypointCount(), 0.0);
     for (const plan::ToolPath& path : p.paths)

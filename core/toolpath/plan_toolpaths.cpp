@@ -12,13 +12,13 @@
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
-#include "process/bead_to.h"
 #include "toolpath/fibre/add_tapes.h"
 #include "toolpath/nozzle_directions.h"
 #include "toolpath/order/assemble.h"
 #include "toolpath/order/order_to_cool.h"
 #include "toolpath/order/seam.h"
 #include "toolpath/order/spiral.h"
+#include "toolpath/path_figures.h"
 #include "toolpath/sparse/cover_layers.h"
 #include "toolpath/stitching/add_shots.h"
 #include "toolpath/unsupported/passes.h"
@@ -98,39 +98,6 @@ plan::Findings coverFindings(const layers::LayerStack& stack, const std::vector<
     if (auto hollow = hollowSkin(covers))
       findings.push_back(std::move(*hollow));
   return findings;
-}
-
-// Adds the figures of the finished plan of that many items.
-void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::ToolpathStatistics& s) {
-  if (items > 1)
-    s.items.resize(items);
-  plan::ItemToolpaths ofOne;
-  s.paths = s.starts = plan.paths.size();
-  s.waypoints = plan.waypointCount();
-  for (std::size_t k = 0; k < plan.paths.size(); ++k) {
-    const plan::ToolPath& path = plan.paths[k];
-    if (k > 0)
-      s.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
-    if (path.kind == PathKind::Tape)
-      continue;
-    plan::ItemToolpaths& own = items > 1 ? s.items.at(static_cast<std::size_t>(path.item)) : ofOne;
-    if (path.kind == PathKind::Shot) {
-      s.materialMm3 += plan.shotMm3(path);
-      own.materialMm3 += plan.shotMm3(path);
-      continue;
-    }
-    own.paths += plan::isWaste(path.kind) ? 0 : 1;
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-      const double length = (plan.position[i] - plan.position[i - 1]).norm();
-      s.lengthMm += length;
-      if (plan::isWaste(path.kind))
-        continue;
-      const double mm3 = process::beadTo(plan, i);
-      s.materialMm3 += mm3;
-      own.lengthMm += length;
-      own.materialMm3 += mm3;
-    }
-  }
 }
 
 // Adds the figures of the covers. Returns the finding about patches without a bead.
@@ -251,7 +218,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     r.grown.reset(); // without the tapes
   }
   if (!stack.pockets.empty()) {
-    addShots(r.plan, stack.pockets, tooling, options.stitches, r.statistics);
+    addShots(r.plan, stack.pockets, tooling, options.stitches);
     r.grown.reset(); // waypoints are numbered anew
   }
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &reported})
@@ -261,7 +228,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   r.statistics.sparseBeadMm3 = made.sparseBeadMm3;
   r.statistics.gouges = oriented.gouges;
   r.statistics.maxRotationDeg = oriented.maxRotationDeg;
-  addPathFigures(r.plan, items, r.statistics);
+  setPathFigures(r.plan, items, tooling, r.statistics);
   if (auto bare = addCoverFigures(stack, covers, r.statistics))
     r.findings.push_back(std::move(*bare));
   return r;

@@ -7,6 +7,7 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/patch_shapes.h"
+#include "toolpath/path_figures.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -73,6 +74,7 @@ TEST(AddedTapes, FollowTheBeadsOfTheirLayer) {
   const plan::Findings findings =
       addTapes(plate.plan, plate.stack, tools, {.everyLayers = 1}, s, {});
   EXPECT_TRUE(findings.empty());
+  setPathFigures(plate.plan, 1, tools, s);
   EXPECT_EQ(s.tapes, 3u * 6u) << "none on the last layer";
   EXPECT_NEAR(s.tapeMm, 18 * 115.0, 0.5);
   // Closed form: length x width x thickness x density.
@@ -121,6 +123,7 @@ TEST(AddedTapes, HaveAWaypointWhereTheyAreCut) {
   const double ahead = tools.at(1).process.tape->cutAheadMm;
   plan::ToolpathStatistics s;
   addTapes(plate.plan, plate.stack, tools, {.everyLayers = 1, .endMm = 7.3}, s, {});
+  setPathFigures(plate.plan, 1, tools, s);
   ASSERT_GT(s.tapes, 0u);
   for (const plan::ToolPath& path : plate.plan.paths) {
     if (path.kind != plan::PathKind::Tape)
@@ -170,6 +173,7 @@ TEST(AddedTapes, TapesThatDoNotFitGiveAFinding) {
   plan::ToolpathStatistics s;
   const plan::Findings none = addTapes(plate.plan, plate.stack, tooling(),
                                        {.everyLayers = 1, .angleDeg = 90.0}, s, {}); // 25 long
+  setPathFigures(plate.plan, 1, tooling(), s);
   EXPECT_EQ(s.tapes, 0u);
   EXPECT_TRUE(has(none, plan::FindingKind::NoTape));
 

@@ -25,7 +25,6 @@ using Eigen::Vector3d;
 constexpr double kEdge = 0.2;
 // Waypoints that are closer to the place of the cut give way to it.
 constexpr double kCutMm = 0.3;
-constexpr double kMm3PerCm3 = 1000.0;
 
 int toolForTape(const process::Tooling& tooling) {
   const auto tools = tooling.tools();
@@ -104,7 +103,7 @@ public:
         for (const SurfaceCurve& curve : made_[patch]->tapes.paths)
           addTape(plan, patch, curve);
     }
-    addFigures(plan, s);
+    addCoverFigures(s);
     plan::Findings findings = findingsOf(plan, s);
     out = std::move(plan);
     return findings;
@@ -190,16 +189,7 @@ private:
     }
   }
 
-  void addFigures(const plan::ToolPlan& plan, plan::ToolpathStatistics& s) const {
-    for (const plan::ToolPath& path : plan.paths) {
-      if (path.kind != plan::PathKind::Tape)
-        continue;
-      ++s.tapes;
-      for (std::size_t w = path.first + 1; w < path.first + path.count; ++w)
-        s.tapeMm += (plan.position[w] - plan.position[w - 1]).norm();
-    }
-    s.tapeG = s.tapeMm * tape_.widthMm * tape_.thicknessMm * process_.material.densityGPerCm3 /
-              kMm3PerCm3;
+  void addCoverFigures(plan::ToolpathStatistics& s) const {
     double region = 0.0, covered = 0.0, overlap = 0.0;
     for (const auto& made : made_)
       if (made) {
@@ -222,7 +212,8 @@ private:
         if (!first && made_[i]->tapes.bentMm + made_[i]->tapes.shortMm > 0.0)
           first = &stack_.patches[i];
       }
-    if (s.tapes == 0)
+    if (std::ranges::find(plan.paths, plan::PathKind::Tape, &plan::ToolPath::kind) ==
+        plan.paths.end())
       findings.push_back(
           plan::makeFinding(plan::FindingKind::NoTape, {{"width", base::mm(tape_.widthMm)},
                                                         {"length", base::mm(tape_.minLengthMm)}}));

@@ -13,9 +13,10 @@ namespace voluta::toolpath {
 
 // Adds the tapes of the chosen layers behind the beads of the layer, for the first tool that lays
 // tape; directions are the layer's normals, and there is a waypoint where the tape is cut. Plastic
-// is not moved or reduced: a tape is far thinner than a layer. Adds the tapes' figures and returns
-// findings. Precondition: plan.paths name patches of the stack. Throws Cancelled; Error{Usage} if
-// no tool lays tape or the paths are unknown.
+// is not moved or reduced: a tape is far thinner than a layer. Sets the figures of the cover; those
+// of the paths are setPathFigures()'s (path_figures.h). Returns findings. Precondition: plan.paths
+// name patches of the stack. Throws Cancelled; Error{Usage} if no tool lays tape or the paths are
+// unknown.
 plan::Findings addTapes(plan::ToolPlan& plan, const layers::LayerStack& stack,
                         const process::Tooling& tooling, const FibreOptions& options,
                         plan::ToolpathStatistics& statistics, const base::RunContext& ctx);

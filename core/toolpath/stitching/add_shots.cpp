@@ -68,8 +68,7 @@ void addShot(plan::ToolPlan& plan, const layers::Pocket& pocket, const plan::Too
 } // namespace
 
 void addShots(plan::ToolPlan& plan, std::span<const layers::Pocket> pockets,
-              const process::Tooling& tooling, const StitchOptions& options,
-              plan::ToolpathStatistics& statistics) {
+              const process::Tooling& tooling, const StitchOptions& options) {
   if (pockets.empty())
     return;
   const plan::ToolPlan before = std::move(plan);
@@ -85,8 +84,6 @@ void addShots(plan::ToolPlan& plan, std::span<const layers::Pocket> pockets,
         return (pocket->top - from).squaredNorm();
       });
       addShot(plan, **nearest, before.paths[k], tooling.at((*nearest)->tool).process, options);
-      ++statistics.shots;
-      statistics.shotMm3 += plan.shotMm3(plan.paths.back());
       left.erase(nearest);
     }
   }
