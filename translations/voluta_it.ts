@@ -8146,12 +8146,12 @@ previsto</translation>
         <translation>stampa al massimo {most} pezzi</translation>
     </message>
     <message>
-        <source>a part with its own tool-paths is printed alone</source>
-        <translation>un pezzo con i propri percorsi si stampa da solo</translation>
+        <source>a part on a ground of its own is printed alone</source>
+        <translation>un pezzo su una base propria si stampa da solo</translation>
     </message>
     <message>
-        <source>remove the other parts, or ignore its tool-paths (`givenToolPaths=false`)</source>
-        <translation>togli gli altri pezzi, oppure ignora i suoi percorsi (`givenToolPaths=false`)</translation>
+        <source>remove the other parts, or give `pathsOn=plate`</source>
+        <translation>togli gli altri pezzi, oppure indica `pathsOn=plate`</translation>
     </message>
     <message>
         <source>different for each part</source>

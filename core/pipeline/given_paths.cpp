@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -243,7 +244,7 @@ std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
       std::vector<base::Value>{count, names})};
 }
 
-plan::Findings withRemediesForGiven(plan::Findings findings) {
+plan::Findings withRemediesForGiven(plan::Findings findings, const std::vector<bool>& isGiven) {
   using enum plan::FindingKind;
   constexpr std::array<std::pair<plan::FindingKind, plan::FindingKind>, 5> kKinds{
       {{Uncovered, GivenUncovered},
@@ -251,12 +252,15 @@ plan::Findings withRemediesForGiven(plan::Findings findings) {
        {Mass, GivenMass},
        {Unsupported, GivenUnsupported},
        {LongBridge, GivenLongBridge}}};
-  for (plan::Finding& finding : findings)
-    for (const auto& [planned, given] : kKinds)
-      if (finding.kind == planned) {
-        finding.kind = given;
-        break;
-      }
+  const bool areAllGiven = std::ranges::all_of(isGiven, std::identity());
+  for (plan::Finding& finding : findings) {
+    if (finding.item < 0 ? !areAllGiven : !isGiven.at(static_cast<std::size_t>(finding.item)))
+      continue;
+    const auto row = std::ranges::find(kKinds, finding.kind,
+                                       &std::pair<plan::FindingKind, plan::FindingKind>::first);
+    if (row != kKinds.end())
+      finding.kind = row->second;
+  }
   return findings;
 }
 

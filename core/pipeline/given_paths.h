@@ -54,8 +54,9 @@ std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
                                             const process::Tooling& tooling);
 
 // Returns findings of the replay with remedies for tool-paths that were not planned: turning the
-// part or choosing another way of building does not change them.
-plan::Findings withRemediesForGiven(plan::Findings findings);
+// part or choosing another way of building does not change them. `isGiven`: of each item; findings
+// of no item are changed if all of them are. Precondition: findings name items of the job or none.
+plan::Findings withRemediesForGiven(plan::Findings findings, const std::vector<bool>& isGiven);
 
 // Throws Error{Usage} if the scale or unit of the choices would change the size of the beads.
 void requireOwnSize(const project::Choices& choices);

@@ -281,6 +281,8 @@ toolpath::ItemLayers ItemStages::forToolpaths() const {
   toolpath::ToolpathOptions options = toolpathOptionsOf(resolved_.values, resolved_.process());
   if (resolved_.tools.infill != resolved_.tools.part)
     options.infillTool = resolved_.tools.infill;
+  if (hasGivenPaths_)
+    options.spiral = false; // it is not covered
   return {result_.job.item(index_).layers, std::move(options), resolved_.tooling};
 }
 

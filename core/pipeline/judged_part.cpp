@@ -1,6 +1,7 @@
 #include "pipeline/judged_part.h"
 
 #include "geometry/append_mesh.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "planar/slicing/corrected_mesh.h"
@@ -16,6 +17,9 @@ planar::SizeCorrection correctionOf(const project::Job& job, std::size_t item,
   if (job.report.item(item).decomposition.mode != "flat")
     return {};
   const project::Choices own = project::onlyItem(job.choices, item);
+  // The tool-paths of a file are not corrected.
+  if (job.item(item).loaded && takesGivenPaths(*job.item(item).loaded, parameterValues(own)))
+    return {};
   const process::Process& process = tooling.at(static_cast<int>(ownTool(own))).process;
   return {process.scaleX, process.scaleY, process.outlineOffsetMm, process.holeOffsetMm};
 }

@@ -90,6 +90,11 @@ bool isUntouched(const geometry::Placement& p) {
 }
 } // namespace
 
+bool keepsGivenPlacement(const project::LoadedPart& loaded, const Resolved& resolved) {
+  return loaded.inWorkFrame && takesGivenPaths(loaded, resolved.values) &&
+         !resolved.isBesideOthers && isUntouched(resolved.choices.item().placement);
+}
+
 geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
                                           const modes::ModeChoices& in) {
   const geometry::Placement& own = in.choices.item().placement;
@@ -140,9 +145,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
         geometry::place(*shape.mesh(scale, how.rotation, ctx), scale, how));
   };
   const std::optional<geometry::Placement> given =
-      takesGivenPaths(loaded, values) && isUntouched(choices.item().placement)
-          ? givenPlacement(loaded)
-          : std::nullopt;
+      keepsGivenPlacement(loaded, resolved) ? givenPlacement(loaded) : std::nullopt;
   place(given ? *given
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.item().placement) * unit, in));
   if (values.text("orient") != "none") {

@@ -12,8 +12,7 @@ PlanResult emptyResult(const project::Choices& choices) {
   PlanResult result;
   result.items.clear();
   for (std::size_t i = 0; i < choices.items.size(); ++i)
-    result.items.push_back(
-        {std::make_shared<const Resolved>(resolve(project::onlyItem(choices, i))), nullptr});
+    result.items.push_back({std::make_shared<const Resolved>(resolveItem(choices, i)), nullptr});
   const base::ParameterValues& values = result.resolved().values;
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");

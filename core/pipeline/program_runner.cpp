@@ -4,6 +4,7 @@
 #include "pipeline/avoided.h"
 #include "pipeline/checked_program.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/items/plate_parts.h"
 #include "pipeline/judged_part.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace voluta::pipeline {
 
@@ -77,8 +79,13 @@ private:
           without && counts)
         out.findings.push_back(*without);
     }
-    if (takesGivenPaths(*result_.job.item().loaded, result_.resolved().values))
-      out.findings = withRemediesForGiven(std::move(out.findings));
+    const project::Job& job = result_.job;
+    if (job.items.size() > 1)
+      nameItems(out.findings, job.items, result_.tooling().first().process.beadWidthMaxMm);
+    std::vector<bool> isGiven;
+    for (std::size_t i = 0; i < job.items.size(); ++i)
+      isGiven.push_back(takesGivenPaths(*job.item(i).loaded, result_.item(i).resolved->values));
+    out.findings = withRemediesForGiven(std::move(out.findings), isGiven);
     out.isHopeless = isHopeless();
     return out;
   }

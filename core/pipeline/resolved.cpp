@@ -16,6 +16,12 @@ Resolved resolve(const project::Choices& choices) {
   return {std::move(manual), std::move(values), std::move(tooling), std::move(tools)};
 }
 
+Resolved resolveItem(const project::Choices& choices, std::size_t item) {
+  Resolved own = resolve(project::onlyItem(choices, item));
+  own.isBesideOthers = choices.items.size() > 1;
+  return own;
+}
+
 planar::RiskRule riskRule(const Resolved& resolved) {
   return modes::riskRule(resolved.modeChoices());
 }

@@ -8,6 +8,8 @@
 #include "process/tooling.h"
 #include "project/choices.h"
 
+#include <cstddef>
+
 namespace voluta::planar {
 struct RiskRule;
 }
@@ -23,6 +25,7 @@ struct Resolved {
   base::ParameterValues values;
   process::Tooling tooling; // with this item's layer height, bead width and step (chosenTooling())
   layers::ToolAssignment tools; // that print the item (chosenTools())
+  bool isBesideOthers = false;  // one of several items, which have their places by arrangement
 
   // The process of the part's tool.
   const process::Process& process() const { return tooling.at(tools.part).process; }
@@ -33,6 +36,8 @@ struct Resolved {
 // Resolves the choices of the first item. Automatic choices that name no way keep their mode and
 // platform. Throws Error{Usage} as parameterValues(), chosenTooling() and chosenTools().
 Resolved resolve(const project::Choices& choices);
+// Resolves the choices of one of the job's items. Throws as resolve().
+Resolved resolveItem(const project::Choices& choices, std::size_t item);
 
 // Returns the rule by which faces of pieces need support.
 planar::RiskRule riskRule(const Resolved& resolved);

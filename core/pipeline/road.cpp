@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/path_parameters.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
@@ -40,6 +41,15 @@ void requirePlate(const project::ItemChoices& item) {
     throw base::Error(base::ErrorCode::Usage,
                       "a part around a rod or on a body is printed alone"_text, {},
                       "remove the other parts, or choose a way of building on a plate"_text);
+}
+
+// Throws Error{Usage} if the tool-paths of one of several items are printed on a ground of their
+// own.
+void requireOnPlate(const PlanRequest& one) {
+  if (pathShape(parameterValues(one.choices)).ground.shape != sliced::GroundShape::Plate)
+    throw base::Error(base::ErrorCode::Usage, "a part on a ground of its own is printed alone"_text,
+                      one.item().loaded->name,
+                      "remove the other parts, or give `pathsOn=plate`"_text);
 }
 
 // Throws Error{Usage} if the job has too many items or tools, or invalid choices of an item.
@@ -100,11 +110,11 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
     PlanRequest one = onlyItem(request, i);
     const bool hasPaths = takesGivenPathsOf(one, own);
     request.item(i).loaded = one.item().loaded;
-    if (hasPaths)
-      throw base::Error(
-          base::ErrorCode::Usage, "a part with its own tool-paths is printed alone"_text,
-          one.item().loaded->name,
-          "remove the other parts, or ignore its tool-paths (`givenToolPaths=false`)"_text);
+    if (hasPaths) {
+      requireOnPlate(one);
+      request.choices.item(i) = one.choices.item();
+      continue;
+    }
     if (!request.choices.item(i).automatic || !searches(one))
       continue;
     std::size_t same = 0;
@@ -128,9 +138,13 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
   return result;
 }
 
-project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices) {
-  const bool given = takesGivenPaths(loaded, parameterValues(choices));
-  return keysOf(loaded, resolve(given ? choicesForGivenPaths(choices) : strategyOrFirst(choices)));
+project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices,
+                              std::size_t item) {
+  const project::Choices own = project::onlyItem(choices, item);
+  const bool given = takesGivenPaths(loaded, parameterValues(own));
+  Resolved resolved = resolve(given ? choicesForGivenPaths(own) : strategyOrFirst(own));
+  resolved.isBesideOthers = choices.items.size() > 1;
+  return keysOf(loaded, resolved);
 }
 
 } // namespace
@@ -151,7 +165,7 @@ project::StageKeys stageKeys(const PlanRequest& request) {
   std::vector<project::StageKeys> keys;
   for (std::size_t i = 0; i < request.items.size(); ++i) {
     base::require(request.item(i).loaded != nullptr, "stageKeys: parts that are loaded");
-    keys.push_back(keysOfItem(*request.item(i).loaded, project::onlyItem(request.choices, i)));
+    keys.push_back(keysOfItem(*request.item(i).loaded, request.choices, i));
   }
   return joinedKeys(keys, request.choices.printOrder);
 }

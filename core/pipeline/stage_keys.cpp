@@ -123,8 +123,9 @@ bool isMended(const project::LoadedPart& loaded, const project::Choices& choices
   return choices.item().repair && !loaded.found.clean(); // A clean mesh needs no repair.
 }
 
-std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
+std::string loadText(const project::LoadedPart& loaded, const Resolved& resolved,
                      const std::string& cell) {
+  const modes::ModeChoices in = resolved.modeChoices();
   const project::Choices& c = in.choices;
   std::string text =
       base::keyText(loaded.hash, isMended(loaded, c), c.item().placement.rotation.coeffs(),
@@ -138,6 +139,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
     text += mode.decompose.key(in); // the orientation is chosen by what these cuts leave
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n" + pathShapeKey(in.values);
+  if (loaded.inWorkFrame && resolved.isBesideOthers)
+    text += "beside others\n";
   if (c.item().platform.isOfCell()) {
     const PlateNeeds needs = plateNeeds(in.values);
     text += "a plate of\n" + cell +
@@ -201,7 +204,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
         stage == project::Stage::Load ? "" : keys[project::indexOf(stage) - 1];
     keys[project::indexOf(stage)] = next(before, stage, own);
   };
-  put(project::Stage::Load, loadText(loaded, in, cellKey));
+  put(project::Stage::Load, loadText(loaded, resolved, cellKey));
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
   put(project::Stage::Layers, mode.layers.key(in) + tools);
   const ProcessKeys processKeys = keysOf(tooling);

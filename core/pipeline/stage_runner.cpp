@@ -9,6 +9,7 @@
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/item_stages.h"
+#include "pipeline/items/given_items.h"
 #include "pipeline/items/layer_hindrance.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/judged_part.h"
@@ -205,23 +206,13 @@ private:
   }
 
   bool toolpath() {
-    const bool given = first().hasGivenPaths();
+    const bool given =
+        std::ranges::any_of(items_, [](const auto& item) { return item->hasGivenPaths(); });
     const auto stage = cachedOrMade<ToolpathStage>([&] {
-      if (given)
-        return givenToolpathStage(*items_.front()->shaped().part, first().placed(),
-                                  resolved_.tooling, span(project::Stage::Toolpath));
-      const auto joined = joinedLayers();
-      std::vector<toolpath::ItemLayers> items;
-      requireFormatsTilt(directionsOf(*joined));
-      for (const auto& item : items_) {
-        items.push_back(item->forToolpaths());
-        items.back().options.canTilt = canTilt(resolved_.choices, *result_.cell);
-      }
-      MadeToolpaths made =
-          toolpathStage(std::move(items), *joined, *result_.cell, project::platformOf(job()),
-                        resolved_.tooling, span(project::Stage::Toolpath));
-      grown_ = std::move(made.grown);
-      return withStrength(std::move(made.stage), *joined);
+      const base::RunContext ctx = span(project::Stage::Toolpath);
+      if (!given)
+        return plannedToolpaths({}, ctx);
+      return items_.size() == 1 ? givenToolpaths(0, ctx) : mixedToolpaths(ctx);
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -235,6 +226,53 @@ private:
               massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return continues;
+  }
+
+  // Of the items without tool-paths of their own. `others`: where the other items are printed.
+  std::shared_ptr<const ToolpathStage> plannedToolpaths(std::span<const Eigen::Vector3d> others,
+                                                        const base::RunContext& ctx) {
+    const auto joined = joinedLayers();
+    requireFormatsTilt(directionsOf(*joined));
+    MadeToolpaths made = toolpathStage(itemLayers(), *joined, *result_.cell,
+                                       project::platformOf(job()), resolved_.tooling, ctx, others);
+    grown_ = std::move(made.grown);
+    return withStrength(std::move(made.stage), *joined);
+  }
+
+  std::vector<toolpath::ItemLayers> itemLayers() const {
+    std::vector<toolpath::ItemLayers> all;
+    for (const auto& item : items_) {
+      all.push_back(item->forToolpaths());
+      all.back().options.canTilt = canTilt(resolved_.choices, *result_.cell);
+    }
+    // What holds for the whole job is stated by the first item that is planned.
+    const auto planned =
+        std::ranges::find_if(items_, [](const auto& item) { return !item->hasGivenPaths(); });
+    if (planned != items_.end() && first().hasGivenPaths())
+      all.front().options = all[static_cast<std::size_t>(planned - items_.begin())].options;
+    return all;
+  }
+
+  std::shared_ptr<const ToolpathStage> givenToolpaths(std::size_t i, const base::RunContext& ctx) {
+    return givenToolpathStage(*items_[i]->shaped().part, items_[i]->placed(),
+                              result_.item(i).resolved->tooling, ctx);
+  }
+
+  // Of several items, at least one of which is printed along the tool-paths of its file.
+  std::shared_ptr<const ToolpathStage> mixedToolpaths(const base::RunContext& ctx) {
+    constexpr double kGivenShare = 0.2; // of the progress
+    GivenItems given;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      if (items_[i]->hasGivenPaths())
+        given.push_back({i, givenToolpaths(i, ctx.sub(0.0, kGivenShare))});
+    const std::vector<Eigen::Vector3d> places = placesOf(given);
+    const auto planned = given.size() < items_.size()
+                             ? plannedToolpaths(places, ctx.sub(kGivenShare, 1.0))
+                             : std::make_shared<const ToolpathStage>();
+    grown_.reset(); // without the paths of the files
+    return joinedStage(*planned, given, resolved_.choices.printOrder,
+                       printSequence(placedParts(), job().choices, process()).order,
+                       resolved_.tooling);
   }
 
   static std::vector<Eigen::Vector3d> directionsOf(const layers::LayerStack& stack) {
@@ -252,7 +290,7 @@ private:
   // Of the first item, whose load is in the frame of its file.
   std::shared_ptr<const ToolpathStage> withStrength(std::shared_ptr<const ToolpathStage> stage,
                                                     const layers::LayerStack& joined) {
-    if (!load_)
+    if (!load_ || first().hasGivenPaths())
       return stage;
     const Eigen::Quaterniond& rotation = first().placed().placement.rotation;
     auto judged = std::make_shared<ToolpathStage>(*stage);

@@ -9,8 +9,10 @@
 #include "project/job_stage.h"
 #include "project/report.h"
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,6 +81,9 @@ struct MotionStage {
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
                                                   const Resolved& resolved,
                                                   const base::RunContext& ctx = {});
+// Returns whether a part in the work frame of its file keeps that place: it is printed along the
+// file's tool-paths, alone, and the user has not placed it.
+bool keepsGivenPlacement(const project::LoadedPart& loaded, const Resolved& resolved);
 // Returns whether the part can be printed at another scale. Voxel objects and parts printed onto
 // bodies cannot.
 bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices);
@@ -114,10 +119,11 @@ struct MadeToolpaths {
   std::shared_ptr<const collision::GrowingPart> grown;
 };
 // `items`: with all options but the platform, which is set here. `joined`: their layers in print
-// order.
+// order. `others`: places where other items are printed.
 MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
                             const layers::LayerStack& joined, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Tooling& tooling, const base::RunContext& ctx);
+                            const process::Tooling& tooling, const base::RunContext& ctx,
+                            std::span<const Eigen::Vector3d> others = {});
 
 } // namespace voluta::pipeline

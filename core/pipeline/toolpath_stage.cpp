@@ -12,11 +12,13 @@ namespace voluta::pipeline {
 MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
                             const layers::LayerStack& joined, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Tooling& tooling, const base::RunContext& ctx) {
+                            const process::Tooling& tooling, const base::RunContext& ctx,
+                            std::span<const Eigen::Vector3d> others) {
   auto stage = std::make_shared<ToolpathStage>();
   for (toolpath::ItemLayers& item : items)
     item.options.platform = platform;
-  toolpath::ToolpathResult planned = toolpath::planToolpaths(items, joined, cell, tooling, ctx);
+  toolpath::ToolpathResult planned =
+      toolpath::planToolpaths(items, joined, cell, tooling, ctx, others);
   stage->report = planned.statistics;
   stage->timings.toolpath = planned.seconds.toolpath;
   stage->timings.orient = planned.seconds.orient;

@@ -39,12 +39,12 @@ constexpr double kCoverShare = 0.6; // of the stage's progress
 // Puts the brim before all other paths, and the prime before the brim.
 void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
               const process::Tooling& tooling, const ToolpathOptions& options,
-              plan::Findings& findings) {
+              std::span<const Vector3d> others, plan::Findings& findings) {
   plan::ToolPlan& plan = assembled.plan;
   const std::size_t before = plan.waypointCount();
   if (auto cut = addBrim(plan, stack, tooling, options))
     findings.push_back(std::move(*cut));
-  if (auto falls = addPrimePath(plan, cell, tooling, options))
+  if (auto falls = addPrimePath(plan, cell, tooling, options, others))
     findings.push_back(std::move(*falls));
   assembled.clearDirection.insert(assembled.clearDirection.begin(), plan.waypointCount() - before,
                                   Vector3d::UnitZ());
@@ -136,8 +136,10 @@ LayerCovers coverItems(std::span<const ItemLayers> items, const layers::LayerSta
   std::vector<LayerCovers> own;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double count = static_cast<double>(items.size()), at = static_cast<double>(i);
-    own.push_back(coverLayers(*items[i].stack, items[i].tooling, items[i].options, 1.0,
-                              ctx.sub(share * at / count, share * (at + 1.0) / count)));
+    const base::RunContext span = ctx.sub(share * at / count, share * (at + 1.0) / count);
+    own.push_back(items[i].stack->patches.empty() ? LayerCovers{}
+                                                  : coverLayers(*items[i].stack, items[i].tooling,
+                                                                items[i].options, 1.0, span));
     all.fill.push_back(own.back().fill.empty() ? plan::FillIntent{} : own.back().fill.front());
     all.sparseMm3 += own.back().sparseMm3;
     all.sparseBeadMm3 += own.back().sparseBeadMm3;
@@ -153,9 +155,8 @@ LayerCovers coverItems(std::span<const ItemLayers> items, const layers::LayerSta
 // Completes a plan of that many items, whose layers are covered.
 ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::LayerStack& stack,
                            const robot::Cell& cell, const process::Tooling& tooling,
-                           const ToolpathOptions& options, base::Stopwatch watch,
-                           const base::RunContext& ctx) {
-
+                           const ToolpathOptions& options, std::span<const Vector3d> others,
+                           base::Stopwatch watch, const base::RunContext& ctx) {
   ToolpathResult r;
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
@@ -175,7 +176,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   const bool hasBrim = options.brimWidthMm > 0.0;
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (!hasBrim)
-    addWaste(assembled, stack, cell, tooling, options, r.findings);
+    addWaste(assembled, stack, cell, tooling, options, others, r.findings);
   const PassScene scene{cell, tooling, options.platform, stack.pockets, options.canTilt};
   plan::Findings reported;
   std::shared_ptr<const collision::GrowingPart> grown;
@@ -191,7 +192,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   }
   // A brim surrounds rim supports as well.
   if (hasBrim) {
-    addWaste(assembled, stack, cell, tooling, options, r.findings);
+    addWaste(assembled, stack, cell, tooling, options, others, r.findings);
     grown.reset();
   }
   r.seconds.toolpath = watch.seconds();
@@ -242,12 +243,12 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   const ToolpathOptions options = given.spiral ? spiralOptions(given) : given;
   const base::Stopwatch watch;
   return planCovered(coverLayers(stack, tooling, options, kCoverShare, ctx), 1, stack, cell,
-                     tooling, options, watch, ctx);
+                     tooling, options, {}, watch, ctx);
 }
 
 ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::LayerStack& joined,
                              const robot::Cell& cell, const process::Tooling& tooling,
-                             const base::RunContext& ctx) {
+                             const base::RunContext& ctx, std::span<const Vector3d> others) {
   const ToolpathOptions& options = items.front().options;
   if (items.size() == 1)
     return planToolpaths(joined, cell, tooling, options, ctx);
@@ -257,7 +258,7 @@ ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::La
                         "remove the other parts, or set spiral to false"_text);
   const base::Stopwatch watch;
   return planCovered(coverItems(items, joined, kCoverShare, ctx), items.size(), joined, cell,
-                     tooling, options, watch, ctx);
+                     tooling, options, others, watch, ctx);
 }
 
 } // namespace voluta::toolpath

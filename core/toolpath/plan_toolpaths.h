@@ -7,6 +7,7 @@
 #include "process/tooling.h"
 #include "toolpath/options.h"
 
+#include <Eigen/Core>
 #include <memory>
 #include <span>
 
@@ -47,10 +48,12 @@ struct ItemLayers {
 
 // Covers the layers of each item by its own options; then as planToolpaths() below for `joined`,
 // which has the patches of all items in print order (layers::joinStacks()). Precondition: one item
-// or more. Throws Error{Usage} if one of several items is a spiral.
+// or more. Throws Error{Usage} if one of several items is a spiral. An item without layers gets no
+// paths. `others`: places [mm] that the prime keeps clear of, beside the paths of several items.
 ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::LayerStack& joined,
                              const robot::Cell& cell, const process::Tooling& tooling,
-                             const base::RunContext& ctx);
+                             const base::RunContext& ctx,
+                             std::span<const Eigen::Vector3d> others = {});
 
 // Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
 // first tool is the cell's. Throws Cancelled, Error{Usage}.

@@ -122,7 +122,8 @@ bool hasRoomForPrime(const std::vector<Vector2d>& plate, const std::vector<Vecto
 
 std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
                                           const process::Tooling& tooling,
-                                          const ToolpathOptions& options) {
+                                          const ToolpathOptions& options,
+                                          std::span<const Vector3d> others) {
   const robot::Prism* plate = robot::plateOf(cell);
   if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
       options.platform.rod)
@@ -131,9 +132,11 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   const bool isTape = tooling.of(plan.paths.front()).process.tape.has_value();
   const int tool = isTape ? 0 : plan.paths.front().tool;
   const process::Process& process = tooling.at(tool).process;
-  const PrimePlace place = primePlace(
-      plate->polygon, plan.position, cell.work_T_tool(cell.home()).translation().head<2>(),
-      options.prime == "skirt", options.primeLengthMm, process.beadWidthMm);
+  std::vector<Vector3d> printed = plan.position;
+  printed.insert(printed.end(), others.begin(), others.end());
+  const PrimePlace place =
+      primePlace(plate->polygon, printed, cell.work_T_tool(cell.home()).translation().head<2>(),
+                 options.prime == "skirt", options.primeLengthMm, process.beadWidthMm);
   const double height = process.layerHeightMm, width = process.beadWidthMm;
   const double z = place.onPlate ? height : std::max(kPrimeAboveMm, 2.0 * height);
   std::vector<Vector3d> points;

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -41,10 +42,11 @@ bool hasRoomForPrime(const std::vector<Eigen::Vector2d>& plate,
 
 // Puts the bead before all other paths, printed with the first tool: a ring as PathKind::Skirt, a
 // line as PathKind::Prime. Does nothing if options.prime is "none", the plan has no path, or the
-// platform is no plate. Returns a finding with the place if the bead falls because the plate has no
-// room for it.
+// platform is no plate. `others`: places of other beads that it keeps clear of. Returns a finding
+// with the place if the bead falls because the plate has no room for it.
 std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
                                           const process::Tooling& tooling,
-                                          const ToolpathOptions& options);
+                                          const ToolpathOptions& options,
+                                          std::span<const Eigen::Vector3d> others = {});
 
 } // namespace voluta::toolpath

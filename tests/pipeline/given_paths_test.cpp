@@ -233,7 +233,7 @@ TEST(GivenPaths, RemediesForGivenPathsReferToTheSlicer) {
       plan::makeFinding(Uncovered, {{"share", base::percent(5.0)}}),
       plan::makeFinding(Overfill,
                         {{"outside", base::percent(1.0)}, {"noRoom", base::percent(5.0)}})};
-  const plan::Findings given = withRemediesForGiven(planned);
+  const plan::Findings given = withRemediesForGiven(planned, {true});
   ASSERT_EQ(given.size(), planned.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     EXPECT_EQ(plan::englishReason(given[i]), plan::englishReason(planned[i]));

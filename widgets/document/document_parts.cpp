@@ -162,11 +162,13 @@ void Document::openParts(const std::vector<project::PartInFile>& parts, const QS
 }
 
 Eigen::AlignedBox3d Document::placedBox(std::size_t item) const {
-  if (const auto placed = result(Stage::Load); placed && upToDate(Stage::Load))
+  const project::LoadedPart& loaded = *parts_->items[item]->part;
+  // A part in the work frame of its file keeps that place only as long as it is alone.
+  if (const auto placed = result(Stage::Load);
+      placed && upToDate(Stage::Load) && !(loaded.inWorkFrame && parts_->items.size() == 1))
     if (const auto& part = placed->job.item(item).part)
       return geometry::bounds(*part);
   const project::Choices own = project::onlyItem(choices_, item);
-  const project::LoadedPart& loaded = *parts_->items[item]->part;
   return geometry::bounds(
       geometry::place(*loaded.mesh, ownScale(loaded, own), own.item().placement));
 }

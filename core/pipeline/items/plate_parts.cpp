@@ -7,11 +7,13 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/cell_plate.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/items/part_arrangement.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "plan/tool_plan.h"
 #include "project/loaded_part.h"
 
 #include <algorithm>
@@ -21,6 +23,18 @@ namespace voluta::pipeline {
 namespace {
 bool isOnCellPlate(const project::ItemChoices& item) {
   return item.platform.isOfCell() || (item.automatic && !item.platformStays);
+}
+
+// Returns the footprint of a part with its own tool-paths, with the skirts among them.
+Footprint footprintWithWaste(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                             const Resolved& own, const base::RunContext& ctx) {
+  const auto stage = givenToolpathStage(loaded, placed, own.tooling, ctx);
+  const plan::ToolPlan& plan = *stage->toolPlan;
+  geometry::TriangleMesh all = *placed.part;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; plan::isWaste(path.kind) && i < path.first + path.count; ++i)
+      all.vertices.push_back(plan.position[i]);
+  return footprintOf(all, mayLean(own.choices.item()));
 }
 } // namespace
 
@@ -39,10 +53,13 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
     RequestedItem& item = request.item(i);
     if (!item.loaded)
       item.loaded = project::loadPart(item.part, request.choices.item(i).repair, ctx);
-    const Resolved own = resolve(strategyOrFirst(project::onlyItem(request.choices, i)));
+    const project::Choices alone = project::onlyItem(request.choices, i);
+    const bool isGiven = takesGivenPaths(*item.loaded, parameterValues(alone));
+    const Resolved own = resolve(isGiven ? choicesForGivenPaths(alone) : strategyOrFirst(alone));
     const auto& [choices, values, process] = own.modeChoices();
     const auto placed = loadStage(*item.loaded, own, ctx);
-    parts.push_back(footprintOf(*placed->part, mayLean(request.choices.item(i))));
+    parts.push_back(isGiven ? footprintWithWaste(*item.loaded, *placed, own, ctx)
+                            : footprintOf(*placed->part, mayLean(request.choices.item(i))));
     centres.push_back(placed->placement.centreMm);
     options.spareMm = std::max(options.spareMm, 2.0 * process.beadWidthMaxMm) +
                       2.0 * values.number("brimWidthMm");
