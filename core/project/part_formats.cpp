@@ -76,7 +76,7 @@ PartFormat rowOf(const geometry::MeshFormat& mesh) {
     return {mesh.ending, mesh.name, PartContent::Mesh,
             true,        false,     "several parts, or tool-paths (build files)"_text,
             readPackage};
-  if (mesh.foreign)
+  if (mesh.foreign())
     return {mesh.ending,    mesh.name, PartContent::Mesh,
             false,          true,      "one mesh; read by a program of its own"_text,
             readForeignFile};

@@ -1,6 +1,7 @@
 // Mesh files: one input, read as each of the formats.
 #include "fuzz_target.h"
 
+#include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/shapes.h"
 #include "sound_mesh.h"
@@ -72,7 +73,7 @@ std::string binaryPly(const geometry::TriangleMesh& mesh) {
   return bytes;
 }
 
-void readAs(const char* name, const std::string& bytes) {
+void readAs(const std::string& name, const std::string& bytes) {
   fuzz::takenOrRefused([&] { fuzz::expectSound(geometry::readMesh(bytes, name).mesh); });
 }
 
@@ -96,7 +97,8 @@ std::vector<std::string> voluta::fuzz::seeds() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes = fuzz::textOf(data, size);
-  for (const char* name : {"input.stl", "input.obj", "input.off", "input.ply"})
-    readAs(name, bytes);
+  for (const geometry::MeshFormat& format : geometry::meshFormats())
+    if (!format.foreign())
+      readAs("input" + std::string(format.ending), bytes);
   return 0;
 }

@@ -1,12 +1,14 @@
 #include "geometry/formats/mesh_reader.h"
 
 #include "base/error.h"
+#include "geometry/formats/mesh_formats.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"
 #include "project/sample_part.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
@@ -89,6 +91,16 @@ std::string binaryPly(const TriangleMesh& m) {
   return s;
 }
 
+// A file of the mesh in each format, by its name; packages (3MF) have their own tests.
+std::vector<std::pair<std::string, std::string>> filesOf(const TriangleMesh& m) {
+  return {{"a.stl", geometry::writeStl(m)},
+          {"b.STL", asciiStl(m)},
+          {"c.obj", obj(m)},
+          {"d.off", off(m)},
+          {"e.ply", asciiPly(m)},
+          {"f.ply", binaryPly(m)}};
+}
+
 std::string messageOf(const std::string& bytes, const std::string& name) {
   try {
     readMesh(bytes, name);
@@ -104,14 +116,9 @@ std::string messageOf(const std::string& bytes, const std::string& name) {
 
 TEST(Readers, EveryFormatGivesTheSameBox) {
   const TriangleMesh m = boxMesh();
-  const std::pair<std::string, std::string> files[] = {{"a.stl", geometry::writeStl(m)},
-                                                       {"b.STL", asciiStl(m)},
-                                                       {"c.obj", obj(m)},
-                                                       {"d.off", off(m)},
-                                                       {"e.ply", asciiPly(m)},
-                                                       {"f.ply", binaryPly(m)},
-                                                       {"no extension", asciiStl(m)},
-                                                       {"wrong.txt", asciiPly(m)}};
+  auto files = filesOf(m);
+  files.emplace_back("no extension", asciiStl(m));
+  files.emplace_back("wrong.txt", asciiPly(m));
   for (const auto& [name, bytes] : files) {
     const auto file = readMesh(bytes, name);
     EXPECT_EQ(file.mesh.vertices.size(), 8u) << name;
@@ -120,6 +127,16 @@ TEST(Readers, EveryFormatGivesTheSameBox) {
     EXPECT_TRUE(geometry::bounds(file.mesh).min().isApprox(kLow, 1e-6)) << name;
     EXPECT_TRUE(file.repairs.empty()) << name;
   }
+}
+
+TEST(Readers, EveryFormatWithAReaderIsTested) {
+  const auto files = filesOf(boxMesh());
+  for (const geometry::MeshFormat& format : geometry::meshFormats())
+    if (!format.foreign() && format.ending != ".3mf") {
+      EXPECT_TRUE(std::ranges::any_of(files, [&](const auto& file) {
+        return geometry::meshFormatOf(file.first) == &format;
+      })) << format.ending;
+    }
 }
 
 TEST(Readers, PolygonsAreCutIntoTriangles) {
@@ -240,15 +257,9 @@ TEST(Readers, ClearErrors) {
 // A damaged file is a mesh or an Error, never anything else.
 TEST(Readers, DamagedFilesNeverCrash) {
   const TriangleMesh m = test::sphere({0, 0, 0}, 5.0, 5);
-  const std::pair<std::string, std::string> files[] = {{"a.stl", geometry::writeStl(m)},
-                                                       {"b.stl", asciiStl(m)},
-                                                       {"c.obj", obj(m)},
-                                                       {"d.off", off(m)},
-                                                       {"e.ply", asciiPly(m)},
-                                                       {"f.ply", binaryPly(m)}};
   std::mt19937 random(7);
   int errors = 0, meshes = 0;
-  for (const auto& [name, bytes] : files)
+  for (const auto& [name, bytes] : filesOf(m))
     for (int trial = 0; trial < 1500; ++trial) {
       std::string damaged = bytes;
       if (trial % 3 == 0)

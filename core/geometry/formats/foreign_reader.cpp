@@ -19,7 +19,7 @@ using End = base::ChildResult::End;
 
 bool isForeign(const std::filesystem::path& file) {
   const MeshFormat* format = meshFormatOf(file);
-  return format && format->foreign;
+  return format && format->foreign();
 }
 
 MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,

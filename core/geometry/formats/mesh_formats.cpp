@@ -1,6 +1,7 @@
 #include "geometry/formats/mesh_formats.h"
 
 #include "base/lower_case.h"
+#include "geometry/formats/facet_soup.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,11 +9,11 @@
 namespace voluta::geometry {
 
 namespace {
-constexpr MeshFormat kFormats[] = {{".stl", "STL"},         {".obj", "OBJ"},
-                                   {".ply", "PLY"},         {".off", "OFF"},
-                                   {".3mf", "3MF"},         {".dae", "COLLADA", true},
-                                   {".gltf", "glTF", true}, {".glb", "glTF", true},
-                                   {".fbx", "FBX", true},   {".3ds", "3DS", true}};
+constexpr MeshFormat kFormats[] = {{".stl", "STL", readStl}, {".obj", "OBJ", readObj},
+                                   {".ply", "PLY", readPly}, {".off", "OFF", readOff},
+                                   {".3mf", "3MF", read3mf}, {".dae", "COLLADA"},
+                                   {".gltf", "glTF"},        {".glb", "glTF"},
+                                   {".fbx", "FBX"},          {".3ds", "3DS"}};
 } // namespace
 
 std::span<const MeshFormat> meshFormats() {

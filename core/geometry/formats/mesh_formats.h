@@ -8,10 +8,16 @@
 
 namespace voluta::geometry {
 
+struct FacetSoup;
+
 struct MeshFormat {
   std::string_view ending; // lower case, with its dot
   std::string_view name;
-  bool foreign = false; // has no reader in this program (geometry/formats/foreign_reader.h)
+  // Reads the content of a file (geometry/formats/facet_soup.h); `file` names it in errors.
+  // nullptr: a separate program reads the format (geometry/formats/foreign_reader.h).
+  FacetSoup (*read)(std::string_view bytes, const std::string& file) = nullptr;
+
+  bool foreign() const { return !read; }
 };
 
 std::span<const MeshFormat> meshFormats();

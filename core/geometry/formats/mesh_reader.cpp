@@ -37,18 +37,21 @@ struct PointHash {
   }
 };
 
-// Returns the ending of the format without its dot, or an empty string.
-std::string_view formatOf(std::string_view bytes, const std::string& name) {
+// Returns the format by the content if it has a signature, else by the name's ending, or nullptr.
+const MeshFormat* formatOf(std::string_view bytes, const std::string& name) {
+  const auto ofEnding = [](std::string_view ending) {
+    return &*std::ranges::find(meshFormats(), ending, &MeshFormat::ending);
+  };
   const MeshFormat* named = meshFormatOf(name);
-  const std::string_view ending =
-      named && !named->foreign ? named->ending.substr(1) : std::string_view();
+  if (named && named->foreign())
+    named = nullptr;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
-    return "ply";
-  if (ending == "stl" || looksLikeStl(bytes))
-    return "stl";
-  if (ending.empty() && bytes.starts_with("OFF"))
-    return "off";
-  return ending;
+    return ofEnding(".ply");
+  if (looksLikeStl(bytes))
+    return ofEnding(".stl");
+  if (!named && bytes.starts_with("OFF"))
+    return ofEnding(".off");
+  return named;
 }
 
 bool usable(const Facet& facet) {
@@ -113,7 +116,7 @@ MeshFile meshOf(FacetSoup soup, const std::string& name) {
 }
 
 bool looksLikeMesh(std::string_view bytes) {
-  return isBinaryStl(bytes) || !formatOf(bytes, {}).empty();
+  return isBinaryStl(bytes) || formatOf(bytes, {});
 }
 
 MeshFile readMesh(const std::filesystem::path& path) {
@@ -126,15 +129,11 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
   // The size identifies a binary STL, regardless of its header.
   const PlainText plain = isBinaryStl(bytes) ? PlainText{bytes, {}, {}} : plainText(bytes, name);
   const std::string_view text = plain.text();
-  const std::string_view format = formatOf(text, name);
-  if (format.empty())
+  const MeshFormat* format = formatOf(text, name);
+  if (!format)
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
                 base::message("use one of these formats: {formats}"_text, meshFormatNames()));
-  FacetSoup soup = format == "stl"   ? readStl(text, name)
-                   : format == "obj" ? readObj(text, name)
-                   : format == "off" ? readOff(text, name)
-                   : format == "ply" ? readPly(text, name)
-                                     : read3mf(text, name);
+  FacetSoup soup = format->read(text, name);
   soup.repairs.insert(soup.repairs.begin(), plain.notes.begin(), plain.notes.end());
   return meshOf(std::move(soup), name);
 }

@@ -1,4 +1,5 @@
-// Reads mesh files: STL, OBJ, PLY, OFF, 3MF. For others see geometry/formats/foreign_reader.h.
+// Reads mesh files of the formats in geometry/formats/mesh_formats.h that have a reader in this
+// program. For others see geometry/formats/foreign_reader.h.
 #pragma once
 
 #include "base/text.h"
@@ -13,7 +14,7 @@ namespace voluta::geometry {
 
 struct MeshFile {
   TriangleMesh mesh;                  // points of equal coordinates are one vertex
-  std::string format;                 // "STL (binary)", "STL (text)", "OBJ", "PLY", "OFF", "3MF"
+  std::string format;                 // "STL (binary)", "STL (text)", "OBJ"
   std::vector<base::Message> repairs; // omitted content, a sentence each
 };
 
