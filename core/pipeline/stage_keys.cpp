@@ -19,13 +19,6 @@
 
 #include <fmt/format.h>
 
-namespace voluta::platform {
-// The platform among the options is not known yet; the keys of the earlier stages determine it.
-static std::string keyOf(const PlatformSolid&) {
-  return {};
-}
-} // namespace voluta::platform
-
 namespace voluta::pipeline {
 
 namespace {
@@ -83,20 +76,6 @@ ProcessKeys keysOf(const process::Process& process) {
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration) + lagKey(lag),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
               ownMaterialKey(material) + wordsKey(words)};
-}
-
-// Without stitches as in older projects.
-std::string keyOfPaths(const toolpath::ToolpathOptions& options) {
-  const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
-               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
-               spiral, tilts, cooling, fibre, stitches, infillTool, platform] = options;
-  const toolpath::StitchOptions usual;
-  const bool isUsual = stitches.excess == usual.excess && stitches.depthMm == usual.depthMm;
-  return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
-                       infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
-                       primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
-                       platform) +
-         (tilts ? "" : "upright\n") + (isUsual ? std::string() : base::keyText(stitches));
 }
 
 // The same of all tools.
@@ -210,8 +189,8 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);
   paths.canTilt = canTilt(choices, cell);
-  put(project::Stage::Toolpath,
-      cellKey + keyOfPaths(paths) + processKeys.bead + processKeys.head + loadKey(values));
+  put(project::Stage::Toolpath, cellKey + toolpath::optionsKey(paths) + processKeys.bead +
+                                    processKeys.head + loadKey(values));
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
   // Includes the program options of each format.

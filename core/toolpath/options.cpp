@@ -1,5 +1,6 @@
 #include "toolpath/options.h"
 
+#include "base/key_text.h"
 #include "toolpath/fibre/tape_curves.h"
 #include "toolpath/fibre/tape_paths.h"
 #include "toolpath/infill/infill.h"
@@ -185,6 +186,29 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.stitches.excess = values.number("stitchExcess");
   o.stitches.depthMm = values.number("stitchDepth");
   return o;
+}
+
+namespace {
+// Returns no text for a value at its default: keys of projects saved before the option existed stay
+// the same.
+template <typename T> std::string changedKey(const T& value, const T& usual) {
+  const std::string key = base::keyText(value);
+  return key == base::keyText(usual) ? std::string() : key;
+}
+} // namespace
+
+std::string optionsKey(const ToolpathOptions& options) {
+  // The structured binding forces every new option to be considered here; add it with changedKey().
+  const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
+               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
+               spiral, tilts, cooling, fibre, stitches, infillTool, platform] = options;
+  static_cast<void>(platform);
+  const std::string noPlatform;
+  return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
+                       infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
+                       primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
+                       noPlatform) +
+         (tilts ? "" : "upright\n") + changedKey(stitches, StitchOptions{});
 }
 
 } // namespace voluta::toolpath

@@ -83,5 +83,8 @@ base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.
 ToolpathOptions toolpathOptions(const base::ParameterValues& values);
+// Returns the options as text, for the key of the tool-paths' stage: without the platform, which
+// the keys of earlier stages determine.
+std::string optionsKey(const ToolpathOptions& options);
 
 } // namespace voluta::toolpath
