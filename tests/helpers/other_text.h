@@ -3,10 +3,28 @@
 
 #include "base/parameters.h"
 
+#include <map>
 #include <string>
 #include <variant>
 
 namespace voluta::test {
+
+// Values of texts that have a form; one that may name a file needs a row, whose value is also the
+// content of a file.
+inline std::string otherWords(const std::string& key) {
+  static const std::map<std::string, std::string> kTexts{
+      {"pieceMaterials", "red PLA"},
+      {"cutPlanes", R"([{"point": [0, 0, 4], "normal": [0, 0, 1]}])"},
+      {"layerPlanes", R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])"},
+      {"pieceRoot", "0,0,0"},
+      {"rodProfile", "-20,3 20,3"},
+      {"layerCentre", "0,0,-9"},
+      {"endSurface", "flat:9"},
+      {"fibreCurves", "0,0 10,0"},
+      {"fibreField", "0,0,0,1,0,0"}};
+  const auto row = kTexts.find(key);
+  return row == kTexts.end() ? "1,2,3" : row->second;
+}
 
 // Returns another value than the default, as text.
 inline std::string otherText(const base::ParameterSpec& spec) {
@@ -28,7 +46,7 @@ inline std::string otherText(const base::ParameterSpec& spec) {
         return choice.id;
     break;
   case base::ParameterType::Text:
-    return spec.file.patterns == "*.json" ? "[]" : "1,2,3"; // no name of a file
+    return otherWords(spec.key);
   }
   return {};
 }

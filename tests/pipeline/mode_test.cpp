@@ -1,5 +1,6 @@
 // Properties of every mode.
 #include "helpers/given_parameters.h"
+#include "helpers/other_text.h"
 #include "modes/mode_table.h"
 
 #include "base/error.h"
@@ -30,14 +31,6 @@ pipeline::PlanRequest requestFor(const Mode& mode) {
 
 // Another value than the one that is there.
 std::string otherValue(const base::ParameterSpec& spec) {
-  static const std::map<std::string, std::string> kTexts{
-      {"pieceMaterials", "red PLA"},
-      {"cutPlanes", R"([{"point": [0, 0, 4], "normal": [0, 0, 1]}])"},
-      {"layerPlanes", R"([{"point": [0, 0, 0.4], "normal": [0, 0, 1]}])"},
-      {"pieceRoot", "0,0,0"},
-      {"rodProfile", "-20,3 20,3"},
-      {"layerCentre", "0,0,-9"},
-      {"endSurface", "flat:9"}};
   switch (spec.type) {
   case base::ParameterType::Number:
     return spec.key == "firstLayerMm" ? "0.5"
@@ -53,7 +46,7 @@ std::string otherValue(const base::ParameterSpec& spec) {
   case base::ParameterType::Text:
     break;
   }
-  return kTexts.at(spec.key);
+  return test::otherText(spec);
 }
 
 // Does a change of it reach the layers, in any of these settings?

@@ -64,17 +64,11 @@ TEST(ParameterScope, ItemsOfOneJobHaveItsSettings) {
 
 TEST(ParameterScope, AValueThatNamesAFileStoresItsContent) {
   const test::TemporaryFolder folder;
-  const Texts contents{{"layerPlanes", R"([{"point": [0, 0, 1], "normal": [0, 0, 1]}])"},
-                       {"cutPlanes", R"([{"point": [0, 0, 5], "normal": [0, 0, 1]}])"},
-                       {"rodProfile", "0,2.5 20,3.5"},
-                       {"fibreCurves", "0,0 10,0"},
-                       {"fibreField", "0,0,0,1,0,0"}};
   const base::ParameterTable table = allParameters();
   for (const base::ParameterSpec& spec : table.specs()) {
     if (!spec.file.read)
       continue;
-    ASSERT_TRUE(contents.contains(spec.key)) << spec.key << ": what does its file contain?";
-    const std::string& content = contents.at(spec.key);
+    const std::string content = test::otherText(spec);
     base::writeFile(folder / "given.txt", content);
     project::Choices choices;
     setParameters(choices, {spec.key + "=" + (folder / "given.txt").string()});
