@@ -2,14 +2,17 @@
 #pragma once
 
 #include "base/text.h"
-#include "geometry/formats/mesh_reader.h"
 
+#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace voluta::geometry {
+
+struct MeshFile;
+struct TriangleMesh;
 
 using Facet = std::array<Eigen::Vector3d, 3>;
 

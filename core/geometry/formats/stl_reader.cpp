@@ -1,6 +1,7 @@
 #include "geometry/formats/facet_soup.h"
 
 #include "base/error.h"
+#include "geometry/formats/mesh_reader.h"
 #include "geometry/formats/text_scanner.h"
 
 #include <Eigen/Geometry>
