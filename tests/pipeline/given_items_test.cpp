@@ -6,6 +6,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/items/plate_parts.h"
+#include "pipeline/judged_part.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"
@@ -277,6 +278,31 @@ TEST(GivenItems, AreArrangedWithTheirSkirts) {
         skirts.extend(planned.job.toolPlan->position[i].head<2>());
   EXPECT_GT(skirts.sizes().x(), 79.0);
   EXPECT_GT(skirts.exteriorDistance(beside), 3.0);
+}
+
+// The process corrects the sizes of planned layers only.
+TEST(GivenItems, AreJudgedByTheSizeOfTheirBeads) {
+  std::string process = base::readFile(base::resourceFolder() / "processes" / "fdm-1.0.json");
+  const std::size_t at = process.find("\"head\"");
+  ASSERT_NE(at, std::string::npos);
+  process.insert(at, "\"scaleX\": 1.1, ");
+  PlanRequest request = blockAndBox(PrintOrder::OneAfterAnother, false);
+  request.choices.tool().process = process;
+  request.until = Stage::Decompose;
+  const PlanResult planned = planPart(request, {});
+  const auto boundsOf = [&](const geometry::TriangleMesh& all, double sign) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : all.vertices)
+      if (sign * v.x() > 0.0)
+        box.extend(v);
+    return box;
+  };
+  const auto printed = project::printedOf(planned.job);
+  const auto judged = judgedPart(planned.job, planned.resolved());
+  const double block = boundsOf(*printed, -1.0).sizes().x(),
+               box = boundsOf(*printed, 1.0).sizes().x();
+  EXPECT_NEAR(boundsOf(*judged, -1.0).sizes().x(), block, 1e-9);
+  EXPECT_NEAR(boundsOf(*judged, 1.0).sizes().x(), 1.1 * box, 1e-6);
 }
 
 TEST(GivenItems, FindingsHaveTheRemediesOfTheirItem) {
