@@ -10132,6 +10132,13 @@ facce %</translation>
         <translation>rimuovere la fine (M2, M30, M112), o tutto ciò che la segue</translation>
     </message>
     <message numerus="yes">
+        <source>{count} settings have no effect on the tool-paths of a file: {keys}</source>
+        <translation>
+            <numerusform>{count} impostazione non ha effetto sui percorsi di un file: {keys}</numerusform>
+            <numerusform>{count} impostazioni non hanno effetto sui percorsi di un file: {keys}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>the job has {count} tools: its first tool prints the file&apos;s beads of {tools}</source>
         <translation>
             <numerusform>il lavoro ha {count} utensile: il primo stampa i cordoni del file di {tools}</numerusform>

@@ -10,6 +10,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/planned_parameters.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
@@ -134,9 +135,11 @@ std::vector<base::Message> ItemStages::allRepairs() const {
   for (const base::Message& repair : placed_->report.repairs)
     if (std::ranges::find(all, repair) == all.end())
       all.push_back(repair);
-  if (hasGivenPaths_)
+  if (hasGivenPaths_) {
     std::ranges::copy(missingToolNotes(*loaded_->toolPaths, resolved_.tooling),
                       std::back_inserter(all));
+    std::ranges::copy(noEffectNotes(resolved_), std::back_inserter(all));
+  }
   return all;
 }
 

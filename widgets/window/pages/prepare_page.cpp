@@ -10,8 +10,10 @@
 #include "panels/mesh_panel.h"
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
+#include "pipeline/given_paths.h"
 #include "pipeline/path_parameters.h"
 #include "pipeline/payload.h"
+#include "pipeline/planned_parameters.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
@@ -29,6 +31,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace voluta::window {
 
@@ -241,6 +245,28 @@ namespace {
 bool ofTools(const std::string& key) {
   return key == "purgeMm3" || key.starts_with("fibre") || layers::toolParameters().find(key);
 }
+
+// Returns the settings that have no effect because the active part is printed along the tool-paths
+// of its file; those of the job only if all parts are.
+base::ParameterTable withoutEffect(const document::Document& document) {
+  const project::Choices& job = document.jobChoices();
+  const auto sources = document.sources();
+  const auto followsFile = [&](std::size_t i) {
+    return sources[i] && pipeline::takesGivenPaths(
+                             *sources[i], pipeline::parameterValues(project::onlyItem(job, i)));
+  };
+  if (sources.size() != job.items.size() || !followsFile(document.active()))
+    return {};
+  bool areAll = true;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    areAll = areAll && followsFile(i);
+  std::vector<base::ParameterSpec> specs =
+      pipeline::plannedParameters(modes::findMode(document.choices().item().mode)).specs();
+  std::erase_if(specs, [&](const base::ParameterSpec& spec) {
+    return !areAll && spec.scope == base::ParameterScope::Job;
+  });
+  return base::ParameterTable(std::move(specs));
+}
 } // namespace
 
 void PreparePage::showChoices() {
@@ -252,11 +278,12 @@ void PreparePage::showChoices() {
   const base::ParameterTable ofPaths = pipeline::pathShapeParameters();
   const auto source = work().document.source();
   hasPaths_ = source && source->toolPaths;
+  const base::ParameterTable ofPlanning = withoutEffect(work().document);
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
     if (modes::takesParameter(modes::findMode(c.item().mode), spec.key) &&
         !ofPrograms.find(spec.key) && (c.tools.size() > 1 || !ofTools(spec.key)) &&
-        (hasPaths_ || !ofPaths.find(spec.key)))
+        (hasPaths_ || !ofPaths.find(spec.key)) && !ofPlanning.find(spec.key))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
   parameters_->setValues(pipeline::givenParameters(c));
