@@ -358,14 +358,7 @@ void followTop(LayerStack& stack, const PartBoundary& part, const TopOptions& op
   for (std::size_t p = 0; p < n; ++p) {
     if (followed[p] == nullptr)
       continue;
-    Patch& patch = stack.patches[p];
-    LevelSurface& surface = followed[p]->surface;
-    patch.surface = std::move(surface.surface);
-    patch.thicknessMm = std::move(surface.thicknessMm);
-    patch.direction = std::move(surface.direction);
-    patch.clearDirection = std::move(surface.clearDirection);
-    patch.innerRim = std::move(surface.innerRim);
-    patch.chart = std::move(surface.chart);
+    setSurface(stack.patches[p], std::move(followed[p]->surface));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "layers/level_surface.h"
 
+#include "layers/layer_stack.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
@@ -130,6 +132,15 @@ void dropUnusedVertices(LevelSurface& s) {
   for (auto& t : s.surface.triangles)
     for (int& v : t)
       v = index[static_cast<std::size_t>(v)];
+}
+
+void setSurface(Patch& patch, LevelSurface surface) {
+  patch.surface = std::move(surface.surface);
+  patch.thicknessMm = std::move(surface.thicknessMm);
+  patch.direction = std::move(surface.direction);
+  patch.clearDirection = std::move(surface.clearDirection);
+  patch.innerRim = std::move(surface.innerRim);
+  patch.chart = std::move(surface.chart);
 }
 
 } // namespace voluta::layers

@@ -11,6 +11,8 @@
 
 namespace voluta::layers {
 
+struct Patch;
+
 // The mid-surface of one level with its attributes per vertex (as in Patch). It may have several
 // components and, before trimming, extends beyond the part.
 struct LevelSurface {
@@ -37,6 +39,9 @@ int appendBlend(LevelSurface& surface, const std::array<int, 3>& corners,
 // Keeps the part of the surface with values >= 0 (one value per vertex, linear in between):
 // triangles are cut, and the new boundary is an inner rim.
 void keepPositive(LevelSurface& surface, const std::vector<double>& values);
+
+// Gives a patch the surface with its attributes per vertex; its other members stay.
+void setSurface(Patch& patch, LevelSurface surface);
 
 // Drops vertices that no triangle uses; the order of the others is kept.
 void dropUnusedVertices(LevelSurface& surface);

@@ -112,12 +112,7 @@ layers::Patch cutOut(const PatchSurface& s, const std::vector<double>& values,
   layers::LevelSurface level = levelOf(s);
   layers::keepPositive(level, values);
   layers::Patch part;
-  part.surface = std::move(level.surface);
-  part.thicknessMm = std::move(level.thicknessMm);
-  part.direction = std::move(level.direction);
-  part.clearDirection = std::move(level.clearDirection);
-  part.innerRim = std::move(level.innerRim);
-  part.chart = std::move(level.chart);
+  layers::setSurface(part, std::move(level));
   part.layer = patch.layer;
   part.group = patch.group;
   part.item = patch.item;
