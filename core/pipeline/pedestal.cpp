@@ -7,6 +7,7 @@
 #include "robot/plate.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace voluta::pipeline {
@@ -41,6 +42,20 @@ geometry::TriangleMesh meshOf(const robot::Prism& prism) {
   return mesh;
 }
 
+// Sorts the triangles by their corners: a boolean's order depends on addresses in memory, and so on
+// the threads of the plan.
+void sortTriangles(geometry::TriangleMesh& mesh) {
+  const auto isBefore = [&](int a, int b) {
+    return std::ranges::lexicographical_compare(mesh.vertices[static_cast<std::size_t>(a)],
+                                                mesh.vertices[static_cast<std::size_t>(b)]);
+  };
+  for (auto& t : mesh.triangles)
+    std::ranges::rotate(t, std::ranges::min_element(t, isBefore));
+  std::ranges::sort(mesh.triangles, [&](const auto& a, const auto& b) {
+    return std::ranges::lexicographical_compare(a, b, isBefore);
+  });
+}
+
 // Returns whether the platform's own position, the z axis of the work frame, is below the part's
 // bounding box.
 bool coversAxis(const geometry::TriangleMesh& part) {
@@ -72,6 +87,7 @@ std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
     else
       geometry::appendMesh(solid, slab);
   }
+  sortTriangles(solid);
   return {{"pedestal.dxf", "0\nSECTION\n2\nENTITIES\n" + outlines + "0\nENDSEC\n0\nEOF\n"},
           {"pedestal.stl", geometry::writeStl(solid)}};
 }

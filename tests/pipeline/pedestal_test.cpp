@@ -97,6 +97,13 @@ TEST(Pedestal, HasAFootWherePartsAreBesideTheirMiddle) {
   };
   const double volume = 2.5 * area(plan.job.item().platform.polygon) + 2.5 * area(foot->polygon);
   EXPECT_NEAR(geometry::volume(solid), volume, 1e-3 * volume) << "one body";
+  const auto isBefore = [&](int a, int b) {
+    return std::ranges::lexicographical_compare(solid.vertices[static_cast<std::size_t>(a)],
+                                                solid.vertices[static_cast<std::size_t>(b)]);
+  };
+  EXPECT_TRUE(std::ranges::is_sorted(solid.triangles, [&](const auto& a, const auto& b) {
+    return std::ranges::lexicographical_compare(a, b, isBefore);
+  })) << "the file is the same each time";
 }
 
 TEST(Pedestal, IsNotMadeOfAPlateOfTheCell) {
