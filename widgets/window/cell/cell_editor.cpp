@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/outcome.h"
 #include "forms/colours.h"
+#include "forms/dialog_buttons.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
@@ -101,9 +102,7 @@ void CellEditor::build() {
   save_->setObjectName("cellSave");
   connect(save_, &QPushButton::clicked, this, &CellEditor::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Enter commits a number and must not close the dialog.
-  for (QAbstractButton* button : buttons->buttons())
-    static_cast<QPushButton*>(button)->setAutoDefault(false);
+  forms::keepOpenOnEnter(*buttons);
   auto* row = new QHBoxLayout;
   row->addWidget(viewport_, 1);
   row->addWidget(buildSide());

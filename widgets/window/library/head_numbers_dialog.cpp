@@ -1,6 +1,7 @@
 #include "window/library/head_numbers_dialog.h"
 
 #include "base/error.h"
+#include "forms/dialog_buttons.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
@@ -76,9 +77,7 @@ HeadNumbersDialog::HeadNumbersDialog(const process::Process& process, QWidget* p
   use_->setObjectName("headNumbersUse");
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Enter commits a number and must not close the dialog.
-  for (QAbstractButton* button : buttons->buttons())
-    static_cast<QPushButton*>(button)->setAutoDefault(false);
+  forms::keepOpenOnEnter(*buttons);
   auto* row = new QHBoxLayout;
   row->addLayout(left, 1);
   row->addWidget(drawing_, 1);

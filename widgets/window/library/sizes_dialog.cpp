@@ -1,6 +1,7 @@
 #include "window/library/sizes_dialog.h"
 
 #include "base/error.h"
+#include "forms/dialog_buttons.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
@@ -54,8 +55,8 @@ SizesDialog::SizesDialog(const process::Process& process, QWidget* parent)
   plate_->setObjectName("sizesPlate");
   for (const double length : kLengthsMm)
     plate_->addItem(tr("Plate of %1").arg(mm(length)), length);
-  auto* note =
-      new QLabel(tr("Print the sample plate (File > Samples) with this process, and measure it."), this);
+  auto* note = new QLabel(
+      tr("Print the sample plate (File > Samples) with this process, and measure it."), this);
   note->setWordWrap(true);
   auto* grid = new QGridLayout;
   grid->addWidget(new QLabel(tr("Nominal"), this), 0, 1);
@@ -88,9 +89,7 @@ SizesDialog::SizesDialog(const process::Process& process, QWidget* parent)
   use_->setObjectName("sizesUse");
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Enter commits a number and must not close the dialog.
-  for (QAbstractButton* button : buttons->buttons())
-    static_cast<QPushButton*>(button)->setAutoDefault(false);
+  forms::keepOpenOnEnter(*buttons);
   auto* column = new QVBoxLayout(this);
   column->addWidget(note);
   column->addWidget(plate_);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "forms/colours.h"
+#include "forms/dialog_buttons.h"
 #include "forms/duration_text.h"
 #include "forms/icons.h"
 #include "language/numbers.h"
@@ -96,9 +97,7 @@ void MillDialog::build() {
       runner_.cancel();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Enter commits a number and must not close the dialog.
-  for (QAbstractButton* button : buttons->buttons())
-    static_cast<QPushButton*>(button)->setAutoDefault(false);
+  forms::keepOpenOnEnter(*buttons);
   save_->setEnabled(false);
   progress_ = new QProgressBar(this);
   progress_->setRange(0, 100);
