@@ -197,6 +197,12 @@ std::vector<LibraryField> materialFields() {
                                                        "Limits"_text, "longest bridge"_text,
                                                        "Whatever the process allows."_text),
                                  &Material::bridgeMm, "any"_text));
+  fields.push_back(optionalField(
+      base::numberParameter("bridgeSagMm", "mm", 0.0, -1.0, kMaxMm, "Limits"_text,
+                            "bridge with a little sag"_text,
+                            "Span that a bead of 0.45 mm bridges with a sag of up to 0.2 mm; less "
+                            "for wider beads. Quality usual and draft accept it."_text),
+      &Material::bridgeSagMm, "unknown"_text));
   fields.push_back(
       optionalField(base::numberParameter("minLayerTimeS", "s", 0.0, 0.0, 3600.0,
                                           "Layer times"_text, "minimum layer time"_text,

@@ -76,6 +76,9 @@ void readLimits(const JsonNode& top, Material& m) {
     m.bridgeWidths = top.at("bridgeWidths").notNegative();
   if (top.has("bridgeMm"))
     m.bridgeMm = top.at("bridgeMm").notNegative();
+  m.bridgeSagMm.reset();
+  if (top.has("bridgeSagMm"))
+    m.bridgeSagMm = top.at("bridgeSagMm").notNegative();
 }
 
 double readLayerTime(const JsonNode& node, double longestS) {
@@ -129,8 +132,8 @@ Material readMaterialText(const std::string& text, const std::string& name) {
 
 Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
-                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "minLayerTimeS", "maxLayerTimeS",
-                 "pricePerKg", "colour", "notes", "basedOn"});
+                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "bridgeSagMm", "minLayerTimeS",
+                 "maxLayerTimeS", "pricePerKg", "colour", "notes", "basedOn"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
@@ -160,6 +163,7 @@ std::string materialText(const Material& m) {
   write("maxFlowMm3PerS", m.maxFlowMm3PerS);
   json["bridgeWidths"] = m.bridgeWidths;
   write("bridgeMm", m.bridgeMm);
+  write("bridgeSagMm", m.bridgeSagMm);
   write("minLayerTimeS", m.minLayerTimeS);
   write("maxLayerTimeS", m.maxLayerTimeS);
   json["pricePerKg"] = m.pricePerKg;
@@ -187,6 +191,7 @@ Material materialNamed(const std::string& name) {
   unknown.densityGPerCm3 = 0.0;
   forgetTemperatures(unknown);
   unknown.fan = 0.0;
+  unknown.bridgeSagMm.reset();
   unknown.pricePerKg = 0.0;
   unknown.comesWithProgram = false;
   return unknown;

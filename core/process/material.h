@@ -19,6 +19,9 @@ struct Material {
   std::optional<double> maxFlowMm3PerS;   // melted at most, whatever the process allows; none: any
   double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
   std::optional<double> bridgeMm; // longest bridge, whatever the process allows; none: any
+  // Span that bridges with a sag of up to 0.2 mm, with a bead of 0.45 mm
+  // (process::saggingBridgeMm); none: unknown
+  std::optional<double> bridgeSagMm = 20.0;
   // Age [s] that a bead must, and may at most, have when the next layer covers it; none: any
   std::optional<double> minLayerTimeS, maxLayerTimeS;
   double pricePerKg = 20.0;       // in the user's currency; 0: unknown

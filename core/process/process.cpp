@@ -165,6 +165,14 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
   return eroded;
 }
 
+double saggingBridgeMm(const Process& process) {
+  constexpr double kStatedForMm = 0.45;
+  const Material& m = process.material;
+  const double stated =
+      m.bridgeSagMm.value_or(0.0) * std::min(1.0, kStatedForMm / process.beadWidthMm);
+  return std::max(process.bridgeMm, m.bridgeMm ? std::min(stated, *m.bridgeMm) : stated);
+}
+
 double flowLimit(const Process& process) {
   return std::min(process.maxFlowMm3PerS,
                   process.material.maxFlowMm3PerS.value_or(process.maxFlowMm3PerS));

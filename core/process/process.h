@@ -75,6 +75,11 @@ struct Process {
 // Returns the largest flow that may be planned [mm3/s]: that of the head or, if less, that of the
 // material.
 double flowLimit(const Process& process);
+
+// Returns the longest span that the material bridges with a sag of up to 0.2 mm [mm]: as the
+// material states it for a bead of 0.45 mm, less in proportion for wider beads, which stay hot
+// longer; at least bridgeMm. Source: rules of thumb for desktop printers (docs/design.md, Replay).
+double saggingBridgeMm(const Process& process);
 // Returns the flow with which a nozzle at rest primes or purges [mm3/s]: that of a bead of the
 // default section at the default speed, limited by flowLimit().
 double primeFlow(const Process& process);

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "replay/beneath.h"
-#include "replay/interior_spans.h"
+#include "replay/bridged_spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -264,7 +264,7 @@ private:
 
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx,
-                           const Interior* interior) {
+                           const Bridging* bridging) {
   std::vector<PieceSupport> found(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
@@ -276,8 +276,8 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
   });
-  if (interior != nullptr)
-    acceptInteriorSpans(pieces, printed, *interior, found, ctx);
+  if (bridging != nullptr)
+    acceptBridgedSpans(pieces, printed, *bridging, found, ctx);
   SupportedBeads result;
   LongestRun inTheAir, unsupported, halfCarried;
   for (std::size_t p = 0; p < pieces.size(); ++p) {

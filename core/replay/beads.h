@@ -76,7 +76,7 @@ struct PieceSupport {
   double carried = 0.0; // share of its width
 };
 
-struct Interior; // interior_spans.h
+struct Bridging; // bridged_spans.h
 
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
@@ -97,10 +97,10 @@ struct SupportedBeads {
 // build direction; material beside the bead in its own layer is no support). The stricter test for
 // the carried share of the width probes directly below the bead: at eight positions across its
 // width, 1.05 to 1.25 heights below the tip. Material that the same bead deposited over its last 3
-// mm or two widths does not count. Waste is not checked. `interior`: of a part with sparse infill,
-// whose gaps beads may span (acceptInteriorSpans()); null: solid. Throws Cancelled.
+// mm or two widths does not count. Waste is not checked. `bridging`: spans that count as supported
+// (acceptBridgedSpans()); null: none. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx,
-                           const Interior* interior = nullptr);
+                           const Bridging* bridging = nullptr);
 
 } // namespace voluta::replay

@@ -7,8 +7,8 @@
 #include "plan/waypoints.h"
 #include "replay/alignment.h"
 #include "replay/bead_coverage.h"
+#include "replay/bridged_spans.h"
 #include "replay/covered_beads.h"
-#include "replay/interior_spans.h"
 #include "replay/item_finder.h"
 #include "replay/replay_ground.h"
 
@@ -118,9 +118,10 @@ private:
         largest = std::max(largest, tool.process.*value);
     return largest;
   }
-  double bridgeMm(const BeadPiece& piece) const {
-    return in_.tooling.at(out_.run.tool[piece.motion]).process.bridgeMm;
+  const process::Process& processOf(const BeadPiece& piece) const {
+    return in_.tooling.at(out_.run.tool[piece.motion]).process;
   }
+  double bridgeMm(const BeadPiece& piece) const { return processOf(piece).bridgeMm; }
   // Of the first tool. All heads have the shape of its head.
   const process::Process& firstProcess() const { return in_.tooling.first().process; }
 
@@ -249,11 +250,13 @@ private:
   void judgeSupport(const PrintedPart& printed, const std::vector<BeadPiece>& pieces) {
     RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
-    std::optional<Interior> interior;
+    Bridging bridging{[this](const BeadPiece& piece) {
+      return limits_.bridgesMaySag ? process::saggingBridgeMm(processOf(piece)) : bridgeMm(piece);
+    }};
     if (!in_.plan.isSolid())
-      interior.emplace(in_.part, [this](const BeadPiece& piece) { return bridgeMm(piece); });
-    const SupportedBeads support = findSupport(pieces, printed, GroundProbe(in_.platform), ctx_,
-                                               interior ? &*interior : nullptr);
+      bridging.sparsePart.emplace(in_.part);
+    const SupportedBeads support =
+        findSupport(pieces, printed, GroundProbe(in_.platform), ctx_, &bridging);
     figures.beadLengthMm = support.lengthMm;
     const double length = std::max(support.lengthMm, 1e-9);
     figures.unsupportedFraction = support.unsupportedMm / length;
@@ -267,7 +270,8 @@ private:
       figures.worst.longestUnsupported = pieces[support.longestFrom].to;
     if (figures.items.empty() && figures.unsupportedFraction > limits_.unsupportedMax &&
         !support.unsupported.empty())
-      addUnsupported(support.unsupportedMm, support.unsupported, pieces, -1);
+      addUnsupported(support.unsupportedMm, figures.unsupportedFraction, support.unsupported,
+                     pieces, -1);
     judgeSupportOfItems(support, pieces);
     if (pieces.empty())
       return;
@@ -291,16 +295,17 @@ private:
       for (const std::uint32_t p : support.unsupported)
         if (pieces[p].item == i)
           own.push_back(p);
-      addUnsupported(support.unsupportedOfItemMm[i], own, pieces, static_cast<int>(i));
+      addUnsupported(support.unsupportedOfItemMm[i], item.unsupportedFraction, own, pieces,
+                     static_cast<int>(i));
     }
   }
 
   // Precondition: there are unsupported pieces.
-  void addUnsupported(double lengthMm, const std::vector<std::uint32_t>& unsupported,
+  void addUnsupported(double lengthMm, double share, const std::vector<std::uint32_t>& unsupported,
                       const std::vector<BeadPiece>& pieces, int item) {
     const BeadPiece& first = pieces[unsupported.front()];
-    add(Unsupported, {{"length", base::mm(lengthMm)}}, first.to, first.motion, unsupported.size(),
-        item);
+    add(Unsupported, {{"length", base::mm(lengthMm)}, {"share", base::percent(100.0 * share)}},
+        first.to, first.motion, unsupported.size(), item);
   }
 
   void judgeLayerTimes(const std::vector<std::uint32_t>& firstPiece) {

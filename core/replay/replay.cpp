@@ -117,6 +117,9 @@ private:
     const auto atMost = [&](const char* name, double value, double limit) {
       out_.results.push_back({name, value, limit, value <= limit});
     };
+    const auto safe = [&](const char* name, double value, double limit) {
+      out_.results.push_back({name, value, limit, value <= limit, true});
+    };
     // Of several items, the worst one decides.
     double covered = out_.coveredFraction, unsupported = out_.unsupportedFraction;
     double mass = out_.massRatio;
@@ -131,15 +134,17 @@ private:
     atMost("overfillFraction", out_.overfillFraction, limits_.overfillMax);
     atMost("massRatio", std::abs(mass - 1.0), limits_.massTolerance);
     out_.results.back().value = mass;
-    atMost("collisions", static_cast<double>(out_.collisions),
-           static_cast<double>(limits_.collisionsMax));
-    atMost("limitViolations", static_cast<double>(out_.limitViolations),
-           static_cast<double>(limits_.limitViolationsMax));
-    atMost("maxDeviationMm", out_.maxDeviationMm, limits_.deviationMaxMm);
-    atMost("flowErrorFraction", out_.flowErrorFraction, limits_.flowErrorMax);
-    out_.passed =
-        out_.deviations == 0 && std::all_of(out_.results.begin(), out_.results.end(),
-                                            [](const ThresholdResult& r) { return r.passed; });
+    safe("collisions", static_cast<double>(out_.collisions),
+         static_cast<double>(limits_.collisionsMax));
+    safe("limitViolations", static_cast<double>(out_.limitViolations),
+         static_cast<double>(limits_.limitViolationsMax));
+    safe("maxDeviationMm", out_.maxDeviationMm, limits_.deviationMaxMm);
+    safe("flowErrorFraction", out_.flowErrorFraction, limits_.flowErrorMax);
+    out_.safeToRun =
+        out_.deviations == 0 && std::ranges::all_of(out_.results, [](const ThresholdResult& r) {
+          return r.passed || !r.concernsSafety;
+        });
+    out_.passed = out_.safeToRun && std::ranges::all_of(out_.results, &ThresholdResult::passed);
   }
 
   ComparedProgram& compared_;

@@ -53,10 +53,13 @@ struct ReplayInput {
 
 // The limits that a program must keep (docs/design.md, Replay).
 struct ReplayThresholds {
+  // Of quality: beyond these the program is safe to run, but does not print the part as asked.
   double coveredMin = 0.97;      // share of the part's volume inside beads
   double unsupportedMax = 0.005; // share of bead length with nothing below
   double overfillMax = 0.03;     // bead volume outside the part, by part volume
   double massTolerance = 0.03;   // |massRatio - 1|
+  bool bridgesMaySag = false;    // spans as process::saggingBridgeMm() are held
+  // Of safety: beyond these the program must not run.
   std::size_t collisionsMax = 0;
   std::size_t limitViolationsMax = 0;
   double deviationMaxMm = 0.05; // of the executed nozzle path from the planned one
@@ -67,6 +70,7 @@ struct ThresholdResult {
   std::string name; // the report's key, e.g. "coveredFraction"
   double value = 0.0, limit = 0.0;
   bool passed = false;
+  bool concernsSafety = false;
 };
 
 // The place of a finding or motion in the program's text, 1-based; line 0: no particular line.
@@ -107,7 +111,8 @@ struct RunFigures {
 };
 
 struct Verification : RunFigures {
-  bool passed = false; // all thresholds kept and no deviations in the text
+  bool safeToRun = false; // the thresholds of safety kept and no deviations in the text
+  bool passed = false;    // safe to run, and all other thresholds kept too
 
   // Deposited material (without supports and skirts) by intended volume, at the controller's own
   // speeds.

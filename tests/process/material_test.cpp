@@ -84,6 +84,8 @@ Material randomMaterial(std::mt19937_64& random) {
   if (chance())
     m.bridgeMm = 10.0 * share();
   if (chance())
+    m.bridgeSagMm = 30.0 * share();
+  if (chance())
     m.minLayerTimeS = 0.5 + 100.0 * share();
   if (chance())
     m.maxLayerTimeS = 101.0 + 1000.0 * share();
@@ -156,6 +158,21 @@ TEST_F(Materials, boundTheFlowAndTheBridgesOfAProcess) {
   EXPECT_EQ(flowLimit(p), 12.0);
   p.material.maxFlowMm3PerS = 100.0;
   EXPECT_EQ(flowLimit(p), p.maxFlowMm3PerS);
+}
+
+TEST_F(Materials, bridgeFartherWithALittleSag) {
+  Process p = loadProcess("fdm-0.4");
+  EXPECT_DOUBLE_EQ(p.bridgeMm, 4.0);
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 20.0) << "as PLA states for 0.45 mm";
+  p.beadWidthMm = 0.9;
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 10.0) << "half of it for twice the width";
+  p.beadWidthMm = 9.0;
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), p.bridgeMm) << "never less than without";
+  p.beadWidthMm = 0.45;
+  p.material.bridgeMm = 7.0;
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 7.0) << "whatever the process allows";
+  p.material.bridgeSagMm.reset();
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), p.bridgeMm);
 }
 
 TEST_F(Materials, theFanIsOffInTheFirstLayer) {

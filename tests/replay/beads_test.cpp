@@ -8,8 +8,8 @@
 #include "process/bead_model.h"
 #include "replay/bead_coverage.h"
 #include "replay/beads.h"
+#include "replay/bridged_spans.h"
 #include "replay/depositor.h"
-#include "replay/interior_spans.h"
 #include "replay/printed_part.h"
 
 #include <gtest/gtest.h>
@@ -398,12 +398,13 @@ double overPiers(double gapMm, double beyondMm, double widthMm, double bridgeMm)
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {43, 33, 20});
   const PrintedPart printed(beads, pieces);
   const platform::PlatformSolid plate{{-1, -1}, {41, -1}, {41, 31}, {-1, 31}};
-  const Interior interior(test::box({-1, 5 - 0.5 * widthMm, 0}, {41, 5 + 0.5 * widthMm, 4}),
-                          [&](const BeadPiece&) { return bridgeMm; });
-  return findSupport(pieces, printed, GroundProbe(plate), kOne, &interior).unsupportedMm;
+  const geometry::TriangleMesh part =
+      test::box({-1, 5 - 0.5 * widthMm, 0}, {41, 5 + 0.5 * widthMm, 4});
+  const Bridging bridging{[&](const BeadPiece&) { return bridgeMm; }, geometry::MeshQuery(part)};
+  return findSupport(pieces, printed, GroundProbe(plate), kOne, &bridging).unsupportedMm;
 }
 
-TEST(InteriorSpans, AreBridgedOnlyBetweenSupportedEnds) {
+TEST(BridgedSpans, AreBridgedOnlyBetweenSupportedEnds) {
   EXPECT_EQ(overPiers(5.0, 0.0, 8.0, 6.0), 0.0);
   EXPECT_NEAR(overPiers(9.0, 0.0, 8.0, 6.0), 8.0, 1.5) << "longer than the material bridges";
   EXPECT_EQ(overPiers(9.0, 0.0, 8.0, 10.0), 0.0);
@@ -412,7 +413,7 @@ TEST(InteriorSpans, AreBridgedOnlyBetweenSupportedEnds) {
 }
 
 // For every position of the cells, neighbours in a layer do not carry each other over a hollow.
-TEST(InteriorSpans, NeighboursOfTheSameLayerCarryNothing) {
+TEST(BridgedSpans, NeighboursOfTheSameLayerCarryNothing) {
   for (const double z : {6.0, 6.1, 6.15, 6.2, 6.25, 6.3}) {
     SCOPED_TRACE(z);
     std::vector<BeadPiece> pieces;
@@ -421,24 +422,36 @@ TEST(InteriorSpans, NeighboursOfTheSameLayerCarryNothing) {
     const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
     const PrintedPart printed(beads, pieces);
     const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
-    const Interior interior(test::box({-1, 0, 0}, {31, 20, 10}),
-                            [](const BeadPiece&) { return 6.0; });
-    const SupportedBeads s = findSupport(pieces, printed, GroundProbe(plate), kOne, &interior);
+    const geometry::TriangleMesh part = test::box({-1, 0, 0}, {31, 20, 10});
+    const Bridging bridging{[](const BeadPiece&) { return 6.0; }, geometry::MeshQuery(part)};
+    const SupportedBeads s = findSupport(pieces, printed, GroundProbe(plate), kOne, &bridging);
     EXPECT_NEAR(s.unsupportedMm, s.lengthMm, 1e-6);
   }
 }
 
-TEST(InteriorSpans, OutsideThePartNoneIsAccepted) {
+// The unsupported length of a bead along `path`, over two piers with 10 mm between them.
+double overTwoPiers(const std::vector<Eigen::Vector3d>& path, double bridgeMm) {
   std::vector<BeadPiece> pieces;
-  for (const double x : {0.0, 10.0})
-    addBead(pieces, {{x, 5, 0.8}, {x + 5, 5, 0.8}}, 1.2, 0.8);
-  addBead(pieces, {{0, 5, 1.6}, {15, 5, 1.6}}, 1.2, 0.8);
+  for (const double x : {0.0, 20.0})
+    for (int line = 0; line < 10; ++line)
+      addBead(pieces, {{x, 1.0 + line, 0.8}, {x + 10, 1.0 + line, 0.8}}, 1.2, 0.8);
+  addBead(pieces, path, 1.2, 0.8);
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
   const PrintedPart printed(beads, pieces);
   const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
-  const Interior beside(test::box({0, 15, 0}, {30, 25, 4}), [](const BeadPiece&) { return 6.0; });
-  EXPECT_EQ(findSupport(pieces, printed, GroundProbe(plate), kOne, &beside).unsupportedMm,
-            findSupport(pieces, printed, GroundProbe(plate), kOne).unsupportedMm);
+  const Bridging bridging{[&](const BeadPiece&) { return bridgeMm; }};
+  return findSupport(pieces, printed, GroundProbe(plate), kOne, &bridging).unsupportedMm;
+}
+
+// Also in the open: straight, between two holds, and no longer than the material bridges.
+TEST(BridgedSpans, InTheOpenAreStraightBetweenTwoHolds) {
+  EXPECT_EQ(overTwoPiers({{2, 5, 1.6}, {28, 5, 1.6}}, 11.0), 0.0);
+  EXPECT_NEAR(overTwoPiers({{2, 5, 1.6}, {28, 5, 1.6}}, 8.0), 9.5, 1.0) << "too long";
+  EXPECT_NEAR(overTwoPiers({{2, 5, 1.6}, {14, 5, 1.6}}, 11.0), 3.7, 1.0) << "an end in the air";
+  EXPECT_NEAR(overTwoPiers({{2, 4, 1.6}, {12, 4, 1.6}, {12, 6, 1.6}, {2, 6, 1.6}}, 20.0), 5.6, 1.5)
+      << "a turn in the air";
+  EXPECT_GT(overTwoPiers({{2, 3, 1.6}, {15, 8, 1.6}, {28, 3, 1.6}}, 20.0), 9.0)
+      << "a bend in the air";
 }
 
 // For every position of the cells, a thin bead is carried by material a twentieth of its height

@@ -13,13 +13,13 @@ inline constexpr base::Text kOverfillShares =
     "{outside:.2f} of the part's volume is deposited outside it, {noRoom:.2f} does not fit"_text;
 inline constexpr base::Text kDepositedShare = "deposited volume: {share:.2f} of the part's"_text;
 inline constexpr base::Text kUnsupportedLength =
-    "{length:.1f} of bead is unsupported; the first place is here"_text;
+    "{length:.1f} of bead ({share:.2f}) is unsupported; the first place is here"_text;
 inline constexpr base::Text kSupportBeads =
     "add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building"_text;
 inline constexpr base::Text kBridgeLength =
     "{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}"_text;
 inline constexpr std::span<const RemedyId> kForFill =
-    kOffers<LowerLayers, FinerProcess, ChooseStrategy>;
+    kOffers<LowerLayers, FinerProcess, ChooseStrategy, AcceptShare>;
 inline constexpr std::span<const RemedyId> kForLimits =
     kOffers<MoreTurns, Shrink, CentrePart, PrintFlat>;
 inline constexpr base::Text kSlicersPaths =
@@ -36,6 +36,14 @@ constexpr FindingRow exceeded(FindingKind kind, std::string_view id, base::Text 
                               std::span<const RemedyId> remedies = kForLimits) {
   return error(kind, id, reason, kSlower,
                {.reportId = "limit", .remedies = remedies, .more = kMoreViolations});
+}
+
+// Of tool-paths that are printed as they are.
+constexpr OtherFields forGiven(std::string_view reportId) {
+  return {.reportId = reportId,
+          .remedies = kOffers<AcceptShare>,
+          .whyNoRemedy = kSlicersPaths,
+          .concern = Concern::Part};
 }
 
 inline constexpr FindingRow kReplayRows[] = {
@@ -125,15 +133,17 @@ inline constexpr FindingRow kReplayRows[] = {
         {.remedies = kOffers<LongerMotions>}),
     error(Uncovered, "uncovered", kUncoveredShare,
           "use lower layers or a finer nozzle, or print the part larger"_text,
-          {.remedies = kOffers<AdaptLayers, LowerLayers, FinerProcess, ChooseStrategy>}),
+          {.remedies = kOffers<AdaptLayers, LowerLayers, FinerProcess, ChooseStrategy, AcceptShare>,
+           .concern = Concern::Part}),
     error(Overfill, "overfill", kOverfillShares,
-          "reduce the flow, or space the beads further apart"_text, {.remedies = kForFill}),
+          "reduce the flow, or space the beads further apart"_text,
+          {.remedies = kForFill, .concern = Concern::Part}),
     error(Mass, "mass", kDepositedShare, "check the flow and the infill density"_text,
-          {.remedies = kForFill}),
-    error(
-        Unsupported, "unsupported", kUnsupportedLength, kSupportBeads,
-        {.remedies =
-             kOffers<AddSupports, RotateToMinRiskyArea, PrintFlat, ChooseStrategy, PrintOnPlate>}),
+          {.remedies = kForFill, .concern = Concern::Part}),
+    error(Unsupported, "unsupported", kUnsupportedLength, kSupportBeads,
+          {.remedies = kOffers<AddSupports, RotateToMinRiskyArea, PrintFlat, ChooseStrategy,
+                               PrintOnPlate, AcceptShare>,
+           .concern = Concern::Part}),
     info(LongBridge, "longBridge", kBridgeLength, kSupportBeads,
          {.remedies = kOffers<ChooseStrategy>}),
     error(
@@ -141,7 +151,8 @@ inline constexpr FindingRow kReplayRows[] = {
         "the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads"_text,
         "lower the minimum layer time, print slower, or print without a spiral"_text,
         {.whyNoRemedy =
-             "only you know how long a bead has to cool: change the minimum layer time"_text}),
+             "only you know how long a bead has to cool: change the minimum layer time"_text,
+         .concern = Concern::Part}),
     info(
         BondTime, "bondTime",
         "the bead below is {time:.1f} old when it is covered, beyond the maximum layer time of {limit:.1f}; so are {length:.0f} of beads"_text,
@@ -177,17 +188,17 @@ inline constexpr FindingRow kReplayRows[] = {
     error(
         GivenUncovered, "givenUncovered", kUncoveredShare,
         "check the widths and layer heights in the slicer against the bead of the process; the tool-paths are printed as they are"_text,
-        {.reportId = "uncovered", .whyNoRemedy = kSlicersPaths}),
+        forGiven("uncovered")),
     error(
         GivenOverfill, "givenOverfill", kOverfillShares,
         "check the flow in the slicer, and purge or prime lines that it does not mark; the tool-paths are printed as they are"_text,
-        {.reportId = "overfill", .whyNoRemedy = kSlicersPaths}),
+        forGiven("overfill")),
     error(
         GivenMass, "givenMass", kDepositedShare,
         "check the slicer's flow, its filament diameter and its amounts at tool changes; the tool-paths are printed as they are"_text,
-        {.reportId = "mass", .whyNoRemedy = kSlicersPaths}),
+        forGiven("mass")),
     error(GivenUnsupported, "givenUnsupported", kUnsupportedLength, kSliceSupports,
-          {.reportId = "unsupported", .whyNoRemedy = kSlicersPaths}),
+          forGiven("unsupported")),
     info(GivenLongBridge, "givenLongBridge", kBridgeLength, kSliceSupports,
          {.reportId = "longBridge", .whyNoRemedy = kSlicersPaths}),
     error(FormatRefused, "formatRefused", "no {format} program: {why}"_text, "{help}"_text,

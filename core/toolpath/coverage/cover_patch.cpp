@@ -293,7 +293,8 @@ private:
 
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,
-                        const std::vector<double>& wallWidthMm, const base::RunContext& ctx) {
+                        const std::vector<double>& wallWidthMm, std::optional<double> directionRad,
+                        const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
   const double beadScale = beadScaleOf(process);
   const SegmentDistances boundary = nearestSegments(s, boundarySegments(s), 1e9);
@@ -333,15 +334,15 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
     lines.add(std::move(walls), PathKind::Wall, i);
   }
   ctx.checkpoint();
-  const InfillRegion region{
-      s,
-      depth,
-      hatchMm,
-      static_cast<double>(o.walls),
-      layer,
-      base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillRotationDeg, 180.0)),
-      base::degreesToRadians(o.windingAngleDeg),
-      beadScale};
+  const InfillRegion region{s,
+                            depth,
+                            hatchMm,
+                            static_cast<double>(o.walls),
+                            layer,
+                            directionRad.value_or(base::degreesToRadians(std::remainder(
+                                o.infillAngleDeg + layer * o.infillRotationDeg, 180.0))),
+                            base::degreesToRadians(o.windingAngleDeg),
+                            beadScale};
   InfillLines infill = kind.fill(region, ctx);
   lines.add(std::move(infill.curves), PathKind::Infill, 0);
   ctx.checkpoint();
@@ -486,7 +487,7 @@ PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::P
 
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
                       const ToolpathOptions& o, const base::RunContext& ctx,
-                      const std::vector<double>& wallWidthMm) {
+                      const std::vector<double>& wallWidthMm, std::optional<double> directionRad) {
   base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
   const InfillKind& kind = infillKind(o.infill);
   if (kind.needsChart && patch.chart.empty())
@@ -500,7 +501,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   if (patch.surface.empty())
     return cover;
   const PatchSurface s = refinedPatch(patch, process, o, kind.isStraightInside);
-  const Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
+  const Centrelines lines =
+      centrelines(s, process, o, kind, patch.layer, wallWidthMm, directionRad, ctx);
   if (!lines.curves.empty()) {
     cover = beadsAlong(s, lines, process, o, kind, false, ctx);
     // A ring that has the patch for itself, as in a pin

@@ -7,6 +7,7 @@
 #include "toolpath/infill/thin_walls.h"
 #include "toolpath/options.h"
 
+#include <optional>
 #include <vector>
 
 namespace voluta::base {
@@ -39,10 +40,12 @@ struct PatchCover {
 // Outermost walls get the width that `wallWidthMm` requires at the vertices of the rim
 // (supported_walls.h; empty: the usual width) where there is room (outer_walls.h). Wound
 // infill ignores it. Preconditions: per-vertex arrays match, thickness > 0, options in range.
+// `directionRad`: of straight infill lines, instead of that of the options.
 // Throws Cancelled, and Error{Usage} for an unknown infill or a wound infill on a patch without a
 // chart.
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
                       const ToolpathOptions& options, const base::RunContext& ctx,
-                      const std::vector<double>& wallWidthMm = {});
+                      const std::vector<double>& wallWidthMm = {},
+                      std::optional<double> directionRad = std::nullopt);
 
 } // namespace voluta::toolpath

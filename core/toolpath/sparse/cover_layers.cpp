@@ -5,10 +5,12 @@
 #include "toolpath/coverage/bead_volume.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
+#include "toolpath/infill/infill.h"
 #include "toolpath/sparse/layer_count.h"
 #include "toolpath/sparse/sparse_lines.h"
 #include "toolpath/sparse/split_layers.h"
 #include "toolpath/unsupported/bead_tip.h"
+#include "toolpath/unsupported/bridge_direction.h"
 #include "toolpath/unsupported/supported_walls.h"
 
 #include <algorithm>
@@ -27,18 +29,26 @@ constexpr double kBridgeShare = 0.05;
 // infill have round sides.
 constexpr double kRoundSide = 0.5;
 
-std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const process::Tooling& tooling,
-                                   const ToolpathOptions& options, double share,
-                                   const base::RunContext& ctx) {
+// `whole`: the layers that carry those of `stack`.
+std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers::LayerStack& whole,
+                                   const process::Tooling& tooling, const ToolpathOptions& options,
+                                   double share, const base::RunContext& ctx) {
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
   std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
   setWallWidths(stack, tooling, isFirstLayer, wallWidths);
+  std::vector<process::Process> processes;
+  for (std::size_t i = 0; i < stack.patches.size(); ++i)
+    processes.push_back(processOf(stack.patches[i], tooling, isFirstLayer[i] != 0));
+  std::vector<std::optional<double>> directions(stack.patches.size());
+  if (infillKind(options.infill).isStraightInside)
+    directions = bridgeDirections(
+        stack, whole, processes, {options.infillAngleDeg, options.infillRotationDeg, options.walls},
+        silent);
   std::vector<PatchCover> covers(stack.patches.size());
   base::parallelWithProgress(ctx, covers.size(), share, "tool-paths"_text, [&](std::size_t i) {
-    const layers::Patch& patch = stack.patches[i];
-    covers[i] = coverPatch(patch, processOf(patch, tooling, isFirstLayer[i] != 0), options, silent,
-                           wallWidths[i]);
+    covers[i] =
+        coverPatch(stack.patches[i], processes[i], options, silent, wallWidths[i], directions[i]);
   });
   return covers;
 }
@@ -95,13 +105,15 @@ void append(PatchCover& to, PatchCover more) {
 
 // Covers solid layers whose interior another tool fills: its beads follow those of the skin in the
 // cover of the patch.
-std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack, const process::Tooling& tooling,
-                           const ToolpathOptions& options, double share,
-                           const base::RunContext& ctx) {
+std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack,
+                                       const process::Tooling& tooling,
+                                       const ToolpathOptions& options, double share,
+                                       const base::RunContext& ctx) {
   constexpr double kSkinShare = 0.5; // of the progress
   const base::RunContext silent = ctx.quiet();
   SplitLayers split = splitLayers(stack, LayerCount(stack, silent), tooling, options, silent);
-  std::vector<PatchCover> all = coverSolid(split.solid, tooling, options, kSkinShare * share, ctx);
+  std::vector<PatchCover> all =
+      coverSolid(split.solid, stack, tooling, options, kSkinShare * share, ctx);
   layers::LayerStack core;
   core.layerCount = stack.layerCount;
   std::vector<std::size_t> of; // patch of the stack
@@ -113,7 +125,7 @@ std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack, const pr
     }
   ToolpathOptions own = options;
   own.walls = 0;
-  std::vector<PatchCover> covers = coverSolid(core, tooling, own, share, ctx);
+  std::vector<PatchCover> covers = coverSolid(core, stack, tooling, own, share, ctx);
   for (std::size_t i = 0; i < covers.size(); ++i) {
     for (Bead& bead : covers[i].beads)
       bead.tool = options.infillTool;
@@ -127,15 +139,14 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
                         const ToolpathOptions& options, double share, const base::RunContext& ctx) {
   LayerCovers out;
   if (options.infillDensity >= 1.0) {
-    out.covers = options.infillTool < 0
-                     ? coverSolid(stack, tooling, options, share, ctx)
-                     : coverSolidCore(stack, tooling, options, share, ctx);
+    out.covers = options.infillTool < 0 ? coverSolid(stack, stack, tooling, options, share, ctx)
+                                        : coverSolidCore(stack, tooling, options, share, ctx);
     return out;
   }
   const base::RunContext silent = ctx.quiet();
   const LayerCount whole(stack, silent);
   const SplitLayers split = splitLayers(stack, whole, tooling, options, silent);
-  out.covers = coverSolid(split.solid, tooling, options, share, ctx);
+  out.covers = coverSolid(split.solid, stack, tooling, options, share, ctx);
   const LayerCount solid(split.solid, silent);
   const std::vector<PatternFrame> frames = patternFrames(stack, options);
   std::vector<std::vector<Bead>> sparse(stack.patches.size());
