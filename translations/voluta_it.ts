@@ -3767,10 +3767,6 @@ mm³</translation>
         <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
         <translation>non coperti da strati: {left:.3g#} di {whole:.4g} del pezzo</translation>
     </message>
-    <message>
-        <source>{length:.1f} of bead is unsupported; the first place is here</source>
-        <translation>{length:.1f} di cordone non sono sostenuti; il primo punto è qui</translation>
-    </message>
     <message numerus="yes">
         <source>unsupported voxels: {missed} of {voxels}</source>
         <translation>
@@ -6590,8 +6586,8 @@ mm³</translation>
         <translation>Ammetti meno distanza</translation>
     </message>
     <message>
-        <source>Amount: {share:.1f} of the part&apos;s volume is deposited; {least:.0f#} to {most:.0f} allowed.</source>
-        <translation>Quantità: si depone il {share:.1f} del volume del pezzo; ammesso da {least:.0f#} a {most:.0f}.</translation>
+        <source>Amount: {share:.1f} of the part&apos;s volume is deposited; {least:.4g#} to {most:.4g} allowed.</source>
+        <translation>Quantità: si depone il {share:.1f} del volume del pezzo; ammesso da {least:.4g#} a {most:.4g}.</translation>
     </message>
     <message>
         <source>Arm, joints and their limits: not checked, as the program contains nozzle positions but no joint values.</source>
@@ -6638,8 +6634,8 @@ mm³</translation>
         <translation>Collisioni: {collisions}; nessuna è ammessa.</translation>
     </message>
     <message>
-        <source>Fill: {share:.1f} of the part is filled; at least {limit:.0f} required.</source>
-        <translation>Riempimento: è pieno il {share:.1f} del pezzo; richiesto {limit:.0f}.</translation>
+        <source>Fill: {share:.1f} of the part is filled; at least {limit:.4g} required.</source>
+        <translation>Riempimento: è pieno il {share:.1f} del pezzo; richiesto {limit:.4g}.</translation>
     </message>
     <message>
         <source>Flat patches over the openings: the part becomes solid</source>
@@ -6958,8 +6954,8 @@ mm³</translation>
         <translation>Superfici aperte</translation>
     </message>
     <message>
-        <source>Overfill: {share:.1f} of the part&apos;s volume lies outside it or in places already full; at most {limit:.0f} allowed.</source>
-        <translation>Eccesso: il {share:.1f} del volume del pezzo è fuori da esso o in punti già pieni; ammesso al massimo {limit:.0f}.</translation>
+        <source>Overfill: {share:.1f} of the part&apos;s volume lies outside it or in places already full; at most {limit:.4g} allowed.</source>
+        <translation>Eccesso: il {share:.1f} del volume del pezzo è fuori da esso o in punti già pieni; ammesso al massimo {limit:.4g}.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -7064,8 +7060,8 @@ previsto</translation>
         <translation>Larga due cordoni, centrata sulla superficie</translation>
     </message>
     <message>
-        <source>Unsupported: {share:.2f} of the bead length; at most {limit:.1f} allowed.</source>
-        <translation>Senza appoggio: il {share:.2f} della lunghezza dei cordoni; ammesso al massimo {limit:.1f}.</translation>
+        <source>Unsupported: {share:.2f} of the bead length; at most {limit:.4g} allowed.</source>
+        <translation>Senza appoggio: il {share:.2f} della lunghezza dei cordoni; ammesso al massimo {limit:.4g}.</translation>
     </message>
     <message>
         <source>Use a larger cell</source>
@@ -10447,6 +10443,89 @@ facce %</translation>
         <source>the place of a machine</source>
         <translation>la posizione di una macchina</translation>
     </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accetta</translation>
+    </message>
+    <message>
+        <source>How far the printed part may differ from the requested one before the plan is marked. Never changes what is safe to run.</source>
+        <translation>Quanto il pezzo stampato può differire da quello richiesto prima che il piano sia segnalato. Non cambia mai ciò che è sicuro eseguire.</translation>
+    </message>
+    <message>
+        <source>In this job; the verification report lists it</source>
+        <translation>In questo lavoro; il rapporto di verifica lo elenca</translation>
+    </message>
+    <message numerus="yes">
+        <source>Nothing that was checked endangers robot or cell: {checks} checks of the part are beyond their limits.</source>
+        <translation>
+            <numerusform>Nulla di ciò che è stato verificato mette in pericolo robot o cella: {checks} verifica del pezzo supera il suo limite.</numerusform>
+            <numerusform>Nulla di ciò che è stato verificato mette in pericolo robot o cella: {checks} verifiche del pezzo superano i loro limiti.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualità</translation>
+    </message>
+    <message>
+        <source>Safe to run, but it does not print the part as asked.</source>
+        <translation>Sicuro da eseguire, ma non stampa il pezzo come richiesto.</translation>
+    </message>
+    <message>
+        <source>Shares that are accepted in this job beyond the quality&apos;s limits: uncovered, unsupported, overfill and mass, such as uncovered=0.05, mass=0.04. Verification reports list them.</source>
+        <translation>Quote accettate in questo lavoro oltre i limiti della qualità: uncovered, unsupported, overfill e mass, per esempio uncovered=0.05, mass=0.04. I rapporti di verifica le elencano.</translation>
+    </message>
+    <message>
+        <source>Span that a bead of 0.45 mm bridges with a sag of up to 0.2 mm; less for wider beads. Quality usual and draft accept it.</source>
+        <translation>Luce che un cordone di 0,45 mm supera con un cedimento fino a 0,2 mm; meno per cordoni più larghi. Le qualità normale e bozza la accettano.</translation>
+    </message>
+    <message>
+        <source>accepted differences</source>
+        <translation>differenze accettate</translation>
+    </message>
+    <message>
+        <source>bridge with a little sag</source>
+        <translation>ponte con un lieve cedimento</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>bozza</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>massa</translation>
+    </message>
+    <message>
+        <source>overfill</source>
+        <translation>eccesso</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>qualità</translation>
+    </message>
+    <message>
+        <source>strict</source>
+        <translation>rigorosa</translation>
+    </message>
+    <message>
+        <source>uncovered</source>
+        <translation>non coperto</translation>
+    </message>
+    <message>
+        <source>unsupported</source>
+        <translation>non sostenuto</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>{length:.1f} of bead ({share:.2f}) is unsupported; the first place is here</source>
+        <translation>{length:.1f} di cordone ({share:.2f}) non è sostenuto; il primo punto è qui</translation>
+    </message>
+    <message>
+        <source>{quality}; accepted: {shares}</source>
+        <translation>{quality}; accettato: {shares}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11129,12 +11208,24 @@ Fai clic per sceglierne un altro</translation>
         <translation>Il piano ha segnalazioni bloccanti: %1</translation>
     </message>
     <message>
-        <source>The programs move as planned, but the part will not be as intended.</source>
-        <translation>I programmi si muovono come pianificato, ma il pezzo non sarà come previsto.</translation>
-    </message>
-    <message>
         <source>Export anyway</source>
         <translation>Esporta comunque</translation>
+    </message>
+    <message>
+        <source>Not as asked</source>
+        <translation>Non come richiesto</translation>
+    </message>
+    <message>
+        <source>Safe to run, not as asked: %1</source>
+        <translation>Sicuro da eseguire, non come richiesto: %1</translation>
+    </message>
+    <message>
+        <source>The part will differ from the requested one there. To export without this question, accept it in the list of findings.</source>
+        <translation>Lì il pezzo sarà diverso da quello richiesto. Per esportare senza questa domanda, accettarlo nell&apos;elenco delle segnalazioni.</translation>
+    </message>
+    <message>
+        <source>Do not run the programs before these are solved.</source>
+        <translation>Non eseguire i programmi prima di aver risolto queste segnalazioni.</translation>
     </message>
 </context>
 <context>
@@ -11240,6 +11331,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Not passed, the plan is blocked: %1</source>
         <translation>Non superato, il piano è bloccato: %1</translation>
+    </message>
+    <message>
+        <source>Safe to run, not as asked: %1</source>
+        <translation>Sicuro da eseguire, non come richiesto: %1</translation>
     </message>
 </context>
 <context>
@@ -12807,6 +12902,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>blocked: see the findings</source>
         <translation>bloccato: vedi le segnalazioni</translation>
     </message>
+    <message>
+        <source>not as asked: see the findings</source>
+        <translation>non come richiesto: vedere le segnalazioni</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::HeadNumbersDialog</name>
@@ -13698,6 +13797,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>not passed: blocking findings</source>
         <translation>non superato: segnalazioni bloccanti</translation>
     </message>
+    <message>
+        <source>safe to run, not as asked</source>
+        <translation>sicuro da eseguire, non come richiesto</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -14081,6 +14184,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Replay findings, the first %1 of %2</source>
         <translation>Segnalazioni della verifica, le prime %1 di %2</translation>
+    </message>
+    <message>
+        <source>%1: safe to run, but it does not print the part as asked.</source>
+        <translation>%1: sicuro da eseguire, ma non stampa il pezzo come richiesto.</translation>
     </message>
 </context>
 <context>

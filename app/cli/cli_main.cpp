@@ -4,6 +4,7 @@
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
+#include "cli/joined_values.h"
 #include "cli/mill_command.h"
 #include "cli/option_texts.h"
 #include "cli/pith_command.h"
@@ -84,7 +85,7 @@ struct Parsed {
 struct PlanValues {
   std::string until = "replay", progress = "bar";
   std::string material; // empty: the process's
-  std::vector<std::string> sets, tools;
+  std::vector<std::string> sets, tools, accepted;
 };
 
 // The cell, the process and the part's placement.
@@ -146,6 +147,11 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
       ->allow_extra_args(false);
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
+  command
+      .add_option("--accept", values.accepted,
+                  "FIGURE=SHARE: a difference of the printed part that is accepted in this job: "
+                  "uncovered, unsupported, overfill or mass, such as uncovered=0.05")
+      ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");
   command.add_option("--format", request.choices.formats, "program format")
       ->allow_extra_args(false);
@@ -168,7 +174,8 @@ void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   pipeline::takeOwnFiles(choices);
   if (!values.material.empty())
     choices.tool().process = process::processTextWith(choices.tool().process, values.material);
-  for (const base::Message& note : pipeline::setParameters(choices, values.sets))
+  for (const base::Message& note :
+       pipeline::setParameters(choices, withAccepted(values.sets, values.accepted)))
     fmt::print(stderr, "note: {}\n", base::english(note));
   if (!choices.item().automatic && !choices.item().platformStays)
     choices.item().platform = pipeline::usualPlatform(choices);
@@ -532,19 +539,6 @@ void addList(CLI::App& app, Parsed& parsed) {
   list->add_flag("--json", options->json, "as JSON");
   list->callback(
       [options, &parsed] { parsed.run = quick([options] { return listCommand(*options); }); });
-}
-
-// Joins values such as "-90,10" with their option, as they begin with a dash.
-std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if ((word == "--fk" || word == "--ik" || word == "--turn") && i + 1 < argc)
-      words.push_back(word + "=" + argv[++i]);
-    else
-      words.push_back(word);
-  }
-  return words;
 }
 
 int run(int argc, char** argv) {

@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "cli/verdict_words.h"
 #include "curved/decomposition.h"
 #include "pictures/job_picture.h"
 #include "pipeline/cell_advice.h"
@@ -153,8 +154,8 @@ void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& r
       line.insert(line.begin() + 1, base::dataName(row.combination.cell));
     for (const pipeline::Figure& figure : pipeline::figures())
       line.push_back(valueText(figure, row));
-    const std::optional<bool> passed = pipeline::replayPassed(row);
-    line.emplace_back(!passed ? "-" : *passed ? "passed" : "refused");
+    line.emplace_back(!pipeline::replayPassed(row) ? "-"
+                                                   : verdictWords(pipeline::verdictOf(row.report)));
     line.emplace_back(pipeline::stateName(row.state()));
     line.push_back(fmt::format("{:.1f}", row.seconds));
     table.push_back(std::move(line));

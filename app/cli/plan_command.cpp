@@ -1,13 +1,16 @@
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "cli/verdict_words.h"
 #include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
-#include "pipeline/plan_verdict.h"
 #include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
 #include "project/shown_figures.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace voluta::cli {
 
@@ -65,19 +68,6 @@ void sayItem(const project::ItemReport& item, const std::string& name) {
   fmt::print("{} layers", item.layers.count);
 }
 
-// A replay that passed is no more than that where a finding on the plan blocks.
-const char* verdictWord(const project::Report& report) {
-  switch (pipeline::verdictOf(report)) {
-  case pipeline::PlanVerdict::Passed:
-    return "passed";
-  case pipeline::PlanVerdict::Blocked:
-    return "passed, the plan NOT";
-  case pipeline::PlanVerdict::Refused:
-    break;
-  }
-  return "NOT passed";
-}
-
 void sayResult(const project::Report& r) {
   for (const project::ItemReport& item : r.items) {
     sayItem(item, r.items.size() > 1 ? item.model.file + ": " : std::string());
@@ -88,11 +78,34 @@ void sayResult(const project::Report& r) {
     fmt::print(", {} tool change{}", r.motion.toolChanges, r.motion.toolChanges == 1 ? "" : "s");
   fmt::print("\n");
   const project::ReplayReport replay = project::shownFigures(r.replay);
-  if (replay.thresholds.covered > 0.0)
+  if (!replay.thresholds.quality.empty()) // of a program that was judged
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
                "{} collisions, deviation {:.4f} mm\n",
-               verdictWord(r), replay.coveredFraction, replay.unsupportedFraction,
-               replay.overfillFraction, replay.massRatio, replay.collisions, replay.maxDeviationMm);
+               verdictWords(pipeline::verdictOf(r)), replay.coveredFraction,
+               replay.unsupportedFraction, replay.overfillFraction, replay.massRatio,
+               replay.collisions, replay.maxDeviationMm);
+}
+// Returns the programs with verification reports in `folder` that no file of `staged` replaces.
+std::vector<std::string> leftOver(const std::filesystem::path& folder,
+                                  const std::filesystem::path& staged) {
+  constexpr std::string_view kProof = ".proof.json";
+  std::vector<std::string> programs;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    std::string name = entry.path().filename().string();
+    if (!name.ends_with(kProof))
+      continue;
+    name.resize(name.size() - kProof.size());
+    if (std::filesystem::exists(folder / name) && !std::filesystem::exists(staged / name))
+      programs.push_back(name);
+  }
+  std::ranges::sort(programs);
+  return programs;
+}
+
+void sayLeftOver(const std::vector<std::string>& programs) {
+  for (const std::string& name : programs)
+    fmt::print("of an earlier plan, NOT of this one: {} and its reports; delete them\n", name);
 }
 } // namespace
 
@@ -104,11 +117,13 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
       [work, inside = staged.path()](const base::RunContext& ctx) { return work(inside, ctx); },
       threads, progressSink(progress, title), [&] { staged.discard(); });
   endProgress(progress);
+  const std::vector<std::string> old = leftOver(folder, staged.path());
   const auto report = settled(std::move(outcome), staged);
   if (!report)
     return kCancelled;
   sayResult(*report);
   sayMissingPrograms(report->findings);
+  sayLeftOver(old);
   sayBlocker(report->findings,
              [&](const plan::Finding& finding) { return partOf(finding, *report); });
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
+#include "cli/verdict_words.h"
 #include "pipeline/station_check.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
@@ -158,7 +159,7 @@ ExitCode verifyTogetherCommand(const TogetherOptions& options) {
   for (std::size_t k = 0; k < check->programs.size(); ++k) {
     const pipeline::VerifyResult& alone = check->alone[k];
     fmt::print("{}: {} ({})\n", check->programs[k].string(),
-               alone.replay.passed ? "passed" : "refused", alone.format);
+               verdictWords(pipeline::verdictOf(alone)), alone.format);
     for (const plan::Finding& f : alone.findings)
       if (f.blocking)
         fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));

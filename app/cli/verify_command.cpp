@@ -1,6 +1,7 @@
 #include "base/files.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "cli/verdict_words.h"
 #include "pipeline/mill_job.h"
 #include "pipeline/plan_verdict.h"
 #include "plan/finding_kinds.h"
@@ -67,14 +68,14 @@ ExitCode verifyCommand(const VerifyOptions& options) {
     return kCancelled;
   const pipeline::VerifyResult& result = *ended;
   const project::ReplayReport shown = project::shownFigures(result.replay);
+  const pipeline::PlanVerdict verdict = pipeline::verdictOf(result);
   fmt::print("{}: {} ({}): covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, {} "
              "collisions, {} limit violations, deviation {:.4f} mm\n",
-             options.program.string(), pipeline::isVerified(result) ? "passed" : "refused",
-             result.format, shown.coveredFraction, shown.unsupportedFraction,
-             shown.overfillFraction, shown.massRatio, shown.collisions, shown.limitViolations,
-             shown.maxDeviationMm);
+             options.program.string(), verdictWords(verdict), result.format, shown.coveredFraction,
+             shown.unsupportedFraction, shown.overfillFraction, shown.massRatio, shown.collisions,
+             shown.limitViolations, shown.maxDeviationMm);
   sayFindings(options.program, result.findings);
-  return pipeline::isVerified(result) ? kDone : kNotAll;
+  return verdict == pipeline::PlanVerdict::Passed ? kDone : kNotAll;
 }
 
 } // namespace voluta::cli

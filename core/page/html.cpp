@@ -41,8 +41,6 @@ std::string style() {
       ".issued{text-align:right;white-space:nowrap}"
       ".verdict{margin:3mm 0;padding:2.5mm 4mm;border-left:2mm solid}"
       ".verdict b{font-size:11pt;display:block}"
-      ".passed{border-color:PASSED;background:PASSBACK}.passed b{color:PASSED}"
-      ".failed{border-color:FAILED;background:FAILBACK}.failed b{color:FAILED}"
       ".pictures,.maps{display:flex;gap:4mm;align-items:flex-end}"
       "figure{margin:0}.pictures figure{flex:1 1 0}.pictures "
       "img{width:100%;display:block;max-height:58mm;object-fit:contain}"
@@ -61,10 +59,6 @@ std::string style() {
     for (std::size_t at = css.find(name); at != std::string::npos; at = css.find(name, at))
       css.replace(at, name.size(), hex(colour));
   };
-  put("PASSBACK", c.passedBack);
-  put("FAILBACK", c.failedBack);
-  put("PASSED", c.passed);
-  put("FAILED", c.failed);
   put("QUIET", c.quiet);
   put("RULE", c.rule);
   put("INK", c.ink);
@@ -96,13 +90,10 @@ std::string checks(const Sheet& sheet) {
   const SheetColours colours;
   std::string text = fmt::format("<h2>{}</h2>\n<table>\n", escapedMarkup(sheet.checksTitle));
   for (const Check& check : sheet.checks) {
-    const char* sign = check.mark == Mark::Passed   ? "&#10003;"
-                       : check.mark == Mark::Failed ? "&#10007;"
-                                                    : "&#8226;";
     text += fmt::format("<tr><td class=\"mark\" style=\"color:{}\">{}</td><td>{}</td>"
                         "<td class=\"place\">{}</td></tr>\n",
-                        hex(colours.of(check.mark)), sign, escapedMarkup(check.sentence),
-                        escapedMarkup(check.place));
+                        hex(colours.of(check.mark)), signOf(check.mark),
+                        escapedMarkup(check.sentence), escapedMarkup(check.place));
   }
   return text + "</table>\n";
 }
@@ -153,12 +144,28 @@ std::string files(const Sheet& sheet) {
 
 } // namespace
 
+const char* signOf(Mark mark) {
+  switch (mark) {
+  case Mark::Passed:
+    return "\u2713";
+  case Mark::Caution:
+    return "!";
+  case Mark::Failed:
+    return "\u2717";
+  case Mark::Note:
+    break;
+  }
+  return "\u2022";
+}
+
 std::string hex(Colour colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
 }
 
 std::string html(const Sheet& sheet) {
   const std::string title = escapedMarkup(sheet.title);
+  const SheetColours colours;
+  const std::string colour = hex(colours.of(sheet.verdictMark));
   return validText(
       fmt::format("<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\">"
                   "<meta name=\"viewport\" content=\"width=device-width\">"
@@ -166,9 +173,10 @@ std::string html(const Sheet& sheet) {
                   escapedMarkup(sheet.language), title, style()) +
       fmt::format("<header><h1>{}</h1><div class=\"issued\">{}</div></header>\n", title,
                   escapedMarkup(sheet.issued)) +
-      fmt::format("<div class=\"verdict {}\"><b>{}</b>{}</div>\n",
-                  sheet.verdictMark == Mark::Failed ? "failed" : "passed",
-                  escapedMarkup(sheet.verdict), escapedMarkup(sheet.verdictDetail)) +
+      fmt::format("<div class=\"verdict\" style=\"border-color:{0};background:{1}\">"
+                  "<b style=\"color:{0}\">{2}</b>{3}</div>\n",
+                  colour, hex(colours.backOf(sheet.verdictMark)), escapedMarkup(sheet.verdict),
+                  escapedMarkup(sheet.verdictDetail)) +
       pictures(sheet) + facts(sheet) + checks(sheet) + maps(sheet) + files(sheet) +
       fmt::format("<footer>{}</footer>\n</body></html>\n", escapedMarkup(sheet.footer)));
 }

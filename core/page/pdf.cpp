@@ -146,14 +146,13 @@ private:
   }
 
   void verdict() {
-    const bool failed = sheet_.verdictMark == Mark::Failed;
     const TextStyle large{11.0, colours_.of(sheet_.verdictMark), true}, small;
     constexpr double kInside = 5.0, kPadding = 1.8;
     const double width = kText - kInside - 2.0;
     const double title = text(sheet_.verdict, kInside, width, large, false);
     const double detail = text(sheet_.verdictDetail, kInside, width, small, false);
     const double height = title + detail + 2.0 * kPadding;
-    fill(failed ? colours_.failedBack : colours_.passedBack, 0.0, y_, kText, height);
+    fill(colours_.backOf(sheet_.verdictMark), 0.0, y_, kText, height);
     fill(colours_.of(sheet_.verdictMark), 0.0, y_, 1.6, height);
     y_ += kPadding;
     text(sheet_.verdict, kInside, width, large);
@@ -222,10 +221,7 @@ private:
       breakBefore(height + 1.0);
       rule();
       y_ += 0.6;
-      const char* sign = check.mark == Mark::Passed   ? "\u2713"
-                         : check.mark == Mark::Failed ? "\u2717"
-                                                      : "\u2022";
-      text(sign, 0.0, kSign, {kBodyPt, colours_.of(check.mark), true});
+      text(signOf(check.mark), 0.0, kSign, {kBodyPt, colours_.of(check.mark), true});
       text(check.sentence, kSign, sentenceWidth, {});
       text(check.place, kText - kPlace, kPlace, {kSmallPt, colours_.quiet});
       y_ += height + 0.4;

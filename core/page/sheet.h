@@ -15,7 +15,9 @@ struct Colour {
 // Returns "#rrggbb".
 std::string hex(Colour colour);
 
-enum class Mark : std::uint8_t { Passed, Failed, Note };
+enum class Mark : std::uint8_t { Passed, Caution, Failed, Note };
+// Returns one character that stands for the mark, in UTF-8.
+const char* signOf(Mark mark);
 
 struct Picture {
   std::string png; // Bytes of a PNG file
@@ -73,11 +75,18 @@ std::string pdf(const Sheet& sheet);
 // Shared by both writers.
 struct SheetColours {
   Colour ink{0x1c, 0x23, 0x2b}, quiet{0x5d, 0x67, 0x73}, rule{0xd4, 0xda, 0xe0};
-  Colour passed{0x1b, 0x6b, 0x4a}, failed{0xa8, 0x2a, 0x2a}, note{0x5d, 0x67, 0x73};
-  Colour passedBack{0xe7, 0xf3, 0xed}, failedBack{0xf9, 0xe8, 0xe8};
+  Colour passed{0x1b, 0x6b, 0x4a}, caution{0x8a, 0x5a, 0x00}, failed{0xa8, 0x2a, 0x2a},
+      note{0x5d, 0x67, 0x73};
+  Colour passedBack{0xe7, 0xf3, 0xed}, cautionBack{0xfb, 0xf1, 0xdc}, failedBack{0xf9, 0xe8, 0xe8};
 
   Colour of(Mark mark) const {
-    return mark == Mark::Passed ? passed : mark == Mark::Failed ? failed : note;
+    return mark == Mark::Passed    ? passed
+           : mark == Mark::Caution ? caution
+           : mark == Mark::Failed  ? failed
+                                   : note;
+  }
+  Colour backOf(Mark mark) const {
+    return mark == Mark::Failed ? failedBack : mark == Mark::Caution ? cautionBack : passedBack;
   }
 };
 

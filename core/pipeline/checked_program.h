@@ -27,11 +27,11 @@ struct TextLine {
 // One program, read back and replayed. The Replay stage has one of these per format.
 struct CheckedProgram {
   static constexpr project::Stage kStage = project::Stage::Replay;
-  plan::Program program; // its files are named as if it passed
+  plan::Program program; // its files are named as if it were safe to run
   project::ReplayReport verdict;
-  plan::Findings findings;            // of this format only
-  std::vector<TextLine> findingLines; // the line of each finding
-  bool passed = false;
+  plan::Findings findings;                     // of this format only
+  std::vector<TextLine> findingLines;          // the line of each finding
+  bool safeToRun = false;                      // as replay::Verification::safeToRun
   std::vector<base::Message> failed;           // the exceeded thresholds
   std::vector<std::size_t> collidingWaypoints; // as Verification::collidingWaypoints
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;

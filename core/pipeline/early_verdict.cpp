@@ -38,7 +38,7 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
 
 std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
                                             const geometry::TriangleMesh& part,
-                                            const process::Process& process) {
+                                            const process::Process& process, double tolerance) {
   double volume = std::abs(geometry::volume(part));
   for (const plan::FillIntent& fill : toolPlan.fill)
     volume -= fill.openMm3;
@@ -48,7 +48,7 @@ std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
   const double standing = static_cast<double>(toolPlan.paths.size()) * process.primeS *
                           process::flowLimit(process) / volume;
   const double ratio = partMaterial(toolPlan) / volume;
-  const double slack = replay::ReplayThresholds{}.massTolerance + kLeeway;
+  const double slack = tolerance + kLeeway;
   if (ratio <= 1.0 + slack + plan::kBlockingShare && ratio + standing >= 1.0 - slack)
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::Mass, {{"share", base::percent(100.0 * ratio)}});

@@ -11,10 +11,10 @@
 namespace voluta::pipeline {
 
 // Returns the finding Mass if the beads of the part contain so much or so little material that no
-// program of them can have a mass ratio within replay::ReplayThresholds; else nullopt. `part`: the
+// program of them can have a mass ratio within `tolerance` of 1; else nullopt. `part`: the
 // closed mesh that replay uses as the reference.
 std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
                                             const geometry::TriangleMesh& part,
-                                            const process::Process& process);
+                                            const process::Process& process, double tolerance);
 
 } // namespace voluta::pipeline

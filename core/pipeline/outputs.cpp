@@ -65,7 +65,7 @@ void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
 } // namespace
 
 std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file) {
-  return program.passed ? file.name : std::string(kRefusedPrefix) + file.name;
+  return program.safeToRun ? file.name : std::string(kRefusedPrefix) + file.name;
 }
 
 namespace {
@@ -109,7 +109,7 @@ void writeBuildFile(const PlanResult& result, const std::filesystem::path& folde
 namespace {
 // A dialect that refuses the motion has no text.
 bool isHandedOver(const CheckedProgram& checked, bool refusedToo) {
-  return checked.passed || (refusedToo && !checked.program.files.empty());
+  return checked.safeToRun || (refusedToo && !checked.program.files.empty());
 }
 } // namespace
 

@@ -14,8 +14,8 @@ namespace voluta::pipeline {
 
 // Returns a blocking finding for parts smaller than 1 mm or larger than 2 m: they were drawn in
 // other units. Otherwise returns the share of the part that is thinner than the process's minimum
-// bead width, if that exceeds plan::kBlockingShare. That finding blocks if overfill by wide beads,
-// or the walls left out, would exceed the replay's threshold for overfill. `reach` returns the
+// bead width, if that exceeds plan::kBlockingShare. That finding blocks if most of the part is
+// thinner: nothing of it would be printed as drawn, and planning takes time. `reach` returns the
 // maximum scale within the robot's reach; it takes half a second and is called only if walls are
 // thin. Throws Cancelled.
 plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,

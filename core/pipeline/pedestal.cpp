@@ -42,8 +42,8 @@ geometry::TriangleMesh meshOf(const robot::Prism& prism) {
   return mesh;
 }
 
-// Sorts the triangles by their corners: a boolean's order depends on addresses in memory, and so on
-// the threads of the plan.
+// Sorts the triangles by their corners: the order of a boolean may depend on addresses in memory,
+// and so on the threads of the plan.
 void sortTriangles(geometry::TriangleMesh& mesh) {
   const auto isBefore = [&](int a, int b) {
     return std::ranges::lexicographical_compare(mesh.vertices[static_cast<std::size_t>(a)],

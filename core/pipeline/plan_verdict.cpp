@@ -29,17 +29,29 @@ std::vector<plan::Finding> blockersOf(const project::Report& report, const std::
   return blockers;
 }
 
-PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& report) {
-  if (!program.passed)
+namespace {
+PlanVerdict verdictOn(bool isSafe, bool passed, const plan::Findings& findings) {
+  if (!isSafe)
     return PlanVerdict::Refused;
-  return blockersOf(report, program.program.format).empty() ? PlanVerdict::Passed
-                                                            : PlanVerdict::Blocked;
+  if (std::ranges::any_of(findings, plan::blocksRunning))
+    return PlanVerdict::Blocked;
+  return passed && std::ranges::none_of(findings, &plan::Finding::blocking)
+             ? PlanVerdict::Passed
+             : PlanVerdict::NotAsAsked;
+}
+
+bool isSafe(const project::ReplayReport& replay) {
+  return replay.safeToRun || replay.passed; // older reports have the second only
+}
+} // namespace
+
+PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& report) {
+  return verdictOn(program.safeToRun, program.verdict.passed,
+                   blockersOf(report, program.program.format));
 }
 
 PlanVerdict verdictOf(const project::Report& report) {
-  if (!report.replay.passed)
-    return PlanVerdict::Refused;
-  return nothingBlocks(report) ? PlanVerdict::Passed : PlanVerdict::Blocked;
+  return verdictOn(isSafe(report.replay), report.replay.passed, report.findings);
 }
 
 double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling) {
@@ -54,8 +66,8 @@ double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling)
   return maximum;
 }
 
-bool isVerified(const VerifyResult& result) {
-  return result.replay.passed && std::ranges::none_of(result.findings, &plan::Finding::blocking);
+PlanVerdict verdictOf(const VerifyResult& result) {
+  return verdictOn(isSafe(result.replay), result.replay.passed, result.findings);
 }
 
 } // namespace voluta::pipeline

@@ -18,9 +18,10 @@ struct CheckedProgram;
 struct VerifyResult;
 
 enum class PlanVerdict : std::uint8_t {
-  Passed,
-  Blocked, // the replay passes, but a finding blocks: the part does not become as planned
-  Refused  // by the replay
+  Passed,     // safe to run, and prints the part as asked
+  NotAsAsked, // safe to run, but the part differs from the requested one
+  Blocked,    // the replay found it safe to run, but a finding of the plan concerns safety
+  Refused     // by the replay
 };
 
 // Returns the format of the program that a finding concerns; empty: the plan.
@@ -38,7 +39,7 @@ PlanVerdict verdictOf(const project::Report& report);
 // long, that of the tool that bridges most [mm].
 double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling);
 
-// Returns whether the replay passes a program from disk and no finding blocks.
-bool isVerified(const VerifyResult& result);
+// Of a program read from disk.
+PlanVerdict verdictOf(const VerifyResult& result);
 
 } // namespace voluta::pipeline

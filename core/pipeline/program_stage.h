@@ -1,6 +1,7 @@
 // The Replay stage of one program: writes it, reads it back and replays it.
 #pragma once
 
+#include "pipeline/quality.h"
 #include "plan/layer_times.h"
 #include "process/tooling.h"
 #include "program/program_input.h"
@@ -39,6 +40,7 @@ struct ProgramStageInput {
   std::span<const program::ArcVia> arcs = {};  // as program::ProgramInput::arcs
   replay::WholePlan whole = {};                // before its points were merged
   plan::LayerTimes layerTimes = {};            // as replay::ReplayInput::layerTimes
+  Quality quality = {};                        // its limits judge the program
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

@@ -15,6 +15,7 @@
 #include "pipeline/replay_stage.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
+#include "plan/finding_kinds.h"
 #include "project/version.h"
 #include "replay/covering_times.h"
 
@@ -212,7 +213,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.decision = verdictOf(checked, result.job.report);
   for (const plan::Finding& finding : blockersOf(result.job.report, checked.program.format))
     if (formatOf(finding).empty()) // the program's own are among the checks
-      proof.blockers.push_back(plan::reasonOf(finding));
+      proof.blockers.push_back({plan::reasonOf(finding), plan::blocksRunning(finding)});
   proof.deviations = checked.deviations;
   proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
@@ -253,9 +254,12 @@ Json valueJson(const ProofValue& value, const char* key) {
 Json replayJson(const Proof& proof) {
   const project::ReplayReport& v = proof.verdict;
   Json blockers = Json::array();
-  for (const base::Message& blocker : proof.blockers)
-    blockers.push_back(base::english(blocker));
+  for (const Proof::Blocker& blocker : proof.blockers)
+    blockers.push_back(base::english(blocker.reason));
   return Json{{"passed", v.passed},
+              {"safeToRun", v.safeToRun},
+              {"quality", v.thresholds.quality},
+              {"accepted", v.thresholds.accepted},
               {"planPassed", proof.decision == PlanVerdict::Passed},
               {"blocking", std::move(blockers)},
               {"coveredFraction", v.coveredFraction},

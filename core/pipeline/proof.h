@@ -50,7 +50,11 @@ struct Proof {
   int layers = 0;
   project::ReplayReport verdict;
   PlanVerdict decision = PlanVerdict::Passed;
-  std::vector<base::Message> blockers;   // reasons of the plan's blocking findings
+  struct Blocker {
+    base::Message reason;
+    bool concernsSafety = false;
+  };
+  std::vector<Blocker> blockers;         // the plan's blocking findings
   std::size_t deviations = 0;            // places where the program differs from the plan
   double plannedS = 0.0, programS = 0.0; // durations by the plan and as the program runs
   double materialMm3 = 0.0;

@@ -124,6 +124,11 @@ private:
   void check(bool passed, const base::Message& sentence, const std::string& place = {}) {
     check(passed ? Mark::Passed : Mark::Failed, sentence, place);
   }
+  // A check of the printed part: beyond its limit the program is still safe to run.
+  void quality(bool passed, const base::Message& sentence, const std::string& place) {
+    check(passed ? Mark::Passed : Mark::Caution, sentence, place);
+  }
+  void quality(bool passed, const base::Message& sentence) { quality(passed, sentence, {}); }
 
   std::string place(const ProofPlace& at) const {
     std::vector<std::string> parts;
@@ -152,6 +157,7 @@ private:
     fact("Tool"_text,
          message("nozzle {nozzle}, bead {width#} x {height}"_text, base::mm(p.nozzleDiameterMm),
                  base::mm(p.beadWidthMm), base::mm(p.layerHeightMm)));
+    limits();
     fact("Mass"_text,
          message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG)));
     if (!proof_.tools.empty()) {
@@ -161,6 +167,13 @@ private:
     fact("Material"_text,
          message("{material}, {volume:.1f} cm3 at {density:.2f} g/cm3"_text, p.material.label,
                  base::number(1e-3 * proof_.materialMm3), base::number(p.material.densityGPerCm3)));
+  }
+
+  void limits() {
+    const project::ThresholdsReport& t = verdict_.thresholds;
+    fact("Quality"_text,
+         t.accepted.empty() ? message("{quality}"_text, t.quality)
+                            : message("{quality}; accepted: {shares}"_text, t.quality, t.accepted));
   }
 
   void tools() {
@@ -178,26 +191,27 @@ private:
 
   void beadChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
-    check(verdict_.coveredFraction >= limits.covered,
-          message("Fill: {share:.1f} of the part is filled; at least {limit:.0f} required."_text,
-                  share(verdict_.coveredFraction, limits.covered, 1), share(limits.covered)),
-          place(proof_.gap));
-    check(verdict_.overfillFraction <= limits.overfill,
-          message("Overfill: {share:.1f} of the part's volume lies outside it or in places "
-                  "already full; at most {limit:.0f} allowed."_text,
-                  share(verdict_.overfillFraction, limits.overfill, 1), share(limits.overfill)),
-          place(proof_.overfill));
-    check(std::abs(verdict_.massRatio - 1.0) <= limits.mass,
-          message("Amount: {share:.1f} of the part's volume is deposited; {least:.0f#} to "
-                  "{most:.0f} allowed."_text,
-                  share(verdict_.massRatio,
-                        verdict_.massRatio < 1.0 ? 1.0 - limits.mass : 1.0 + limits.mass, 1),
-                  share(1.0 - limits.mass), share(1.0 + limits.mass)));
-    check(verdict_.unsupportedFraction <= limits.unsupported,
-          message("Unsupported: {share:.2f} of the bead length; at most {limit:.1f} allowed."_text,
-                  share(verdict_.unsupportedFraction, limits.unsupported, 2),
-                  share(limits.unsupported)),
-          place(proof_.unsupported));
+    quality(verdict_.coveredFraction >= limits.covered,
+            message("Fill: {share:.1f} of the part is filled; at least {limit:.4g} required."_text,
+                    share(verdict_.coveredFraction, limits.covered, 1), share(limits.covered)),
+            place(proof_.gap));
+    quality(verdict_.overfillFraction <= limits.overfill,
+            message("Overfill: {share:.1f} of the part's volume lies outside it or in places "
+                    "already full; at most {limit:.4g} allowed."_text,
+                    share(verdict_.overfillFraction, limits.overfill, 1), share(limits.overfill)),
+            place(proof_.overfill));
+    quality(std::abs(verdict_.massRatio - 1.0) <= limits.mass,
+            message("Amount: {share:.1f} of the part's volume is deposited; {least:.4g#} to "
+                    "{most:.4g} allowed."_text,
+                    share(verdict_.massRatio,
+                          verdict_.massRatio < 1.0 ? 1.0 - limits.mass : 1.0 + limits.mass, 1),
+                    share(1.0 - limits.mass), share(1.0 + limits.mass)));
+    quality(
+        verdict_.unsupportedFraction <= limits.unsupported,
+        message("Unsupported: {share:.2f} of the bead length; at most {limit:.4g} allowed."_text,
+                share(verdict_.unsupportedFraction, limits.unsupported, 2),
+                share(limits.unsupported)),
+        place(proof_.unsupported));
     check(Mark::Note,
           message("Partly supported: {share:.1f} of the bead length is supported over less "
                   "than half its width."_text,
@@ -228,11 +242,11 @@ private:
       return;
     }
     constexpr double kTolerance = 0.02;
-    check(verdict_.shortestLayerTimeS >= (1.0 - kTolerance) * minimum,
-          message("Time between layers: {shortest:.1f} to {longest:.1f} on its controller, "
-                  "{mean:.1f} on average; at least {limit:.0f} required."_text,
-                  shortest, longest, mean, base::seconds(minimum)),
-          place(proof_.layerTime));
+    quality(verdict_.shortestLayerTimeS >= (1.0 - kTolerance) * minimum,
+            message("Time between layers: {shortest:.1f} to {longest:.1f} on its controller, "
+                    "{mean:.1f} on average; at least {limit:.0f} required."_text,
+                    shortest, longest, mean, base::seconds(minimum)),
+            place(proof_.layerTime));
   }
 
   void programChecks() {
@@ -321,6 +335,13 @@ private:
                : "Voluta read the program back, moved the nozzle along it without an arm, and "
                  "measured what it prints."_text;
   }
+  base::Message howItDiffers(std::ptrdiff_t checks) const {
+    return {
+        "Nothing that was checked endangers robot or cell: {checks} check of the part is beyond "
+        "its limit.|Nothing that was checked endangers robot or cell: {checks} checks of the "
+        "part are beyond their limits."_plural,
+        {checks}};
+  }
   base::Message howItFailed(std::ptrdiff_t checks) const {
     const base::Text failed =
         proof_.armChecked
@@ -337,9 +358,10 @@ private:
   void planChecks() {
     constexpr std::size_t kMaxShown = 8;
     for (std::size_t i = 0; i < std::min(kMaxShown, proof_.blockers.size()); ++i)
-      check(false, message("Plan: {finding}."_text, proof_.blockers[i]));
+      check(proof_.blockers[i].concernsSafety ? Mark::Failed : Mark::Caution,
+            message("Plan: {finding}."_text, proof_.blockers[i].reason));
     if (proof_.blockers.size() > kMaxShown)
-      check(false,
+      check(proof_.decision == PlanVerdict::NotAsAsked ? Mark::Caution : Mark::Failed,
             message(
                 "Plan: {count} more blocking finding.|Plan: {count} more blocking findings."_plural,
                 proof_.blockers.size() - kMaxShown));
@@ -349,6 +371,8 @@ private:
     switch (proof_.decision) {
     case PlanVerdict::Passed:
       return "Passed: this program prints the part as planned."_text;
+    case PlanVerdict::NotAsAsked:
+      return "Safe to run, but it does not print the part as asked."_text;
     case PlanVerdict::Blocked:
       return "Not approved: the plan has blocking findings."_text;
     case PlanVerdict::Refused:
@@ -358,11 +382,23 @@ private:
   }
 
   void verdict() {
-    const bool passed = proof_.decision == PlanVerdict::Passed;
-    const auto failed = std::ranges::count(sheet_.checks, Mark::Failed, &page::Check::mark);
-    sheet_.verdictMark = passed ? Mark::Passed : Mark::Failed;
+    const auto count = [&](Mark mark) {
+      return std::ranges::count(sheet_.checks, mark, &page::Check::mark);
+    };
     sheet_.verdict = say(decision());
-    sheet_.verdictDetail = say(passed ? howItWasMeasured() : howItFailed(failed));
+    switch (proof_.decision) {
+    case PlanVerdict::Passed:
+      sheet_.verdictMark = Mark::Passed;
+      sheet_.verdictDetail = say(howItWasMeasured());
+      break;
+    case PlanVerdict::NotAsAsked:
+      sheet_.verdictMark = Mark::Caution;
+      sheet_.verdictDetail = say(howItDiffers(count(Mark::Caution)));
+      break;
+    default:
+      sheet_.verdictMark = Mark::Failed;
+      sheet_.verdictDetail = say(howItFailed(count(Mark::Failed)));
+    }
     if (proof_.foreign)
       sheet_.verdictDetail += " " + say("It is for another controller than the cell's."_text);
     if (proof_.rest)

@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/larger_cell.h"
+#include "pipeline/quality.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
@@ -397,6 +398,12 @@ Edited printByLayer(const plan::Finding&, const project::Choices& choices) {
   return changed;
 }
 
+Edited acceptShare(const plan::Finding& finding, const project::Choices& choices) {
+  const std::optional<std::string> accepted =
+      acceptedWith(qualityOf(resolve(choices).values), finding);
+  return accepted ? withParameter(choices, "accept", *accepted) : std::nullopt;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -477,8 +484,9 @@ std::span<const Remedy> remedies() {
        {PrintOnPlate, "printOnPlate", "Print on a plate"_text,
         "In a usual cell; Voluta chooses the way of building"_text, printOnPlate},
        {PrintByLayer, "printByLayer", "Print layer by layer"_text,
-        "All parts grow together, so that no finished part is in the way"_text, printByLayer,
-        true}});
+        "All parts grow together, so that no finished part is in the way"_text, printByLayer, true},
+       {AcceptShare, "acceptShare", "Accept"_text,
+        "In this job; the verification report lists it"_text, acceptShare, true}});
   return kRemedies;
 }
 

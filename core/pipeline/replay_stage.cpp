@@ -89,7 +89,8 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           in.firstTriangle,
           points.arcs,
           {&in.trajectory, points.pointOf},
-          in.layerTimes};
+          in.layerTimes,
+          in.quality};
 }
 
 std::string programsName(const project::Job& job) {
@@ -110,6 +111,7 @@ ProgramStageInput programStageInput(const project::Job& job, const geometry::Tri
   in.firstPoint = job.resumedAt;
   in.firstTriangle = project::firstTriangles(job);
   in.layerTimes = motion::layerTimes(resolved.values);
+  in.quality = qualityOf(resolved.values);
   return in;
 }
 
@@ -138,8 +140,9 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
                             in.tooling,      in.part,          in.platform,   in.firstPoint,
                             in.commonPoint,  in.firstTriangle, in.whole,      in.layerTimes};
   const base::RunContext rest = ctx.sub(0.1, 1.0);
-  back.verdict = shared ? replayShared(std::move(input), *shared, rest)
-                        : replay::replayProgram(std::move(input), {}, rest);
+  const replay::ReplayThresholds limits = thresholdsOf(in.quality);
+  back.verdict = shared ? replayShared(std::move(input), limits, *shared, rest)
+                        : replay::replayProgram(std::move(input), limits, rest);
   // Exclude the time of the motions printed before this program.
   const auto& seconds = back.verdict.motionS;
   back.verdict.durationS -= std::accumulate(
@@ -147,9 +150,10 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   return back;
 }
 
-project::ReplayReport replayReport(const replay::Verification& verdict) {
+project::ReplayReport replayReport(const replay::Verification& verdict, const Quality& quality) {
   project::ReplayReport r;
   r.passed = verdict.passed;
+  r.safeToRun = verdict.safeToRun;
   r.coveredFraction = verdict.coveredFraction;
   r.unsupportedFraction = verdict.unsupportedFraction;
   r.halfCarriedFraction = verdict.halfCarriedFraction;
@@ -168,7 +172,9 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.longestLayerTimeS = verdict.layerTimes.longestS;
   r.layerTimesMm = verdict.layerTimes.lengthMm;
   r.tapeMm3 = verdict.tapeMm3;
-  const replay::ReplayThresholds limits;
+  const replay::ReplayThresholds limits = thresholdsOf(quality);
+  r.thresholds.quality = quality.level;
+  r.thresholds.accepted = textOf(quality.accepted);
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;
   r.thresholds.overfill = limits.overfillMax;
@@ -211,12 +217,12 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
 namespace {
 // A program without a text, with the reason why there is none.
 std::shared_ptr<const CheckedProgram> refusedProgram(const program::Dialect& dialect,
-                                                     const robot::Cell& cell,
+                                                     const ProgramStageInput& in,
                                                      const base::Error& reason) {
   auto checked = std::make_shared<CheckedProgram>();
   checked->program.format = dialect.id;
-  checked->program.foreign = program::isForeign(dialect, cell);
-  checked->verdict = replayReport({});
+  checked->program.foreign = program::isForeign(dialect, in.cell);
+  checked->verdict = replayReport({}, in.quality);
   checked->failed = {reason.whole()};
   checked->refusal = base::Error(reason.code(), reason.message(), reason.context()).whole();
   checked->refusalHelp = reason.remedy().empty()
@@ -238,7 +244,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
     return program::refusal(dialect, in.cell, {}, &input.trajectory);
   });
   if (refused)
-    return refusedProgram(dialect, in.cell, *refused);
+    return refusedProgram(dialect, in, *refused);
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("writing {format}"_text, format));
@@ -260,11 +266,11 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
       lines[point] = textLine(verdict.motionPlaces[m].file - 1, verdict.motionPlaces[m].line);
   for (std::size_t i = 0; i < checked->pointLines.size(); ++i)
     checked->pointLines[i] = lines[points.pointOf[i]];
-  checked->verdict = replayReport(verdict);
+  checked->verdict = replayReport(verdict, in.quality);
   checked->worst = verdict.worst;
   checked->deviations = verdict.deviations;
   checked->armChecked = verdict.armChecked;
-  checked->passed = verdict.passed;
+  checked->safeToRun = verdict.safeToRun;
   checked->failed = failedThresholds(verdict);
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);
   // With deviations, the text's motions do not correspond to the plan's waypoints.
@@ -319,15 +325,15 @@ void reportProgram(const CheckedProgram& checked, bool first, bool decides, proj
   report.programs.push_back(std::move(row));
   if (first)
     report.replay = checked.verdict;
-  if (!checked.passed && !decides) {
+  if (!checked.safeToRun && !decides) {
     findings.push_back(
         plan::makeFinding(plan::FindingKind::ForeignRefused,
                           {{"format", checked.program.format}, {"failed", checked.failed}}));
     return;
   }
-  if (first || !checked.passed)
+  if (first || (decides && !checked.verdict.passed))
     findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
-  if (!checked.passed)
+  if (!checked.safeToRun)
     findings.push_back(refusalOf(checked));
 }
 

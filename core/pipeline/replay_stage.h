@@ -53,7 +53,8 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
                     const ProgramStageInput& planned, const base::RunContext& ctx,
                     SharedRuns* shared = nullptr);
 
-project::ReplayReport replayReport(const replay::Verification& verdict);
+// `quality`: by which it was judged.
+project::ReplayReport replayReport(const replay::Verification& verdict, const Quality& quality);
 
 // Returns the failed thresholds as text, e.g. "coveredFraction 0.9512 (limit 0.97)".
 std::vector<base::Message> failedThresholds(const replay::Verification& verdict);

@@ -25,6 +25,7 @@
 #include "robot/cell.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace voluta::pipeline {
 
@@ -202,6 +203,11 @@ private:
   void forgetRest() {
     const auto trajectory = job().trajectory;
     const project::MotionReport motion = report().motion;
+    // Beads that the whole motion leaves out are missing from its rest, too.
+    std::ranges::copy_if(
+        report().findings, std::back_inserter(leftOut_), [](const plan::Finding& f) {
+          return f.blocking && plan::stageOf(f) == plan::Stage::Motion && !plan::blocksRunning(f);
+        });
     job() = project::upTo(job(), project::Stage::Toolpath);
     for (project::ItemReport& item : report().items)
       item.tried.clear();
@@ -251,7 +257,7 @@ private:
     job().resumedAt = resumed->firstPoint;
     measure(*resumed, growing, ctx);
     job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));
-    record(result_.plan, project::Stage::Motion, {}, timings);
+    record(result_.plan, project::Stage::Motion, leftOut_, timings);
     return true;
   }
 
@@ -276,6 +282,7 @@ private:
 
   std::size_t point_;
   ResumeResult result_;
+  plan::Findings leftOut_;
 };
 
 // `formats`: as ResumeRequest::formats.

@@ -10,6 +10,7 @@
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/quality.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "pipeline/turned_part.h"
@@ -32,9 +33,10 @@ struct ProcessKeys {
 
 // Empty for a material that comes with the program: its label and density identify it.
 std::string ownMaterialKey(const process::Material& m) {
-  return m.comesWithProgram ? std::string()
-                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC,
-                                            m.bedC.value_or(0), m.fan, m.bridgeFan.value_or(m.fan));
+  return m.comesWithProgram
+             ? std::string()
+             : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC, m.bedC.value_or(0),
+                             m.fan, m.bridgeFan.value_or(m.fan), m.bridgeSagMm.value_or(0.0));
 }
 
 // The same for the limit of the material's flow.
@@ -162,6 +164,14 @@ std::string loadKey(const base::ParameterValues& values) {
   return load.empty() ? load : base::keyText(load);
 }
 
+// The limits that a program is judged by; empty for those of older projects.
+std::string qualityKey(const base::ParameterValues& values) {
+  const Quality quality = qualityOf(values);
+  return quality.level == Quality().level && quality.accepted.empty()
+             ? std::string()
+             : base::keyText(quality.level, textOf(quality.accepted));
+}
+
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
   return fmt::format("{}[{}]\n{}", before, project::stageName(stage), own);
 }
@@ -198,8 +208,8 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   for (const std::string& format : chosenFormats(choices, cell))
     formats += format + " " + optionsText(format, program::programOptions(values));
   put(project::Stage::Replay, programText(loaded.name, tooling) +
-                                  base::keyText(motion::layerTimes(values)) + "formats\n" +
-                                  formats);
+                                  base::keyText(motion::layerTimes(values)) + qualityKey(values) +
+                                  "formats\n" + formats);
   return keys;
 }
 
@@ -240,7 +250,8 @@ std::string programKey(const project::StageKeys& keys, const std::string& partNa
                        const Resolved& resolved, const std::string& format) {
   return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
               programText(partName, resolved.tooling) + "format " + format + " " +
-                  optionsText(format, program::programOptions(resolved.values)));
+                  optionsText(format, program::programOptions(resolved.values)) +
+                  qualityKey(resolved.values));
 }
 
 } // namespace voluta::pipeline

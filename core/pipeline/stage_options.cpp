@@ -12,6 +12,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
+#include "pipeline/quality.h"
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
 #include "process/joined_heads.h"
@@ -124,6 +125,7 @@ base::ParameterTable allParameters() {
   table.appendOfItems(layers::toolParameters());
   table.append(motion::motionParameters());
   table.append(program::programParameters());
+  table.append(qualityParameters());
   return table;
 }
 
@@ -531,6 +533,7 @@ void checkChoices(const project::Choices& given) {
   for (const auto& [key, text] : choices.item().parameters)
     requireOfItem(*values.table().find(base::currentKey(key)));
   checkLayerTimes(choices, values);
+  static_cast<void>(qualityOf(values));
 }
 
 void takeOwnFiles(project::Choices& choices) {

@@ -18,6 +18,7 @@
 #include "pipeline/payload.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/program_runner.h"
+#include "pipeline/quality.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stage_options.h"
@@ -223,7 +224,8 @@ private:
     const bool continues = done(project::Stage::Toolpath, findings, stage->timings);
     if (continues && context_.isTrial() && !given && report().item().model.watertight)
       if (const auto mass =
-              massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process()))
+              massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process(),
+                             thresholdsOf(qualityOf(resolved_.values)).massTolerance))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return continues;
   }

@@ -24,7 +24,7 @@ using base::ErrorCode;
 std::optional<base::Message> refusalOf(const VerifyResult& alone) {
   if (const plan::Finding* finding = firstBlocking(alone.findings))
     return plan::reasonOf(*finding);
-  if (!alone.replay.passed)
+  if (verdictOf(alone) == PlanVerdict::Refused)
     return "the program is refused"_text;
   return std::nullopt;
 }

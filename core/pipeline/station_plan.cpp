@@ -245,7 +245,7 @@ project::Station stationOf(const StationResult& result) {
 
 const CheckedProgram* replayedTogether(const PlanResult& plan) {
   for (const auto& checked : plan.checked)
-    if (checked->passed && checked->armChecked)
+    if (checked->safeToRun && checked->armChecked)
       return checked.get();
   return nullptr;
 }

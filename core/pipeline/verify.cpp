@@ -78,10 +78,14 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   replay::Verification& verdict = back.verdict;
   if (std::optional<plan::Finding> other = otherOrigin(found.files, headOf(said))) {
     // If the motions are this job's anyway, a foreign head is only worth mentioning.
-    other->blocking = !verdict.passed;
+    other->blocking = !verdict.safeToRun;
     verdict.findings.insert(verdict.findings.begin(), std::move(*other));
   }
-  return {format, replayReport(verdict), verdict.findings};
+  // What the plan leaves out, no replay of its program can find.
+  for (const plan::Finding& finding : planned.report.findings)
+    if (finding.blocking && plan::stageOf(finding) != plan::Stage::Replay)
+      verdict.findings.push_back(finding);
+  return {format, replayReport(verdict, in.quality), verdict.findings};
 }
 
 } // namespace voluta::pipeline

@@ -212,6 +212,10 @@ enum class Severity {
   ByAmount // The stage that reports it decides, by the amount
 };
 
+// What a finding that blocks puts at risk: a program beside it is not safe to run, or it is safe
+// and prints the part otherwise than asked. ByStage: as most findings of its stage.
+enum class Concern : std::uint8_t { ByStage, Part, Safety };
+
 struct FindingRow {
   FindingKind kind;
   std::string_view id;       // Unique, camelCase; used in project files
@@ -227,6 +231,7 @@ struct FindingRow {
   // Reason of a finding that also stands for further ones (Finding::more); empty: none does.
   // {count} is Finding::count, {what} the reason above.
   base::Text more = {};
+  Concern concern = Concern::ByStage; // in findingRows(): never ByStage
 };
 
 std::span<const FindingRow> findingRows();
@@ -238,6 +243,9 @@ const FindingRow* rowWithId(std::string_view id);
 // Returns whether the id is of a kind of older versions that is now its row's kind with
 // Finding::more.
 bool isIdOfMore(std::string_view id);
+
+// Returns whether a finding blocks because a program beside it is not safe to run.
+bool blocksRunning(const Finding& finding);
 
 // Placeholders of FindingRow::more that are no values.
 inline constexpr std::string_view kCount = "count", kReason = "what";

@@ -43,10 +43,13 @@ struct JoinedRows {
   std::array<FindingRow, kKinds> rows{};
   std::size_t count = 0;
 
-  constexpr void add(Stage stage, std::span<const FindingRow> more) {
+  constexpr void add(Stage stage, Concern concern, std::span<const FindingRow> more) {
     for (const FindingRow& row : more) {
-      rows.at(count) = row;
-      rows.at(count++).stage = stage;
+      FindingRow& added = rows.at(count++);
+      added = row;
+      added.stage = stage;
+      if (row.concern == Concern::ByStage)
+        added.concern = concern;
     }
   }
 };
@@ -54,16 +57,16 @@ struct JoinedRows {
 constexpr JoinedRows joinedRows() {
   using namespace finding_rows;
   JoinedRows joined;
-  joined.add(Stage::Load, kAnyStageRows);
-  joined.add(Stage::Load, kLoadRows);
-  joined.add(Stage::Decompose, kDecomposeRows);
-  joined.add(Stage::Layers, kLayersRows);
-  joined.add(Stage::Toolpath, kToolpathRows);
-  joined.add(Stage::Motion, kMotionRows);
-  joined.add(Stage::Replay, kReplayRows);
-  joined.add(Stage::Motion, kWorkOrderRows);
-  joined.add(Stage::Replay, kCommonRunRows);
-  joined.add(Stage::Replay, kMillingRows);
+  joined.add(Stage::Load, Concern::Safety, kAnyStageRows);
+  joined.add(Stage::Load, Concern::Part, kLoadRows);
+  joined.add(Stage::Decompose, Concern::Part, kDecomposeRows);
+  joined.add(Stage::Layers, Concern::Part, kLayersRows);
+  joined.add(Stage::Toolpath, Concern::Part, kToolpathRows);
+  joined.add(Stage::Motion, Concern::Part, kMotionRows);
+  joined.add(Stage::Replay, Concern::Safety, kReplayRows);
+  joined.add(Stage::Motion, Concern::Safety, kWorkOrderRows);
+  joined.add(Stage::Replay, Concern::Safety, kCommonRunRows);
+  joined.add(Stage::Replay, Concern::Safety, kMillingRows);
   return joined;
 }
 constexpr JoinedRows kRows = joinedRows();
@@ -85,6 +88,10 @@ const FindingRow& rowOf(FindingKind kind) {
   const auto i = static_cast<std::size_t>(kind);
   base::require(i < kKinds, "a kind of finding");
   return kRows.rows.at(i);
+}
+
+bool blocksRunning(const Finding& finding) {
+  return finding.blocking && rowOf(finding.kind).concern == Concern::Safety;
 }
 
 } // namespace voluta::plan

@@ -44,7 +44,8 @@ enum class RemedyId : std::uint8_t {
   PrintFlat,
   ChooseStrategy,
   PrintOnPlate,
-  PrintByLayer
+  PrintByLayer,
+  AcceptShare
 };
 
 } // namespace voluta::plan

@@ -58,6 +58,7 @@ struct ThresholdsReport {
   double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
   double flowError = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
+  std::string quality = {}, accepted = {}; // as parameters `quality` and `accept`
 };
 
 // Of one item among several.
@@ -66,7 +67,8 @@ struct ItemReplayReport {
 };
 
 struct ReplayReport {
-  bool passed = false;
+  bool passed = false;    // safe to run, and prints the part as asked
+  bool safeToRun = false; // false in older reports: passed implies it
   double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
   double halfCarriedFraction = 0.0, longestUnsupportedMm = 0.0;
   std::size_t collisions = 0, limitViolations = 0;

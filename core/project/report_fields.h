@@ -147,7 +147,9 @@ constexpr auto fieldsOf(std::type_identity<ProgramReport>) {
 }
 constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
   using R = ThresholdsReport;
-  return std::tuple{Field{"covered", &R::covered},
+  return std::tuple{Field{"quality", &R::quality, "", true},
+                    Field{"accepted", &R::accepted, "", true},
+                    Field{"covered", &R::covered},
                     Field{"unsupported", &R::unsupported},
                     Field{"overfill", &R::overfill},
                     Field{"mass", &R::mass},
@@ -159,6 +161,7 @@ constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
 constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
   using R = ReplayReport;
   return std::tuple{Field{"passed", &R::passed},
+                    Field{"safeToRun", &R::safeToRun, "", true},
                     Field{"coveredFraction", &R::coveredFraction, "%"},
                     Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
                     Field{"halfCarriedFraction", &R::halfCarriedFraction, "%", true},

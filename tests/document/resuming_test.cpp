@@ -87,7 +87,7 @@ TEST_F(ResumingTest, PlanWritesProgramsAgainAndUndoRestoresIt) {
   EXPECT_EQ(result->job.resumedAt, at);
   ASSERT_FALSE(result->checked.empty());
   // Another text of the same motion: the same verdict.
-  EXPECT_EQ(result->checked[0]->passed, before->passed);
+  EXPECT_EQ(result->checked[0]->verdict.passed, before->verdict.passed);
   EXPECT_EQ(result->checked[0]->verdict.coveredFraction, before->verdict.coveredFraction);
   EXPECT_EQ(result->checked[0]->verdict.controllerDurationS, before->verdict.controllerDurationS);
   EXPECT_NE(result->checked[0]->program.files[0].text, before->program.files[0].text);

@@ -159,8 +159,9 @@ TEST_F(ExportTest, ABlockedPlanHasNotPassedAnywhere) {
   choosePage(Page::Export);
   const auto result = document().result(Stage::Replay);
   ASSERT_TRUE(result && result->job.report.replay.passed);
-  ASSERT_EQ(pipeline::verdictOf(result->job.report), pipeline::PlanVerdict::Blocked);
-  EXPECT_EQ(find<window::FlowBar>("flowBar")->state(Page::Export), window::PageState::Blocked);
+  ASSERT_EQ(pipeline::verdictOf(result->job.report), pipeline::PlanVerdict::NotAsAsked);
+  EXPECT_EQ(find<window::FlowBar>("flowBar")->state(Page::Export), window::PageState::Differs);
+  keepPicture(window(), "export-not-as-asked");
   EXPECT_TRUE(formats()->currentItem()->toolTip(2).contains("begins in the air"))
       << formats()->currentItem()->toolTip(2).toStdString();
   const QString there = path("blocked");

@@ -37,7 +37,7 @@ using window::PageState;
 class FirstHourTest : public WindowTest {
 protected:
   QString plinth() { return writePart("plinth.stl", box({0, 0, 0}, {9.0, 9.0, 5.0})); }
-  // Too small for its beads: the replay refuses its programs.
+  // Too small for its beads: its programs are safe to run, but do not print it as asked.
   QString small() { return writePart("small.stl", box({0, 0, 0}, {5.0, 5.0, 5.0})); }
   void planAll() {
     clickToolBar("plan");
@@ -317,9 +317,10 @@ TEST_F(FirstHourTest, WithoutAnyFormatNothingIsExported) {
 
 TEST_F(FirstHourTest, ExportConfirmsReplacementAndWritesAReport) {
   openPart(small());
+  document().setParameter("quality", "strict");
   planAll();
   QDir().mkpath(path("out"));
-  answerBox("", QMessageBox::DestructiveRole); // the refused ones too
+  answerBox("", QMessageBox::DestructiveRole); // although the part differs
   exportInto(path("out"));
   ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }));
   ASSERT_TRUE(waitFor([&] { return exportButton()->isEnabled(); })) << "one at a time";
@@ -346,18 +347,18 @@ TEST_F(FirstHourTest, ExportConfirmsReplacementAndWritesAReport) {
         }
     });
     reading->start(5);
-    auto* refused = new QTimer(&window());
-    QObject::connect(refused, &QTimer::timeout, refused, [refused] {
+    auto* differing = new QTimer(&window());
+    QObject::connect(differing, &QTimer::timeout, differing, [differing] {
       for (QWidget* widget : QApplication::topLevelWidgets())
-        if (auto* button = widget->findChild<QPushButton*>("writeRefused");
+        if (auto* button = widget->findChild<QPushButton*>("exportBlocked");
             button && button->isVisible()) {
-          refused->deleteLater();
-          refused->stop();
+          differing->deleteLater();
+          differing->stop();
           QTest::mouseClick(button, Qt::LeftButton);
           return;
         }
     });
-    refused->start(30);
+    differing->start(30);
     QTest::mouseClick(exportButton(), Qt::LeftButton);
     QTest::qWait(300);
   };

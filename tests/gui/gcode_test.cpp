@@ -46,20 +46,23 @@ protected:
     base::writeFile(file.toStdString(), blockOfCura());
     return file;
   }
-  bool offersPaths() {
-    const auto* field = window().findChild<QWidget*>("Paths of the file");
+  bool offers(const char* group) {
+    const auto* field = window().findChild<QWidget*>(group);
     return field && !field->isHidden();
   }
+  bool offersPaths() { return offers("Paths of the file"); }
 };
 
 TEST_F(GcodeTest, AFileIsOpenedShownPlannedAndExported) {
   openPart(writePart("box.stl", box({0, 0, 0}, {10.0, 10.0, 4.0})));
   EXPECT_FALSE(offersPaths());
+  EXPECT_TRUE(offers("Tool-paths"));
   window().open(writeGcode());
   ASSERT_TRUE(waitFor([&] { return document().source() && document().source()->toolPaths; }));
   ASSERT_TRUE(planned(Stage::Load));
   EXPECT_NEAR(window().presenter().partBox().sizes().z(), 4.0, 1e-6);
   EXPECT_TRUE(offersPaths());
+  EXPECT_FALSE(offers("Tool-paths")) << "walls and infill are those of the file";
   keepPicture(window(), "gcode-prepare");
   choosePage(Page::Layers);
   const QImage before = picture();
@@ -87,6 +90,28 @@ TEST_F(GcodeTest, BentOntoACylinderByItsOwnParameters) {
   choosePage(Page::Layers);
   picture();
   keepPicture(window(), "gcode-cylinder");
+}
+
+TEST_F(GcodeTest, AFileIsAddedBesideAPart) {
+  openPart(writePart("box.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
+  project::Choices choices = document().choices();
+  choices.item().automatic = false;
+  choices.item().mode = "flat";
+  document().setChoices(choices, "flat");
+  ASSERT_TRUE(planned(Stage::Load));
+  answerFileDialog(writeGcode());
+  clickMenu("fileMenu", "addPart");
+  ASSERT_TRUE(waitFor([&] { return document().partCount() == 2 && document().sourceReady(); }));
+  ASSERT_TRUE(planned(Stage::Load));
+  EXPECT_TRUE(offersPaths()) << "the file is active";
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  const auto result = document().result(Stage::Replay);
+  EXPECT_TRUE(result->job.report.replay.passed);
+  EXPECT_EQ(result->job.report.toolpath.items.size(), 2u);
+  choosePage(Page::Layers);
+  picture();
+  keepPicture(window(), "gcode-beside");
 }
 
 } // namespace

@@ -20,6 +20,7 @@ inline std::string otherWords(const std::string& key) {
       {"rodProfile", "-20,3 20,3"},
       {"layerCentre", "0,0,-9"},
       {"endSurface", "flat:9"},
+      {"accept", "uncovered=0.05"},
       {"fibreCurves", "0,0 10,0"},
       {"fibreField", "0,0,0,1,0,0"}};
   const auto row = kTexts.find(key);

@@ -100,6 +100,26 @@ TEST_F(ExportPanelTest, ProgramsOfABlockedPlanOnlyAfterTheUsersWord) {
   EXPECT_FALSE(requested[0][2].toBool());
 }
 
+// Amber: marked and asked about, but not called blocked.
+TEST_F(ExportPanelTest, SafeProgramsThatDifferSaySo) {
+  auto formats = gallery::sampleFormats();
+  formats[0].state = panels::VerdictState::NotAsAsked;
+  formats[0].whyRefused = "4.6 % of the part is not covered by beads";
+  panel.setFormats(formats);
+  panel.setChecked({"urscript"});
+  const auto* list = panel.findChild<panels::FormatList*>();
+  EXPECT_EQ(list->topLevelItem(0)->toolTip(2),
+            "Safe to run, not as asked: 4.6 % of the part is not covered by beads");
+  answerWith("none");
+  button()->click();
+  EXPECT_EQ(requested.size(), 0);
+  EXPECT_TRUE(asked.contains("Safe to run")) << qPrintable(asked);
+  answerWith("exportBlocked");
+  button()->click();
+  ASSERT_EQ(requested.size(), 1);
+  EXPECT_FALSE(requested[0][2].toBool());
+}
+
 TEST_F(ExportPanelTest, CheckingAndChoosingAreSignalled) {
   QSignalSpy formats(&panel, &panels::ExportPanel::formatsChanged);
   QSignalSpy preview(&panel, &panels::ExportPanel::previewFormatChanged);

@@ -204,6 +204,40 @@ TEST_F(CommandLine, UnwritableFolderIsRefusedFirst) {
 }
 
 // Files of others are kept unless they may be replaced; results of the same kind of job always are.
+// Two plans into one folder: the program of the first is named as none of the second's.
+TEST_F(CommandLine, AProgramOfAnEarlierPlanIsNamed) {
+  const std::string out = (folder_ / "out").string();
+  const auto plan = [&](const std::string& name) {
+    return run({"plan", stl(name, test::box({-5, -5, 0}, {5, 5, 3})), "-o", out, "--mode", "flat",
+                "--format", "csv"});
+  };
+  EXPECT_EQ(plan("one.stl").out.find("earlier plan"), std::string::npos);
+  const std::string second = plan("two.stl").out;
+  EXPECT_NE(second.find("of an earlier plan, NOT of this one: one.csv"), std::string::npos)
+      << second;
+  EXPECT_EQ(second.find("two.csv and"), std::string::npos);
+  EXPECT_EQ(plan("two.stl").out.find("two.csv and"), std::string::npos) << "its own are replaced";
+}
+
+// What is accepted on the command line is one list, wherever it is given.
+TEST_F(CommandLine, AcceptedSharesAreOneList) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  const auto accepted = [&](std::vector<std::string> words) {
+    std::vector<std::string> all{"plan", part, "-o", out, "--mode", "flat", "--format", "csv"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ended ended = run(all);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("replay passed"), std::string::npos) << ended.out;
+    const std::string report = base::readFile(fs::path(out) / "report.json");
+    const std::size_t at = report.find("\"accepted\": \"");
+    return report.substr(at + 13, report.find('"', at + 13) - at - 13);
+  };
+  EXPECT_EQ(accepted({"--set", "accept=mass=0.2", "--accept", "uncovered=1"}),
+            "uncovered=1, mass=0.2");
+  EXPECT_EQ(accepted({"--accept", "mass=0.2", "--accept", "mass=0.1"}), "mass=0.1");
+  expectOneLine(run({"plan", part, "-o", out, "--accept", "uncoverd=0.1"}), 2, {"uncovered"});
+}
+
 TEST_F(CommandLine, FilesOfOthersAreReplacedOnRequestOnly) {
   const std::string part = smallBox(), out = (folder_ / "out").string();
   const std::vector<std::string> plan{"plan",   part,   "-o",      out,

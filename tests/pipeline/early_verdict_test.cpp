@@ -1,4 +1,5 @@
 #include "pipeline/early_verdict.h"
+#include "replay/verification.h"
 
 #include "pipeline/box_request.h"
 #include "plan/finding_kinds.h"
@@ -13,7 +14,8 @@ class EarlyVerdict : public testing::Test {
 protected:
   std::optional<plan::Finding> verdictOn(const plan::ToolPlan& toolPlan) const {
     return pipeline::massOutOfReach(toolPlan, box_.job.item().printed(),
-                                    box_.tooling().first().process);
+                                    box_.tooling().first().process,
+                                    replay::ReplayThresholds().massTolerance);
   }
 
   const pipeline::PlanResult& box_ = test::boxPlan();

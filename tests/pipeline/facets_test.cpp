@@ -33,7 +33,7 @@ double coveredBar(double facetDeg, const std::filesystem::path& folder) {
   request.choices.item().platform = project::Platform("mesh:" + (folder / "mould.stl").string());
   test::giveParameters(request.choices, {{"layerHeightMm", "0.6"}, {"output.proof", "false"}});
   const PlanResult plan = planPart(request, {});
-  EXPECT_TRUE(plan.checked.at(0)->passed) << facetDeg;
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << facetDeg;
   return plan.checked[0]->verdict.coveredFraction;
 }
 

@@ -55,7 +55,7 @@ void expectTapes(const PlanResult& plan, std::size_t tapes, double lengthMm) {
   EXPECT_EQ(s.tapeBareMm, 0.0);
   ASSERT_EQ(plan.checked.size(), 1u);
   const project::ReplayReport& verdict = plan.checked[0]->verdict;
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
   EXPECT_NEAR(verdict.tapeMm3, s.tapeMm * 5.0 * 0.08, 0.002 * verdict.tapeMm3);
   EXPECT_EQ(eventsOf(*plan.job.trajectory, plan::EventKind::Cut), tapes);
   EXPECT_EQ(eventsOf(*plan.job.trajectory, plan::EventKind::ToolChange), 2 * tapes);
@@ -83,7 +83,7 @@ TEST(FibrePlans, APlateWithAHole) {
   const plan::ToolpathStatistics& s = plan.job.report.toolpath;
   EXPECT_GT(s.tapes, 4u * 12u) << "those beside the hole are whole, the others in two pieces";
   EXPECT_GE(s.tapeCoveredFraction, 0.9);
-  EXPECT_TRUE(plan.checked.at(0)->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << reasons(plan);
   EXPECT_NEAR(plan.checked[0]->verdict.tapeMm3, s.tapeMm * 5.0 * 0.08, 0.002 * s.tapeMm * 0.4);
 }
 
@@ -102,7 +102,7 @@ TEST(FibrePlans, ACurvedBarOnItsMould) {
   EXPECT_GE(s.tapeMm, 6 * 68.0);
   EXPECT_LE(s.tapeMm, 6 * 73.0) << "longer on the outer layers";
   EXPECT_EQ(s.tapeBareMm, 0.0);
-  EXPECT_TRUE(plan.checked.at(0)->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << reasons(plan);
   // Normal to the surface: the axis of its cylinder is y, as in the sample's frame, raised.
   const plan::ToolPlan& toolPlan = *plan.job.toolPlan;
   for (const plan::ToolPath& path : toolPlan.paths)

@@ -91,7 +91,7 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
   EXPECT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
   EXPECT_TRUE(planned.job.report.replay.passed) << test::reasons(planned);
   for (const auto& checked : planned.checked)
-    EXPECT_TRUE(checked->passed) << checked->program.format;
+    EXPECT_TRUE(checked->verdict.passed) << checked->program.format;
   EXPECT_EQ(planned.job.report.toolpath.paths, 6u);
   EXPECT_EQ(planned.job.report.item().layers.count, 6);
   // The file has it off the origin in centimetres; the plan has it in the middle of the plate, and
@@ -227,7 +227,7 @@ TEST(GivenPaths, WorstBeadOutsideTheProcessGivesTheFinding) {
 TEST(GivenPaths, RemediesForGivenPathsReferToTheSlicer) {
   using enum plan::FindingKind;
   plan::Findings planned{
-      plan::makeFinding(Unsupported, {{"length", base::mm(7.0)}}),
+      plan::makeFinding(Unsupported, {{"length", base::mm(7.0)}, {"share", base::percent(1.0)}}),
       plan::makeFinding(LongBridge, {{"length", base::mm(9.0)}, {"bridge", base::mm(6.0)}}),
       plan::makeFinding(Mass, {{"share", base::percent(112.0)}}),
       plan::makeFinding(Uncovered, {{"share", base::percent(5.0)}}),

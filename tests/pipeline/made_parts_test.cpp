@@ -47,7 +47,7 @@ TEST_P(PlannedMadePart, PassesWithoutFindingsThatBlock) {
   for (const plan::Finding& f : result.job.report.findings)
     EXPECT_FALSE(f.blocking) << part.name << ": " << plan::englishReason(f);
   for (const auto& checked : result.checked)
-    EXPECT_TRUE(checked->passed) << part.name << ": " << checked->program.format;
+    EXPECT_TRUE(checked->verdict.passed) << part.name << ": " << checked->program.format;
   EXPECT_TRUE(result.job.report.replay.passed) << part.name;
 }
 

@@ -151,4 +151,15 @@ TEST(PartSize, ThinPartsFirstNameTheScaleAtWhichTheyPrint) {
                      plan::FindingKind::ThinPart));
 }
 
+// A fin on a bar: reported, and left to the replay to judge.
+TEST(PartSize, AThinWallAmongOthersDoesNotBlock) {
+  geometry::TriangleMesh part = test::box({-15, -2, 0}, {15, 2, 3});
+  geometry::appendMesh(part, test::box({-15, -0.25, 3}, {15, 0.25, 9}));
+  const PlanResult plan = planned(flat("disc:80"), part);
+  const auto thin = std::ranges::find(plan.job.report.findings, plan::FindingKind::ThinPart,
+                                      &plan::Finding::kind);
+  ASSERT_NE(thin, plan.job.report.findings.end());
+  EXPECT_FALSE(thin->blocking);
+}
+
 } // namespace

@@ -144,9 +144,10 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   EXPECT_FALSE(idsFor(FindingKind::Uncovered).contains(RemedyId::AdaptLayers))
       << "curved layers follow the field";
   choices.item().mode = "planar";
-  EXPECT_EQ(idsFor(FindingKind::Uncovered),
-            (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::LowerLayers,
-                                RemedyId::FinerProcess, RemedyId::ChooseStrategy}));
+  EXPECT_EQ(
+      idsFor(FindingKind::Uncovered),
+      (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::LowerLayers, RemedyId::FinerProcess,
+                          RemedyId::ChooseStrategy, RemedyId::AcceptShare}));
   EXPECT_EQ(idsFor(FindingKind::LongBridge), (std::set<RemedyId>{RemedyId::ChooseStrategy}));
   choices.item().automatic = true;
   EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";

@@ -69,7 +69,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
       "waits",
       "waitS"}},
     {"replay",
-     {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
+     {"passed", "safeToRun", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",
       "maxDeviationMm", "controllerDurationS", "flowErrorFraction", "shortestLayerTimeS",
       "meanLayerTimeS", "longestLayerTimeS", "layerTimesMm", "tapeMm3", "thresholds"}},

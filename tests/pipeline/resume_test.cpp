@@ -49,7 +49,7 @@ TEST(Resume, AtRandomBeadsTheRestIsTheRest) {
     const ResumeResult rest = resumeJob(whole.job, *point, {"gcode-extended"}, kCtx);
     EXPECT_EQ(rest.bead, bead + 1);
     ASSERT_EQ(rest.plan.checked.size(), 1u) << bead;
-    EXPECT_TRUE(rest.plan.checked[0]->passed) << bead;
+    EXPECT_TRUE(rest.plan.checked[0]->verdict.passed) << bead;
     EXPECT_TRUE(nothingBlocks(rest.plan.job.report)) << bead;
     EXPECT_NEAR(rest.depositedMm3 + rest.leftMm3, material, 1e-6 * material);
     EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling().first().process),
@@ -79,7 +79,7 @@ TEST(Resume, WithinABeadTheArmIsChecked) {
   const ResumeResult rest = resumeJob(whole.job, *point, {}, kCtx);
   ASSERT_FALSE(rest.plan.checked.empty());
   for (const auto& checked : rest.plan.checked)
-    EXPECT_TRUE(checked->passed) << checked->program.format;
+    EXPECT_TRUE(checked->verdict.passed) << checked->program.format;
   EXPECT_EQ(rest.plan.job.report.replay.collisions, 0u);
   // Home, the way there, and on from the same joints.
   const auto& resumed = *rest.plan.job.trajectory;
@@ -161,7 +161,7 @@ TEST(Resume, ByBeadAndByLineFromDisk) {
   request.formats = {"csv"};
   const ResumeResult third = resumePrint(request, kCtx);
   EXPECT_EQ(third.bead, 9u);
-  EXPECT_TRUE(third.plan.checked[0]->passed);
+  EXPECT_TRUE(third.plan.checked[0]->verdict.passed);
 }
 
 // Of a program in one file the line is enough.
@@ -268,7 +268,7 @@ TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
     EXPECT_EQ(rest.plan.job.report.motion.toolChanges, bead < second ? 1u : 0u);
     for (const auto& checked : rest.plan.checked) {
       SCOPED_TRACE(checked->program.format);
-      EXPECT_TRUE(checked->passed);
+      EXPECT_TRUE(checked->verdict.passed);
       expectBeginsWith(tool, *checked, rest.plan);
       expectPlateOfFirstTool(checked->program);
     }
@@ -289,7 +289,7 @@ TEST(Resume, ByLineOfTheSecondTool) {
   ResumeResult rest = resumePrint(request, kCtx);
   EXPECT_EQ(rest.bead, bead + 1);
   ASSERT_EQ(rest.plan.checked.size(), 1u);
-  EXPECT_TRUE(rest.plan.checked[0]->passed);
+  EXPECT_TRUE(rest.plan.checked[0]->verdict.passed);
   expectBeginsWith(1, *rest.plan.checked[0], rest.plan);
   const test::TemporaryFolder second;
   writeOutputs(rest.plan, second.path(), kCtx);
@@ -311,8 +311,8 @@ TEST(Resume, AnotherControllersProgramDoesNotDecide) {
   ASSERT_TRUE(point);
   const PlanResult rest = resumeJob(twoToolsPlan().job, *point, {"krl-eki", "urscript"}, kCtx).plan;
   ASSERT_EQ(rest.checked.size(), 2u);
-  EXPECT_FALSE(rest.checked[0]->passed);
-  EXPECT_TRUE(rest.checked[1]->passed);
+  EXPECT_FALSE(rest.checked[0]->verdict.passed);
+  EXPECT_TRUE(rest.checked[1]->verdict.passed);
   EXPECT_TRUE(nothingBlocks(rest.job.report));
   EXPECT_TRUE(rest.job.report.replay.passed);
   std::vector<plan::FindingKind> kinds;

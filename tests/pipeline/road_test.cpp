@@ -363,21 +363,25 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
   EXPECT_EQ(linesOfPoints(cut, t)[5].line, 0u);
 }
 
-TEST_F(PlannedBox, RefusedProgramsAreThereToBeLookedAt) {
-  const PlanRequest request = boxRequest({{"infillDensity", "0"}});
+TEST_F(PlannedBox, AHollowBoxIsSafeToRunAndNotAsAsked) {
+  const PlanRequest request = boxRequest({{"infillDensity", "0"}, {"quality", "strict"}});
   const PlanResult hollow = planPart(request, context(), cache_);
   ASSERT_EQ(hollow.checked.size(), 3u);
   for (const auto& checked : hollow.checked) {
-    EXPECT_FALSE(checked->passed);
+    EXPECT_FALSE(checked->verdict.passed);
     ASSERT_FALSE(checked->failed.empty());
     EXPECT_THAT(base::english(checked->failed),
                 testing::Contains(testing::HasSubstr("unsupportedFraction")));
     EXPECT_FALSE(checked->program.files.empty());
     EXPECT_GT(checked->verdict.unsupportedFraction, 0.005);
     EXPECT_EQ(checked->findingLines.size(), checked->findings.size());
-    EXPECT_EQ(writtenName(*checked, {"box.csv", ""}), "refused-box.csv");
+    EXPECT_TRUE(checked->safeToRun);
+    EXPECT_EQ(writtenName(*checked, {"box.csv", ""}), "box.csv");
+    CheckedProgram unsafe = *checked;
+    unsafe.safeToRun = false;
+    EXPECT_EQ(writtenName(unsafe, {"box.csv", ""}), "refused-box.csv");
   }
-  EXPECT_TRUE(first_->checked[0]->passed);
+  EXPECT_TRUE(first_->checked[0]->verdict.passed);
   EXPECT_EQ(writtenName(*first_->checked[0], {"box.csv", ""}), "box.csv");
 }
 

@@ -44,7 +44,7 @@ PlanRequest request(std::size_t parts = 1) {
 void expectPassed(const PlanResult& plan, const std::vector<std::string>& formats) {
   ASSERT_EQ(plan.checked.size(), formats.size());
   for (const auto& checked : plan.checked)
-    EXPECT_TRUE(checked->passed) << checked->program.format << "\n" << reasons(plan);
+    EXPECT_TRUE(checked->verdict.passed) << checked->program.format << "\n" << reasons(plan);
 }
 
 TEST(SeveralTools, PartsByLayerNeedOneChangeALayer) {

@@ -70,13 +70,13 @@ const plan::ReadProgram& boxProgram() {
 bool shares(const std::function<void(plan::ReadProgram&)>& change) {
   static const SharedRuns unchanged = [] {
     SharedRuns runs;
-    replayShared(inputOf(boxProgram(), scene().trajectory), runs, {});
+    replayShared(inputOf(boxProgram(), scene().trajectory), {}, runs, {});
     return runs;
   }();
   SharedRuns shared = unchanged;
   plan::ReadProgram program = boxProgram();
   change(program);
-  replayShared(inputOf(std::move(program), scene().trajectory), shared, {});
+  replayShared(inputOf(std::move(program), scene().trajectory), {}, shared, {});
   return shared.runs().size() == 2 && shared.runs()[0].deposited == shared.runs()[1].deposited;
 }
 
@@ -188,7 +188,7 @@ const plan::Trajectory& detour() {
 SharedRuns runsOf(const std::vector<std::string>& formats) {
   SharedRuns shared;
   for (const std::string& format : formats)
-    replayShared(inputOf(readBack(format, scene().trajectory), scene().trajectory), shared, {});
+    replayShared(inputOf(readBack(format, scene().trajectory), scene().trajectory), {}, shared, {});
   return shared;
 }
 
@@ -216,7 +216,7 @@ const std::map<std::string, SharedRuns>& detours() {
       const bool another =
           kinds.try_emplace({program.motions.size(), program.beadsByJoints}, format).second;
       if (another || test::allSeeds())
-        replayShared(inputOf(std::move(program), detour()), runs[format], {});
+        replayShared(inputOf(std::move(program), detour()), {}, runs[format], {});
     }
     return runs;
   }();
@@ -232,7 +232,7 @@ TEST_P(SharedDialects, ResultsOfOtherProgramsChangeNoVerdict) {
   const test::ProgramText text = textOf(GetParam(), trajectory);
   const auto sharing = [&](const test::ProgramText& t) {
     SharedRuns shared = others;
-    return replayShared(inputOf(test::read(t, scene().process), trajectory), shared, {});
+    return replayShared(inputOf(test::read(t, scene().process), trajectory), {}, shared, {});
   };
   const Verification own = replay::replayProgram(
                          inputOf(test::read(text, scene().process), trajectory), {}, {}),
@@ -257,7 +257,7 @@ TEST_P(SharedDialects, ADetourByJointsPassesAloneAndWithResultsOfOthers) {
   EXPECT_GE(detours().size(), 2u);
   for (const auto& [other, runs] : detours()) {
     SharedRuns shared = runs;
-    const Verification borrowed = replayShared(inputOf(program, detour()), shared, {});
+    const Verification borrowed = replayShared(inputOf(program, detour()), {}, shared, {});
     EXPECT_TRUE(borrowed.passed) << other << findingsText(borrowed);
     EXPECT_NEAR(borrowed.coveredFraction, own.coveredFraction, 2e-3);
   }
@@ -315,7 +315,7 @@ TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   plan::Trajectory released = scene().trajectory;
   released.events = {{.point = 2, .kind = plan::EventKind::Release}};
   const auto checked = programStage("gcode-extended", stageInput(released), {});
-  EXPECT_FALSE(checked->passed);
+  EXPECT_FALSE(checked->verdict.passed);
   EXPECT_TRUE(checked->program.files.empty());
   EXPECT_EQ(linesOfPoints(*checked, released).size(), released.pointCount());
   project::Report report;

@@ -35,7 +35,7 @@ TEST_P(SparsePlans, PassWithLessMaterial) {
   const auto [mode, pattern] = GetParam();
   const PlanResult plan = planPart(sparseRequest(mode, pattern), {});
   ASSERT_EQ(plan.checked.size(), 1u);
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
   const plan::ToolpathStatistics& paths = plan.job.report.toolpath;
   EXPECT_GT(paths.sparseMm3, 1500.0);
   EXPECT_LT(paths.materialMm3, 0.9 * 34 * 30 * 12);
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, SparsePlans,
 
 TEST(SparsePlan, HollowPartIsRefusedWithAReason) {
   const PlanResult plan = planPart(sparseRequest("flat", "gyroid", "0"), {});
-  EXPECT_FALSE(plan.checked.at(0)->passed);
+  EXPECT_FALSE(plan.checked.at(0)->verdict.passed);
   EXPECT_THAT(reasons(plan), testing::HasSubstr("hollow interior"));
 }
 
@@ -84,7 +84,7 @@ std::vector<Section> sectionsOf(const std::string& program) {
 TEST(SparsePlan, AProgramWithoutASkinAWallOrALayerOfInfillIsRefused) {
   const PlanResult plan = planPart(sparseRequest("flat", "lines"), {});
   const CheckedProgram& checked = *plan.checked.at(0);
-  ASSERT_TRUE(checked.passed) << reasons(plan);
+  ASSERT_TRUE(checked.verdict.passed) << reasons(plan);
   const test::TemporaryFolder folder;
   const plan::ProgramFile& file = checked.program.files.at(0);
   const std::vector<Section> sections = sectionsOf(file.text);

@@ -34,6 +34,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"supportSpeedMmPerS", {"10", 3}},
     {"firstLayerSpeedMmPerS", {"10", 3}},
     {"stepMm", {"0.9", 3}},
+    {"quality", {"draft", 5}},
+    {"accept", {"uncovered=0.05", 5}},
     {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test
     {"pathsFlow", {"110", kStageCount}},        // the same, see sliced_paths_test
     {"pathsTurn", {"5", kStageCount}},

@@ -54,7 +54,7 @@ TEST(StitchedPlans, EveryDialectThatExtrudesAtRestFillsThePocket) {
   EXPECT_NEAR(s.shotMm3, 1.15 * 184.3, 0.1);
   EXPECT_GE(plan.checked.size(), 8u);
   for (const auto& checked : plan.checked) {
-    EXPECT_TRUE(checked->passed) << checked->program.format << "\n" << reasons(plan);
+    EXPECT_TRUE(checked->verdict.passed) << checked->program.format << "\n" << reasons(plan);
     EXPECT_NEAR(checked->verdict.massRatio, plan.checked[0]->verdict.massRatio, 0.002);
   }
   const auto shots = std::ranges::count(plan.job.trajectory->events, plan::EventKind::Shot,
@@ -90,7 +90,7 @@ TEST(StitchedPlans, WithoutThemNothingChanges) {
   request.choices.item().parameters.erase("stitchSpacing");
   const PlanResult plan = planPart(request, {});
   EXPECT_EQ(plan.job.report.toolpath.shots, 0u);
-  EXPECT_TRUE(plan.checked.at(0)->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << reasons(plan);
 }
 
 } // namespace

@@ -91,7 +91,7 @@ TEST(TracedPlans, TheSeamOfACapIsACircle) {
                              })),
       {});
   ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
   const double length = base::kTwoPi * (radius + 0.8) * std::sin(base::degreesToRadians(35.0));
   EXPECT_NEAR(tracedMm(*plan.job.toolPlan), length, 0.01 * length);
   // Hot glue does not drop on the body, above which the nozzle is at home.
@@ -108,7 +108,7 @@ TEST(TracedPlans, AnUpperHasTwoSeams) {
   request.choices.item().parameters["traceSpacing"] = "6";
   const PlanResult plan = planPart(request, {});
   ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
   EXPECT_EQ(plan.job.items[0].layers->patches.size(), 2u);
 }
 
@@ -136,7 +136,7 @@ TEST(TracedPlans, AnUpperIsGluedOnItsSideAndAtItsEnds) {
     parameters["traceFillLines"] = "2";
     const PlanResult plan = planPart(request, {});
     ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
-    EXPECT_TRUE(plan.checked[0]->passed) << c.format << "\n" << reasons(plan);
+    EXPECT_TRUE(plan.checked[0]->verdict.passed) << c.format << "\n" << reasons(plan);
     ASSERT_FALSE(plan.checked[0]->program.files.empty());
     const std::string& text = plan.checked[0]->program.files.front().text;
     EXPECT_NE(text.find(c.on), std::string::npos);
@@ -153,7 +153,7 @@ TEST(TracedPlans, AFormatWithoutForceWordsIsWrittenWithoutForce) {
   request.choices.formats = {"tmscript"};
   const PlanResult plan = planPart(request, {});
   ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
   const auto without = std::ranges::find(plan.job.report.findings, plan::FindingKind::WithoutForce,
                                          &plan::Finding::kind);
   ASSERT_NE(without, plan.job.report.findings.end()) << reasons(plan);

@@ -69,7 +69,7 @@ TEST(TreeDPlans, AYIsDenseAlongItsPith) {
                                          {"output.proof", "false"}});
   const PlanResult plan = planPart(request, {});
   ASSERT_EQ(plan.checked.size(), 1u);
-  EXPECT_TRUE(plan.checked[0]->passed) << test::reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << test::reasons(plan);
   // Of an arm's sparse lines, far from the branching: more within the middle third than outside.
   const plan::ToolPlan& beads = *plan.job.toolPlan;
   double middle = 0.0, outside = 0.0;

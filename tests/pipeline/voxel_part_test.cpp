@@ -124,7 +124,7 @@ TEST(VoxelPart, SamplesBecomeProgramsWithoutAnyChoice) {
     request.choices.formats = {"urscript"};
     const PlanResult result = planPart(request, {});
     ASSERT_EQ(result.checked.size(), 1u) << name;
-    EXPECT_TRUE(result.checked.front()->passed) << name;
+    EXPECT_TRUE(result.checked.front()->verdict.passed) << name;
     EXPECT_EQ(result.job.report.item().decomposition.mode, "curved") << name << " overhangs";
   }
 }

@@ -196,3 +196,30 @@ TEST(Findings, OfBeforeThereWereValuesStayAsTheyWere) {
 }
 
 } // namespace
+
+// Which of the two verdicts a finding concerns: a kind that is added to stage replay concerns
+// safety unless its row says otherwise, and here.
+TEST(FindingKinds, SayWhichVerdictTheyConcern) {
+  using enum FindingKind;
+  const std::set<FindingKind> partInReplay{Uncovered,     Overfill,    Mass,
+                                           Unsupported,   CoolingTime, GivenUncovered,
+                                           GivenOverfill, GivenMass,   GivenUnsupported};
+  const std::set<FindingKind> unsafeBefore{Verbatim, Stopped, Overload, CollisionInMotion,
+                                           HomeMeets};
+  const auto isOfStation = [](FindingKind kind) {
+    return kind >= PlatesOverlap && kind <= MachineRefused;
+  };
+  for (const FindingRow& row : findingRows()) {
+    SCOPED_TRACE(row.id);
+    ASSERT_NE(row.concern, Concern::ByStage);
+    const bool isSafety = row.stage == Stage::Replay
+                              ? !partInReplay.contains(row.kind)
+                              : unsafeBefore.contains(row.kind) || isOfStation(row.kind);
+    EXPECT_EQ(row.concern == Concern::Safety, isSafety);
+  }
+  Finding finding = verbatimFinding(Stage::Motion, "collision", "", "");
+  finding.blocking = false;
+  EXPECT_FALSE(blocksRunning(finding));
+  finding.blocking = true;
+  EXPECT_TRUE(blocksRunning(finding));
+}

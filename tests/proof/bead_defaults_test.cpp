@@ -69,7 +69,7 @@ TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
   for (const plan::Finding& finding : plan.job.report.findings)
     EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
   ASSERT_EQ(plan.checked.size(), 1u);
-  EXPECT_TRUE(plan.checked[0]->passed);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed);
   EXPECT_EQ(plan.job.report.item().layers.count, 8);
 }
 
@@ -104,7 +104,7 @@ TEST_P(ProcessFamily, ABoxOfItsBeadsPasses) {
   for (const plan::Finding& finding : plan.job.report.findings)
     EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
   ASSERT_EQ(plan.checked.size(), 1u);
-  EXPECT_TRUE(plan.checked[0]->passed);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed);
   EXPECT_EQ(plan.job.report.item().layers.count, 6);
   EXPECT_LT(plan.job.report.toolpath.waypoints, 6000u);
 }

@@ -116,7 +116,7 @@ TEST(Proof, AMarginNamesItsWorstPlace) {
 TEST(Proof, RefusedProgramIsMarkedFirst) {
   PlanResult plan = test::boxPlan();
   CheckedProgram refused = *plan.checked[0];
-  refused.passed = refused.verdict.passed = false;
+  refused.safeToRun = refused.verdict.safeToRun = refused.verdict.passed = false;
   refused.verdict.collisions = 2;
   plan.checked = {std::make_shared<const CheckedProgram>(refused)};
   plan.keepRefused = true;
@@ -131,7 +131,7 @@ TEST(Proof, RefusedProgramIsMarkedFirst) {
 }
 
 // A finding on the plan is no property of its programs, whose replay passes.
-TEST(Proof, AProgramOfABlockedPlanHasNotPassed) {
+TEST(Proof, AProgramOfAnotherPartThanAskedHasNotPassed) {
   PlanResult plan = test::boxPlan();
   plan.job.report.findings.push_back(
       plan::makeFinding(plan::FindingKind::BeginsInAir, {{"pieces", 1}}));
@@ -139,15 +139,16 @@ TEST(Proof, AProgramOfABlockedPlanHasNotPassed) {
       plan::makeFinding(plan::FindingKind::ProgramRefused,
                         {{"format", "another"_name}, {"failed", std::vector<base::Message>()}}));
   EXPECT_FALSE(nothingBlocks(plan.job.report));
-  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Blocked);
+  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Blocked) << "one of its programs is refused";
   const test::TemporaryFolder folder;
   writeOutputs(plan, folder.path(), kCtx);
   for (const auto& checked : plan.checked) {
-    EXPECT_EQ(verdictOf(*checked, plan.job.report), PlanVerdict::Blocked);
+    EXPECT_EQ(verdictOf(*checked, plan.job.report), PlanVerdict::NotAsAsked);
     EXPECT_EQ(blockersOf(plan.job.report, checked->program.format).size(), 1u);
     const std::string page = base::readFile(folder / (proofName(*checked) + ".html"));
     EXPECT_EQ(page.find("Passed:"), std::string::npos);
-    EXPECT_NE(page.find("Not approved: the plan has blocking findings."), std::string::npos);
+    EXPECT_NE(page.find("Safe to run, but it does not print the part as asked."),
+              std::string::npos);
     EXPECT_NE(page.find("1 piece of a layer begins in the air"), std::string::npos);
     const auto proof = proofIn(folder.path(), checked->program.files[0].name);
     EXPECT_EQ(proof["replay"]["planPassed"], false);

@@ -25,7 +25,8 @@ enum class StageState {
   Running,   // being computed
   Done,      // the shown result is that of the choices
   OutOfDate, // the choices have changed since
-  Blocked,   // done, but something cannot be printed, reached or verified
+  Differs,   // done, and safe to run, but the part is not printed as asked
+  Blocked,   // done, but something cannot be reached or verified
   Failed     // the last run ended in an error here
 };
 

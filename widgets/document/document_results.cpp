@@ -4,6 +4,7 @@
 #include "document/item_result.h"
 #include "document/stage_at.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/plan_verdict.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
@@ -138,12 +139,21 @@ StageState Document::state(Stage stage) const {
   if (!upToDate(stage))
     return StageState::OutOfDate;
   const plan::Findings& findings = shown_[s].result->job.report.findings;
-  const bool blocked = std::any_of(findings.begin(), findings.end(), [&](const plan::Finding& f) {
-    // The last stage hands over the whole plan.
-    return f.blocking && (plan::stageOf(f) == stage || stage == Stage::Replay);
-  });
-  if (blocked)
+  // The last stage hands over the whole plan.
+  if (stage == Stage::Replay) {
+    const pipeline::PlanVerdict verdict = pipeline::verdictOf(shown_[s].result->job.report);
+    if (verdict != pipeline::PlanVerdict::Passed)
+      return verdict == pipeline::PlanVerdict::NotAsAsked ? StageState::Differs
+                                                          : StageState::Blocked;
+  }
+  const auto anyHere = [&](const auto& blocks) {
+    return std::ranges::any_of(
+        findings, [&](const plan::Finding& f) { return plan::stageOf(f) == stage && blocks(f); });
+  };
+  if (anyHere(plan::blocksRunning))
     return StageState::Blocked;
+  if (anyHere([](const plan::Finding& f) { return f.blocking; }))
+    return StageState::Differs;
   // A reopened project has its verdict, but no programs to export.
   const bool toHandOver = stage != Stage::Replay || !shown_[s].result->checked.empty();
   return toHandOver ? StageState::Done : StageState::Nothing;

@@ -326,14 +326,22 @@ std::vector<const ExportFormat*> ExportPanel::checkedIn(VerdictState state) cons
 }
 
 bool ExportPanel::mayExportBlocked() {
-  const std::vector<const ExportFormat*> blocked = checkedIn(VerdictState::Blocked);
-  if (blocked.empty())
+  const std::vector<const ExportFormat*> blocked = checkedIn(VerdictState::Blocked),
+                                         differing = checkedIn(VerdictState::NotAsAsked);
+  if (blocked.empty() && differing.empty())
     return true;
-  QMessageBox box(QMessageBox::Warning, tr("Blocked plan"),
-                  tr("The plan has blocking findings: %1").arg(blocked.front()->whyRefused),
-                  QMessageBox::NoButton, this);
+  QMessageBox box(QMessageBox::Warning, tr("Blocked plan"), QString(), QMessageBox::NoButton, this);
   box.setObjectName(QStringLiteral("blockedBox"));
-  box.setInformativeText(tr("The programs move as planned, but the part will not be as intended."));
+  if (blocked.empty()) {
+    box.setWindowTitle(tr("Not as asked"));
+    box.setText(tr("Safe to run, not as asked: %1").arg(differing.front()->whyRefused));
+    box.setInformativeText(
+        tr("The part will differ from the requested one there. To export without this question, "
+           "accept it in the list of findings."));
+  } else {
+    box.setText(tr("The plan has blocking findings: %1").arg(blocked.front()->whyRefused));
+    box.setInformativeText(tr("Do not run the programs before these are solved."));
+  }
   QPushButton* anyway = box.addButton(tr("Export anyway"), QMessageBox::DestructiveRole);
   anyway->setObjectName(QStringLiteral("exportBlocked"));
   box.setDefaultButton(box.addButton(QMessageBox::Cancel));

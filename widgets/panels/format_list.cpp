@@ -20,6 +20,8 @@ forms::Icon iconOf(VerdictState state) {
   switch (state) {
   case VerdictState::Passed:
     return forms::Icon::Good;
+  case VerdictState::NotAsAsked:
+    return forms::Icon::Warning;
   case VerdictState::Blocked:
   case VerdictState::Refused:
     return forms::Icon::Blocked;
@@ -159,6 +161,8 @@ QString FormatList::verdictOf(const ExportFormat& format) {
     break;
   case VerdictState::Passed:
     return tr("Passed: the replay found no errors");
+  case VerdictState::NotAsAsked:
+    return tr("Safe to run, not as asked: %1").arg(format.whyRefused);
   case VerdictState::Blocked:
     return tr("Not passed, the plan is blocked: %1").arg(format.whyRefused);
   case VerdictState::Refused:

@@ -1,6 +1,7 @@
 #include "window/flow_bar.h"
 
 #include "forms/colours.h"
+#include "forms/icons.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -47,6 +48,9 @@ void paintGlyph(QPainter& painter, const QRectF& r, PageState state, const QPale
     painter.drawEllipse(r.adjusted(1, 1, -1, -1));
     painter.drawLine(c, QPointF(c.x(), r.top() + 3));
     painter.drawLine(c, QPointF(c.x() + 3, c.y()));
+    break;
+  case PageState::Differs:
+    forms::paintIcon(painter, r, forms::Icon::Warning, palette);
     break;
   case PageState::Blocked:
     painter.setPen(Qt::NoPen);

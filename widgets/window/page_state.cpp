@@ -20,6 +20,8 @@ PageState worthOf(StageState state) {
     return PageState::Done;
   case StageState::OutOfDate:
     return PageState::OutOfDate;
+  case StageState::Differs:
+    return PageState::Differs;
   case StageState::Blocked:
   case StageState::Failed:
     break;
@@ -38,6 +40,8 @@ QString stateName(PageState state) {
     return FlowBar::tr("done");
   case PageState::OutOfDate:
     return FlowBar::tr("out of date");
+  case PageState::Differs:
+    return FlowBar::tr("not as asked: see the findings");
   default:
     return FlowBar::tr("blocked: see the findings");
   }

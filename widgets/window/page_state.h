@@ -13,7 +13,7 @@ class Document;
 namespace voluta::window {
 
 // In increasing order of importance.
-enum class PageState { Nothing, Done, OutOfDate, Blocked, Running };
+enum class PageState { Nothing, Done, OutOfDate, Differs, Blocked, Running };
 
 QString stateName(PageState state);
 // Returns the most important state of the page's stages.

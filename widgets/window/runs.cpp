@@ -66,6 +66,8 @@ QString verdictText(const project::Report& report) {
   switch (pipeline::verdictOf(report)) {
   case pipeline::PlanVerdict::Passed:
     return Runs::tr("replay passed");
+  case pipeline::PlanVerdict::NotAsAsked:
+    return Runs::tr("safe to run, not as asked");
   case pipeline::PlanVerdict::Blocked:
     return Runs::tr("not passed: blocking findings");
   case pipeline::PlanVerdict::Refused:

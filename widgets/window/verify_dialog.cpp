@@ -1,6 +1,5 @@
 #include "window/verify_dialog.h"
 
-#include "forms/icons.h"
 #include "language/words.h"
 #include "panels/listed_findings.h"
 #include "panels/verdict_table.h"
@@ -65,25 +64,31 @@ VerifyDialog::VerifyDialog(const QString& program, std::shared_ptr<const pipelin
           [this](double fraction) { progress_->setValue(static_cast<int>(100.0 * fraction)); });
   connect(&verifying_, &document::Verifying::verified, this, &VerifyDialog::show);
   connect(&verifying_, &document::Verifying::failed, this,
-          [this](const QString& message) { conclude(message, false); });
+          [this](const QString& message) { conclude(message, forms::Icon::Blocked); });
   verifying_.verify(program, std::move(plan));
 }
 
-void VerifyDialog::conclude(const QString& verdict, bool passed) {
+void VerifyDialog::conclude(const QString& verdict, forms::Icon sign) {
   progress_->hide();
   verdict_->setText(verdict);
   const int size = fontMetrics().height() + 4;
-  sign_->setPixmap(
-      forms::icon(passed ? forms::Icon::Good : forms::Icon::Blocked).pixmap(size, size));
+  sign_->setPixmap(forms::icon(sign).pixmap(size, size));
   buttons_->setStandardButtons(QDialogButtonBox::Close);
 }
 
 void VerifyDialog::show(const pipeline::VerifyResult& result) {
   const QString format = language::words(program::findDialect(result.format).label);
-  const bool passed = pipeline::isVerified(result);
-  conclude(passed ? tr("%1: passed. The program matches the plan.").arg(format)
-                  : tr("%1: refused. Do not run it on the robot.").arg(format),
-           passed);
+  switch (pipeline::verdictOf(result)) {
+  case pipeline::PlanVerdict::Passed:
+    conclude(tr("%1: passed. The program matches the plan.").arg(format), forms::Icon::Good);
+    break;
+  case pipeline::PlanVerdict::NotAsAsked:
+    conclude(tr("%1: safe to run, but it does not print the part as asked.").arg(format),
+             forms::Icon::Warning);
+    break;
+  default:
+    conclude(tr("%1: refused. Do not run it on the robot.").arg(format), forms::Icon::Blocked);
+  }
   table_->setReport(result.replay);
   const std::vector<panels::ListedFinding> listed = panels::listed(result.findings);
   for (const panels::ListedFinding& one : listed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/verifying.h"
+#include "forms/icons.h"
 
 #include <QDialog>
 #include <QString>
@@ -27,7 +28,7 @@ public:
 
 private:
   void show(const pipeline::VerifyResult& result);
-  void conclude(const QString& verdict, bool passed);
+  void conclude(const QString& verdict, forms::Icon sign);
 
   document::Verifying verifying_;
   QLabel *sign_, *verdict_;

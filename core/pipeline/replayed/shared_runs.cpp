@@ -175,9 +175,9 @@ void SharedRuns::add(replay::JudgedRun run) {
   runs_.push_back(std::move(run));
 }
 
-replay::Verification replayShared(replay::ReplayInput input, SharedRuns& shared,
+replay::Verification replayShared(replay::ReplayInput input,
+                                  const replay::ReplayThresholds& thresholds, SharedRuns& shared,
                                   const base::RunContext& ctx) {
-  const replay::ReplayThresholds thresholds;
   replay::ComparedProgram compared = replay::compareProgram(input, thresholds, ctx);
   replay::KnownResults known =
       shared.knownOf(compared.run, input.tooling.first().process, ctx.sub(0.1, 1.0));

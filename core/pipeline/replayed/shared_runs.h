@@ -37,9 +37,10 @@ private:
   std::vector<replay::JudgedRun> runs_;
 };
 
-// As replay::replayProgram() with the default thresholds, but takes known results from `shared` and
-// adds the program's run. The text and the limits are checked in any case.
-replay::Verification replayShared(replay::ReplayInput input, SharedRuns& shared,
+// As replay::replayProgram(), but takes known results from `shared` and adds the program's run. The
+// text and the limits are checked in any case.
+replay::Verification replayShared(replay::ReplayInput input,
+                                  const replay::ReplayThresholds& thresholds, SharedRuns& shared,
                                   const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

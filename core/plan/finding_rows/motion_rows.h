@@ -67,12 +67,15 @@ inline constexpr FindingRow kMotionRows[] = {
           {.reportId = "collision", .remedies = kForCollision, .more = kMoreWaypoints}),
     error(CollisionInMotion, "collisionInMotion",
           "{first} collides with {second} in the finished motion"_text, kRotateOrClearance,
-          {.reportId = "collision", .remedies = kForCollision}),
+          {.reportId = "collision", .remedies = kForCollision, .concern = Concern::Safety}),
     error(
         HomeMeets, "homeMeets",
         "{first} collides with {second} in the home pose: no motion is possible"_text,
         "choose another home pose for the cell; if only the enclosing shapes of two links overlap, list the pair under neverMeet in the robot's file"_text,
-        {.reportId = "collision", .remedies = kForHome, .whyNoRemedy = kCellFile}),
+        {.reportId = "collision",
+         .remedies = kForHome,
+         .whyNoRemedy = kCellFile,
+         .concern = Concern::Safety}),
     error(
         NoPathTo, "noWayTo",
         "{place}: no collision-free transfer to {pieces} piece of a path|{place}: no collision-free transfer to {pieces} pieces of paths"_plural,

@@ -17,6 +17,7 @@ struct OtherFields {
   std::span<const RemedyId> remedies = {};
   base::Text whyNoRemedy = {};
   base::Text more = {};
+  Concern concern = Concern::ByStage;
 };
 
 constexpr FindingRow row(Severity severity, FindingKind kind, std::string_view id,
@@ -30,7 +31,8 @@ constexpr FindingRow row(Severity severity, FindingKind kind, std::string_view i
           .remedy = remedy,
           .remedies = others.remedies,
           .whyNoRemedy = others.whyNoRemedy,
-          .more = others.more};
+          .more = others.more,
+          .concern = others.concern};
 }
 
 // Return a row of this severity.

@@ -69,7 +69,8 @@ inline constexpr FindingRow kToolpathRows[] = {
         Overload, "overload",
         "the flange carries {carried:.3g} kg, {material:.3g} kg of it printed material; the robot is rated for {most:.3g} kg"_text,
         "print a smaller part, or with less infill, or use a stronger robot"_text,
-        {.whyNoRemedy = "choose a cell with a stronger robot on the Prepare page"_text}),
+        {.whyNoRemedy = "choose a cell with a stronger robot on the Prepare page"_text,
+         .concern = Concern::Safety}),
     info(
         NoTape, "noTape",
         "no tape fits into the layers chosen for tapes: {width} wide and at least {length:.0f} long"_text,

@@ -70,6 +70,8 @@ panels::VerdictState stateOf(const pipeline::CheckedProgram& program,
   switch (pipeline::verdictOf(program, report)) {
   case pipeline::PlanVerdict::Passed:
     return panels::VerdictState::Passed;
+  case pipeline::PlanVerdict::NotAsAsked:
+    return panels::VerdictState::NotAsAsked;
   case pipeline::PlanVerdict::Blocked:
     return panels::VerdictState::Blocked;
   case pipeline::PlanVerdict::Refused:
@@ -79,10 +81,12 @@ panels::VerdictState stateOf(const pipeline::CheckedProgram& program,
 }
 
 QString whyNotPassed(const pipeline::CheckedProgram& program, const project::Report& report) {
-  if (!program.passed)
+  if (!program.safeToRun)
     return language::words(base::Value(program.failed));
   const plan::Findings blockers = pipeline::blockersOf(report, program.program.format);
-  return blockers.empty() ? QString() : language::words(plan::reasonOf(blockers.front()));
+  if (!blockers.empty())
+    return language::words(plan::reasonOf(blockers.front()));
+  return program.verdict.passed ? QString() : language::words(base::Value(program.failed));
 }
 
 // Returns the report of the program shown, else of the first written one.
@@ -404,7 +408,7 @@ void ExportPage::write(const Order& order) {
       pipeline::chosenPrograms(*result, wanted, order.includeRefused);
   leftOut_.clear();
   for (const Checked& program : pipeline::chosenPrograms(*result, wanted, true))
-    if (!program->passed && !order.includeRefused)
+    if (!program->safeToRun && !order.includeRefused)
       leftOut_ << formatOf(program);
   if (programs.empty()) {
     work().shell.showMessage(tr("Nothing was exported"),

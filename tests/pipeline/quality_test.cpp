@@ -1,0 +1,239 @@
+// The two verdicts: a program that is safe to run is released, whether or not it prints the part
+// as asked, and how far the part may differ is the user's choice.
+#include "base/error.h"
+#include "base/files.h"
+#include "geometry/append_mesh.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/box_request.h"
+#include "pipeline/checked_program.h"
+#include "pipeline/outputs.h"
+#include "pipeline/plan_verdict.h"
+#include "pipeline/quality.h"
+#include "pipeline/remedies.h"
+#include "pipeline/resume.h"
+#include "pipeline/stage_options.h"
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+Quality qualityWith(const std::string& level, const std::string& accept = {}) {
+  base::ParameterValues values(qualityParameters());
+  values.set("quality", level);
+  values.set("accept", accept);
+  return qualityOf(values);
+}
+
+std::string refusalOf(const std::string& accept) {
+  try {
+    qualityWith("strict", accept);
+  } catch (const base::Error& error) {
+    return base::english(error.whole());
+  }
+  return {};
+}
+
+// A prism whose corners are sharper than a bead.
+geometry::TriangleMesh sharpPrism() {
+  geometry::TriangleMesh mesh;
+  for (const double z : {0.0, 6.0})
+    for (const auto& [x, y] : {std::pair{-7.0, -3.0}, std::pair{7.0, -3.0}, std::pair{0.0, 3.5}})
+      mesh.vertices.emplace_back(x, y, z);
+  mesh.triangles = {{0, 2, 1}, {3, 4, 5}};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    mesh.triangles.push_back({i, j, j + 3});
+    mesh.triangles.push_back({i, j + 3, i + 3});
+  }
+  return mesh;
+}
+
+PlanRequest prismRequest(const std::map<std::string, std::string>& parameters) {
+  static const auto kPart = project::loadedFrom(
+      "prism.stl", std::make_shared<geometry::TriangleMesh>(sharpPrism()), {}, true, {});
+  PlanRequest request = test::boxRequest(parameters);
+  request.item().loaded = kPart;
+  request.choices.item().mode = "flat";
+  request.choices.formats = {"urscript"};
+  return request;
+}
+
+const plan::Finding* uncovered(const PlanResult& plan) {
+  const auto found = std::ranges::find(plan.job.report.findings, plan::FindingKind::Uncovered,
+                                       &plan::Finding::kind);
+  return found == plan.job.report.findings.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+TEST(Quality, StrictIsTheReplaysOwn) {
+  const replay::ReplayThresholds own, strict = thresholdsOf(qualityWith("strict"));
+  EXPECT_DOUBLE_EQ(strict.coveredMin, own.coveredMin);
+  EXPECT_DOUBLE_EQ(strict.unsupportedMax, own.unsupportedMax);
+  EXPECT_DOUBLE_EQ(strict.overfillMax, own.overfillMax);
+  EXPECT_DOUBLE_EQ(strict.massTolerance, own.massTolerance);
+}
+
+// Whatever the quality, the limits of safety stay the same.
+TEST(Quality, ALevelIsMoreLenientThanTheOneBeforeAndAsSafe) {
+  const replay::ReplayThresholds own;
+  for (std::size_t i = 0; i < qualityLevels().size(); ++i) {
+    const replay::ReplayThresholds limits =
+        thresholdsOf(qualityWith(std::string(qualityLevels()[i].id)));
+    EXPECT_EQ(limits.collisionsMax, own.collisionsMax);
+    EXPECT_EQ(limits.limitViolationsMax, own.limitViolationsMax);
+    EXPECT_EQ(limits.deviationMaxMm, own.deviationMaxMm);
+    EXPECT_EQ(limits.flowErrorMax, own.flowErrorMax);
+    for (std::size_t k = 0; i > 0 && k < qualityFigures().size(); ++k)
+      EXPECT_GT(qualityLevels()[i].shares[k], qualityLevels()[i - 1].shares[k]);
+  }
+}
+
+TEST(Quality, AnAcceptedShareReplacesAStricterLimitOnly) {
+  const replay::ReplayThresholds limits =
+      thresholdsOf(qualityWith("strict", "uncovered=0.05, mass=0.01,overfill=0.2"));
+  EXPECT_DOUBLE_EQ(limits.coveredMin, 0.95);
+  EXPECT_DOUBLE_EQ(limits.massTolerance, 0.03);
+  EXPECT_DOUBLE_EQ(limits.overfillMax, 0.2);
+  EXPECT_DOUBLE_EQ(limits.unsupportedMax, 0.005);
+  EXPECT_EQ(textOf(qualityWith("strict", " overfill=0.2 ,mass=0.01").accepted),
+            "overfill=0.2, mass=0.01");
+  EXPECT_EQ(textOf(qualityWith("strict", "mass=0.2, overfill=0.2, mass=0.1").accepted),
+            "overfill=0.2, mass=0.1")
+      << "the last one counts";
+}
+
+TEST(Quality, AListThatIsNoneIsRefused) {
+  EXPECT_NE(refusalOf("uncoverd=0.05").find("uncovered"), std::string::npos);
+  EXPECT_NE(refusalOf("uncovered=2").find("0 to 1"), std::string::npos) << refusalOf("uncovered=2");
+  EXPECT_FALSE(refusalOf("uncovered").empty());
+  EXPECT_FALSE(refusalOf("uncovered=nan").empty());
+  EXPECT_FALSE(refusalOf("collisions=1").empty());
+  EXPECT_TRUE(refusalOf("").empty());
+}
+
+// The share of the finding, rounded up, is within the limit that it makes.
+TEST(Quality, AcceptingAFindingMakesALimitThatItKeeps) {
+  using enum plan::FindingKind;
+  const auto accepted = [](const plan::Finding& finding) {
+    return acceptedWith(qualityWith("strict", "mass=0.07"), finding).value_or("none");
+  };
+  EXPECT_EQ(accepted(plan::makeFinding(Uncovered, {{"share", base::percent(4.2)}})),
+            "mass=0.07, uncovered=0.045");
+  EXPECT_EQ(accepted(plan::makeFinding(Mass, {{"share", base::percent(91.9)}})), "mass=0.085");
+  EXPECT_EQ(accepted(plan::makeFinding(GivenMass, {{"share", base::percent(108.1)}})),
+            "mass=0.085");
+  EXPECT_EQ(accepted(plan::makeFinding(
+                Overfill, {{"outside", base::percent(2.0)}, {"noRoom", base::percent(2.1)}})),
+            "mass=0.07, overfill=0.045");
+  EXPECT_EQ(accepted(plan::makeFinding(Unsupported,
+                                       {{"length", base::mm(9.0)}, {"share", base::percent(1.0)}})),
+            "mass=0.07, unsupported=0.01");
+  EXPECT_EQ(accepted(plan::makeFinding(NothingToPrint)), "none");
+}
+
+// Its program is written under its own name, marked; accepting the finding gives it a pass, and the
+// report lists what was accepted.
+TEST(Quality, ASafeProgramIsReleasedAndSaysThatThePartDiffers) {
+  PlanResult plan = planPart(prismRequest({{"quality", "strict"}}), base::RunContext());
+  const project::Report& report = plan.job.report;
+  ASSERT_LT(report.replay.coveredFraction, 0.97) << "the prism is no example";
+  EXPECT_TRUE(report.replay.safeToRun);
+  EXPECT_FALSE(report.replay.passed);
+  EXPECT_FALSE(nothingBlocks(report));
+  ASSERT_EQ(verdictOf(report), PlanVerdict::NotAsAsked);
+  ASSERT_EQ(plan.checked.size(), 1u);
+  EXPECT_EQ(verdictOf(*plan.checked[0], report), PlanVerdict::NotAsAsked);
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), base::RunContext());
+  const std::string name = plan.checked[0]->program.files[0].name;
+  EXPECT_TRUE(std::filesystem::exists(folder / name));
+  EXPECT_FALSE(std::filesystem::exists(folder / ("refused-" + name)));
+  const std::string page = base::readFile(folder / (name + ".proof.html"));
+  EXPECT_NE(page.find("Safe to run, but it does not print the part as asked."), std::string::npos);
+  EXPECT_EQ(page.find("Refused"), std::string::npos);
+  EXPECT_EQ(verdictOf(verifyProgram(folder / name, folder / "job.voluta", base::RunContext())),
+            PlanVerdict::NotAsAsked);
+
+  ASSERT_NE(uncovered(plan), nullptr);
+  const std::vector<RemedyAction> offers = remediesFor(*uncovered(plan), plan.job.choices);
+  const auto accept = std::ranges::find_if(offers, [](const RemedyAction& action) {
+    return action.remedy->id == plan::RemedyId::AcceptShare;
+  });
+  ASSERT_NE(accept, offers.end());
+  PlanRequest again = prismRequest({});
+  again.choices = accept->choices;
+  PlanResult passed = planPart(again, base::RunContext());
+  EXPECT_EQ(verdictOf(passed.job.report), PlanVerdict::Passed);
+  EXPECT_EQ(passed.job.report.replay.coveredFraction, report.replay.coveredFraction);
+  EXPECT_EQ(passed.job.report.replay.thresholds.accepted, accept->choices.parameters.at("accept"));
+  const test::TemporaryFolder second;
+  writeOutputs(passed, second.path(), base::RunContext());
+  EXPECT_EQ(base::readFile(second / name), base::readFile(folder / name));
+  EXPECT_NE(base::readFile(second / (name + ".proof.html")).find("accepted: uncovered=0."),
+            std::string::npos);
+}
+
+namespace {
+// Two piers with a deck over the gap between them.
+PlanResult bridgePlan(double gapMm, const std::string& quality) {
+  geometry::TriangleMesh mesh = test::box({-14.0, -8, 0}, {-0.5 * gapMm, 8, 4});
+  geometry::appendMesh(mesh, test::box({0.5 * gapMm, -8, 0}, {14.0, 8, 4}));
+  geometry::appendMesh(mesh, test::box({-14.0, -8, 4}, {14.0, 8, 8}));
+  PlanRequest request = prismRequest({{"quality", quality}, {"rimSupports", "none"}});
+  request.item().loaded = project::loadedFrom(
+      "bridge.stl", std::make_shared<geometry::TriangleMesh>(mesh), {}, true, {});
+  return planPart(request, base::RunContext());
+}
+} // namespace
+
+// The process bridges 6 mm without a mark, and 7.5 mm with a little sag; beads at the edges of the
+// piers lean over by half a millimetre.
+TEST(Quality, ABridgeThatTheMaterialBridgesIsSupported) {
+  const PlanResult narrow = bridgePlan(4.5, "strict");
+  EXPECT_LE(narrow.job.report.replay.unsupportedFraction, 0.001);
+  EXPECT_EQ(verdictOf(narrow.job.report), PlanVerdict::Passed);
+  const PlanResult wide = bridgePlan(7.5, "strict");
+  EXPECT_GT(wide.job.report.replay.unsupportedFraction, 0.01);
+  EXPECT_EQ(verdictOf(wide.job.report), PlanVerdict::NotAsAsked);
+  const PlanResult sagging = bridgePlan(7.5, "usual");
+  EXPECT_LE(sagging.job.report.replay.unsupportedFraction, 0.001);
+  EXPECT_EQ(verdictOf(sagging.job.report), PlanVerdict::Passed);
+  EXPECT_GT(sagging.job.report.replay.longestUnsupportedMm, 6.0) << "it is reported all the same";
+}
+
+// No replay of a program finds a bead that its plan left out: the plan's finding goes with the job.
+TEST(Quality, WhatThePlanLeavesOutStaysAmberWhereTheJobIsReadAgain) {
+  PlanResult plan = test::boxPlan();
+  plan.job.report.findings.push_back(
+      plan::makeFinding(plan::FindingKind::NoPathTo, {{"place", "bead 3"_name}, {"pieces", 1}}));
+  ASSERT_EQ(verdictOf(plan.job.report), PlanVerdict::NotAsAsked);
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), base::RunContext());
+  const std::filesystem::path job = folder / "job.voluta";
+  const std::string name = plan.checked[0]->program.files[0].name;
+  EXPECT_EQ(verdictOf(verifyProgram(folder / name, job, base::RunContext())),
+            PlanVerdict::NotAsAsked);
+  ResumeRequest request;
+  request.job = job;
+  request.bead = 5;
+  const ResumeResult rest = resumePrint(request, base::RunContext());
+  EXPECT_EQ(verdictOf(rest.plan.job.report), PlanVerdict::NotAsAsked);
+}
+
+// A finding of the plan that concerns the robot is no matter of quality.
+TEST(Quality, AFindingThatConcernsSafetyIsNotReleasedAsSafe) {
+  PlanResult plan = test::boxPlan();
+  plan.job.report.findings.push_back(plan::makeFinding(
+      plan::FindingKind::CollisionInMotion, {{"first", "arm"_name}, {"second", "plate"_name}}));
+  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Blocked);
+  plan.job.report.replay.safeToRun = plan.job.report.replay.passed = false;
+  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Refused);
+}
