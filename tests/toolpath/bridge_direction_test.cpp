@@ -16,8 +16,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using test::Loop;
 
-constexpr double kInsetMm = 2.0;
-
 process::Process processThatBridges(double mm) {
   process::Process process;
   process.bridgeMm = mm;
@@ -38,15 +36,23 @@ layers::Patch levelPatch(const std::vector<Loop>& loops, double z) {
   return test::patchOver(loops, 1.5, [z](const Vector2d& p) { return Vector3d(p.x(), p.y(), z); });
 }
 
+// Of `above` over other patches; two walls are around its infill.
+std::optional<double> directionOver(const std::vector<layers::Patch>& below, layers::Patch above,
+                                    double bridgeMm, double usualDeg) {
+  layers::LayerStack stack{below, 2};
+  stack.patches.push_back(std::move(above));
+  return toolpath::bridgeDirections(
+             stack, stack, [&](std::size_t) { return processThatBridges(bridgeMm); },
+             {usualDeg, 0.0, 2}, base::RunContext())
+      .back();
+}
+
 // Of a deck of 40 x 16 mm over two piers with `gapMm` between them, all turned.
 std::optional<double> deckDirection(double gapMm, double bridgeMm, double degrees,
                                     double usualDeg) {
-  const layers::Patch left = levelPatch({turned(-20, -8, -0.5 * gapMm, 8, degrees)}, 0.4),
-                      right = levelPatch({turned(0.5 * gapMm, -8, 20, 8, degrees)}, 0.4),
-                      deck = levelPatch({turned(-20, -8, 20, 8, degrees)}, 1.2);
-  const std::vector<const layers::Patch*> below{&left, &right};
-  return toolpath::bridgeDirection(deck, below, processThatBridges(bridgeMm), kInsetMm,
-                                   base::degreesToRadians(usualDeg));
+  return directionOver({levelPatch({turned(-20, -8, -0.5 * gapMm, 8, degrees)}, 0.4),
+                        levelPatch({turned(0.5 * gapMm, -8, 20, 8, degrees)}, 0.4)},
+                       levelPatch({turned(-20, -8, 20, 8, degrees)}, 1.2), bridgeMm, usualDeg);
 }
 
 double offDeg(double radians, double degrees) {
@@ -80,10 +86,8 @@ TEST(BridgeDirection, CrossesASlot) {
   const Loop outline = turned(-15, -15, 15, 15, 0.0);
   Loop slot = turned(-2, -10, 2, 10, 0.0);
   std::reverse(slot.begin(), slot.end());
-  const layers::Patch floor = levelPatch({outline, slot}, 0.4), roof = levelPatch({outline}, 1.2);
-  const std::vector<const layers::Patch*> below{&floor};
-  const auto direction = toolpath::bridgeDirection(roof, below, processThatBridges(5.0), kInsetMm,
-                                                   base::degreesToRadians(90.0));
+  const auto direction =
+      directionOver({levelPatch({outline, slot}, 0.4)}, levelPatch({outline}, 1.2), 5.0, 90.0);
   ASSERT_TRUE(direction.has_value());
   EXPECT_LE(offDeg(*direction, 0.0), 40.0); // 4 mm across; 5 mm may be bridged
 }
@@ -103,8 +107,8 @@ TEST(BridgeDirection, ConcernsTheLayerOverTheGapOnly) {
   for (int layer = 3; layer < 5; ++layer)
     add(levelPatch({turned(-20, -8, 20, 8, 0)}, 0.4 + 0.8 * layer), layer);
   const auto directions = toolpath::bridgeDirections(
-      stack, stack, std::vector<process::Process>(stack.patches.size(), processThatBridges(7.0)),
-      {135.0, 90.0, 2}, base::RunContext());
+      stack, stack, [](std::size_t) { return processThatBridges(7.0); }, {135.0, 90.0, 2},
+      base::RunContext());
   ASSERT_EQ(directions.size(), 8u);
   for (std::size_t i = 0; i < directions.size(); ++i)
     EXPECT_EQ(directions[i].has_value(), i == 6) << i;

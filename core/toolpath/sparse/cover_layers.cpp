@@ -37,18 +37,18 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
   std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
   setWallWidths(stack, tooling, isFirstLayer, wallWidths);
-  std::vector<process::Process> processes;
-  for (std::size_t i = 0; i < stack.patches.size(); ++i)
-    processes.push_back(processOf(stack.patches[i], tooling, isFirstLayer[i] != 0));
+  const auto processAt = [&](std::size_t i) {
+    return processOf(stack.patches[i], tooling, isFirstLayer[i] != 0);
+  };
   std::vector<std::optional<double>> directions(stack.patches.size());
   if (infillKind(options.infill).isStraightInside)
     directions = bridgeDirections(
-        stack, whole, processes, {options.infillAngleDeg, options.infillRotationDeg, options.walls},
+        stack, whole, processAt, {options.infillAngleDeg, options.infillRotationDeg, options.walls},
         silent);
   std::vector<PatchCover> covers(stack.patches.size());
   base::parallelWithProgress(ctx, covers.size(), share, "tool-paths"_text, [&](std::size_t i) {
     covers[i] =
-        coverPatch(stack.patches[i], processes[i], options, silent, wallWidths[i], directions[i]);
+        coverPatch(stack.patches[i], processAt(i), options, silent, wallWidths[i], directions[i]);
   });
   return covers;
 }

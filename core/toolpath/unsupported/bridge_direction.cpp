@@ -196,24 +196,10 @@ std::vector<std::optional<Level>> levelsOf(const layers::LayerStack& stack,
 
 } // namespace
 
-std::optional<double> bridgeDirection(const layers::Patch& patch,
-                                      std::span<const layers::Patch* const> below,
-                                      const process::Process& process, double insetMm,
-                                      double usualRad) {
-  std::vector<std::vector<Edge>> outlines;
-  for (const layers::Patch* one : below)
-    outlines.push_back(outlineOf(*one));
-  std::vector<const std::vector<Edge>*> held;
-  for (const std::vector<Edge>& outline : outlines)
-    held.push_back(&outline);
-  return directionOver(Gaps(outlineOf(patch), std::move(held), process, insetMm), process,
-                       usualRad);
-}
-
 std::vector<std::optional<double>>
 bridgeDirections(const layers::LayerStack& stack, const layers::LayerStack& whole,
-                 const std::vector<process::Process>& processOfPatch, const UsualLines& usual,
-                 const base::RunContext& ctx) {
+                 const std::function<process::Process(std::size_t)>& processOf,
+                 const UsualLines& usual, const base::RunContext& ctx) {
   const std::vector<std::optional<Level>> own = levelsOf(stack, ctx), all = levelsOf(whole, ctx);
   std::vector<std::size_t> byHeight;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -233,7 +219,7 @@ bridgeDirections(const layers::LayerStack& stack, const layers::LayerStack& whol
         below.push_back(&all[*at]->outline);
       if (below.empty())
         continue; // on the ground, or in the air altogether
-      const process::Process& process = processOfPatch[i];
+      const process::Process process = processOf(i);
       const double inset =
           usual.walls * process::hatchOf(process.beadWidthMm, process.layerHeightMm);
       const double degrees = usual.angleDeg + stack.patches[i].layer * usual.rotationDeg;
