@@ -85,6 +85,7 @@ void sayResult(const project::Report& r) {
                replay.unsupportedFraction, replay.overfillFraction, replay.massRatio,
                replay.collisions, replay.maxDeviationMm);
 }
+
 // Returns the programs with verification reports in `folder` that no file of `staged` replaces.
 std::vector<std::string> leftOver(const std::filesystem::path& folder,
                                   const std::filesystem::path& staged) {

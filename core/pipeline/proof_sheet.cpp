@@ -125,10 +125,9 @@ private:
     check(passed ? Mark::Passed : Mark::Failed, sentence, place);
   }
   // A check of the printed part: beyond its limit the program is still safe to run.
-  void quality(bool passed, const base::Message& sentence, const std::string& place) {
+  void quality(bool passed, const base::Message& sentence, const std::string& place = {}) {
     check(passed ? Mark::Passed : Mark::Caution, sentence, place);
   }
-  void quality(bool passed, const base::Message& sentence) { quality(passed, sentence, {}); }
 
   std::string place(const ProofPlace& at) const {
     std::vector<std::string> parts;
