@@ -430,12 +430,15 @@ private:
       leaveOut(extruded);
     } else if (extruded > 0.0) {
       file_.atRest += extruded;
+      file_.outside.push_back({line_, extruded});
       if (file_.restLine == 0)
         file_.restLine = line_;
     }
   }
 
   void leaveOut(double extruded) {
+    if (extruded > 0.0)
+      file_.outside.push_back({line_, extruded});
     if (lastBeadLine_ == 0) {
       file_.inStartCode += extruded;
     } else if (extruded > 0.0) {
@@ -470,7 +473,7 @@ private:
       path.ofPart = feature_->ofPart;
       path.outermost = feature_->outermost;
     }
-    path.points.push_back({from, direction, 0.0, speedMmPerS_ * speedShare_, heightMm_});
+    path.points.push_back({from, direction, 0.0, speedMmPerS_ * speedShare_, heightMm_, 0});
     file_.paths.push_back(std::move(path));
     pathFeature_ = feature_;
     open_ = true;
@@ -482,8 +485,8 @@ private:
     if (++points_ > kMaxPoints)
       throw Error(ErrorCode::UnusableInput, "more tool-path points than can be planned"_text,
                   name_);
-    file_.paths.back().points.push_back(
-        {at, direction, extruded, speedMmPerS_ * speedShare_, heightMm_});
+    file_.paths.back().points.push_back({at, direction, extruded, speedMmPerS_ * speedShare_,
+                                         heightMm_, static_cast<std::uint32_t>(line_)});
   }
 
   void addArc(const Vector3d& from, const Vector3d& fromDirection, double g, GcodeWords& w,

@@ -89,8 +89,10 @@ void leaveOutPurgeLines(SlicedFile& file) {
   while (count > 0 && (longestOf[count - 1] < kMinRunMm || !isBesideThePart(file.paths, count)))
     --count;
   for (std::size_t i = 0; i < count; ++i)
-    for (const SlicedPoint& point : file.paths[i].points)
+    for (const SlicedPoint& point : file.paths[i].points) {
       file.purged += point.extruded;
+      file.outside.push_back({point.line, point.extruded});
+    }
   if (count > 0)
     file.purgeLine = file.paths.front().line;
   file.paths.erase(file.paths.begin(), file.paths.begin() + static_cast<std::ptrdiff_t>(count));

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,13 @@ struct SlicedPoint {
   double extruded = 0.0;
   double speedMmPerS = 0.0; // On the way to this point
   double heightMm = 0.0;    // Of that bead, by a comment; 0: not given
+  std::uint32_t line = 0;   // Of the motion to this point
+};
+
+// Material that leaves a nozzle in a line of the file, in the unit of SlicedPoint::extruded.
+struct AmountAt {
+  std::size_t line = 0;
+  double amount = 0.0;
 };
 
 // Points that are joined by extrusion without a travel between them; at least two.
@@ -62,9 +70,10 @@ struct SlicedFile {
   // printer's own code behind beads; as purge lines beside the part
   double atRest = 0.0, inStartCode = 0.0, inOwnCode = 0.0, purged = 0.0;
   std::size_t restLine = 0, ownLine = 0, purgeLine = 0; // The first line of each; 0: none
-  std::map<int, int> nozzleC; // By tool: the temperature at which most material is printed [°C]
-  int bedC = 0;               // The highest that is set [°C]; 0: none
-  std::size_t cutLine = 0;    // The last line, if the file seems to be cut within it; 0: it is not
+  std::vector<AmountAt> outside; // Line by line, the amounts outside of paths
+  std::map<int, int> nozzleC;    // By tool: the temperature at which most material is printed [°C]
+  int bedC = 0;                  // The highest that is set [°C]; 0: none
+  std::size_t cutLine = 0; // The last line, if the file seems to be cut within it; 0: it is not
   std::vector<base::Message> unused; // Commands that are not acted on, a sentence each
 };
 

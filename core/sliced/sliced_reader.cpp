@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace voluta::sliced {
 
@@ -77,17 +78,48 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   return notes;
 }
 
+// Returns the amounts of a file as read, line by line.
+std::vector<AmountAt> readAmounts(const SlicedFile& file) {
+  std::vector<AmountAt> amounts = file.outside;
+  for (const SlicedPath& path : file.paths)
+    for (const SlicedPoint& point : path.points)
+      if (point.extruded > 0.0)
+        amounts.push_back({point.line, point.extruded});
+  std::ranges::stable_sort(amounts, {}, &AmountAt::line);
+  return amounts;
+}
+
+// Returns the first line whose amount is not the same in both; 0: there is none.
+std::size_t firstOtherLine(const std::vector<AmountAt>& stated, const std::vector<AmountAt>& read) {
+  constexpr double kSame = 1e-6, kSameShare = 1e-3;
+  auto a = stated.begin(), b = read.begin();
+  while (a != stated.end() || b != read.end()) {
+    const std::size_t line =
+        std::min(a == stated.end() ? SIZE_MAX : a->line, b == read.end() ? SIZE_MAX : b->line);
+    double first = 0.0, second = 0.0;
+    for (; a != stated.end() && a->line == line; ++a)
+      first += a->amount;
+    for (; b != read.end() && b->line == line; ++b)
+      second += b->amount;
+    if (std::abs(first - second) > kSame + kSameShare * std::max(first, second))
+      return line;
+  }
+  return 0;
+}
+
 // Returns a sentence if the beads and what is left out are not the material that the file states.
-std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3, double statedMm3,
-                                       double filamentMm2) {
+std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3,
+                                       const StatedAmount& stated, double filamentMm2) {
   constexpr double kSameShare = 0.002, kSameMm3 = 1.0;
+  const double statedMm3 = filamentMm2 * stated.sum;
   const double readMm3 =
       beadsMm3 + filamentMm2 * (file.atRest + file.inStartCode + file.inOwnCode + file.purged);
   if (std::abs(readMm3 - statedMm3) <= kSameMm3 + kSameShare * statedMm3)
     return {};
-  return {base::message(
-      "the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}"_text,
-      base::mm3(statedMm3), base::mm3(readMm3))};
+  const std::size_t line = firstOtherLine(stated.increments, readAmounts(file));
+  return {base::message(kAmountNote, base::mm3(statedMm3), base::mm3(readMm3),
+                        line > 0 ? base::message("in line {line} first"_text, line)
+                                 : base::Message("in no single line"_text))};
 }
 } // namespace
 
@@ -111,7 +143,7 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
   read.volumeMm3 = beadsMm3(read.plan);
   read.notes = notesOf(file, filamentMm2);
   const std::vector<base::Message> amounts =
-      amountNotes(file, read.volumeMm3, filamentMm2 * statedAmount(text, file.header), filamentMm2);
+      amountNotes(file, read.volumeMm3, statedAmount(text, file.header), filamentMm2);
   read.notes.insert(read.notes.end(), amounts.begin(), amounts.end());
   if (isLevel(read.plan)) {
     LayerSolid solid =

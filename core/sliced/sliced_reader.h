@@ -15,6 +15,11 @@ class RunContext;
 
 namespace voluta::sliced {
 
+// A note that the beads and what is left out are not the material that the file's E words state.
+// Values: stated, read [mm3], and the line where they part.
+inline constexpr base::Text kAmountNote =
+    "the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}; they part {line}"_text;
+
 struct ReadSliced {
   plan::ToolPlan plan;              // In the file's coordinates [mm]; fill: of `solid`
   geometry::TriangleMesh solid;     // What the beads make; closed, facing outward

@@ -281,7 +281,7 @@ TEST(SlicedWords, PurgeLinesBesideThePartAreLeftOut) {
   for (const std::string& text : {kHead + "G0 X90 Y110 Z0.8 F3000\nG1 X190 E20 F1200\n" + tower(),
                                   kHead + lines, kHead + ";TYPE:Perimeter\n" + lines + tower()})
     EXPECT_NEAR(readIn(text).volumeMm3,
-                kFilamentMm2 * sliced::statedAmount(text, sliced::headerOf(text)), 0.1);
+                kFilamentMm2 * sliced::statedAmount(text, sliced::headerOf(text)).sum, 0.1);
 }
 
 // ---- the reader checks itself
@@ -332,7 +332,71 @@ TEST(SlicedWords, TheSumOfAmountsIsThatOfTheBeads) {
       for (const sliced::SlicedPoint& point : path.points)
         beads += point.extruded;
     EXPECT_NEAR(beads, deposited, 1e-3) << seed;
-    EXPECT_NEAR(sliced::statedAmount(text, file.header), deposited, 1e-3) << seed;
+    EXPECT_NEAR(sliced::statedAmount(text, file.header).sum, deposited, 1e-3) << seed;
+  }
+}
+
+namespace {
+// The values of the note that the beads are not what the file states; empty: there is none.
+std::vector<base::Value> amountNote(const std::string& text) {
+  for (const base::Message& note : readIn(text).notes)
+    if (note.text.english() == sliced::kAmountNote.english())
+      return note.values;
+  return {};
+}
+
+double mm3(const base::Value& value) {
+  return std::get<base::Quantity>(value.data()).number;
+}
+
+std::string lineOf(const std::vector<base::Value>& note) {
+  return base::english(std::get<std::vector<base::Message>>(note.at(2).data()).at(0));
+}
+} // namespace
+
+// Whatever a line that extrudes has as its command, its E word is a part of the sum: the reader
+// that does not know the command is caught.
+TEST(SlicedWords, ALineThatTheReaderIgnoresIsFoundByItsAmount) {
+  std::string text = kHead;
+  for (int k = 0; k < 3; ++k)
+    text += layer(k) + square(0, 0, 0.8 * (k + 1));
+  EXPECT_TRUE(amountNote(text).empty());
+  const auto line = std::ranges::count(text, '\n') + 1;
+  for (const std::string command : {"G6", "G5.1", "G1.5", "G123"}) {
+    const std::vector<base::Value> note =
+        amountNote(text + command + " X60 Y60 E8 F1200\n" + layer(3) + square(0, 0, 3.2));
+    ASSERT_EQ(note.size(), 3u) << command;
+    EXPECT_NEAR(mm3(note[0]) - mm3(note[1]), 8.0 * kFilamentMm2, 0.1) << command;
+    EXPECT_EQ(lineOf(note), fmt::format("in line {} first", line)) << command;
+  }
+  // No damaged number makes a sum that cannot be stored.
+  EXPECT_TRUE(amountNote(text + "G6 E" + std::string(400, '9') + "\nM221 T99 S50\n" +
+                         "M221 T-1 S100\n" + layer(3) + square(0, 0, 3.2))
+                  .empty());
+  // Others have texts and settings behind an E, no amounts.
+  for (const std::string other :
+       {"M117 E8 G1 E8", "; G1 X9 E8", "(G1 X9 E8)", "M92 E420", "M205 E5", "SET_PRESSURE E8",
+        "G28 E8", "M900 K0 (E8)", "N5 M117 G1 E8*42"})
+    EXPECT_TRUE(amountNote(text + other + "\n" + layer(3) + square(0, 0, 3.2)).empty()) << other;
+}
+
+// Arcs, tools of other diameters, inches, shares of flow, relative and absolute amounts, one
+// command behind another in a line: both counts know them.
+TEST(SlicedWords, TheSumOfAmountsKnowsTheWordsThatTheReaderKnows) {
+  const std::string arcs =
+      "G0 X0 Y0 Z0.8 F3000\nG2 X20 Y0 I10 J0 E6 F1200\nG3 X0 Y0 R10 E6\nG1X20Y20E.5\n";
+  for (const std::string& text :
+       {kHead + layer(0) + arcs + layer(1) + arcs,
+        kHead + "M221 S80\n" + layer(0) + square(0, 0, 0.8) + "M221 T1 S120\nT1\n" +
+            square(60, 0, 0.8),
+        "; filament_diameter = 1.75,2.85\nG21\nG90\nM83\nG28\n" + layer(0) + square(0, 0, 0.8) +
+            "T1\n" + square(60, 0, 0.8),
+        kHead + "M82\nG92 E0\n" + layer(0) +
+            "G0 X0 Y0 Z0.8 F3000\nG1 X20 E4 F1200\nG1 E2\nG1 E4\nG1 Y20 E8\nG92 E0\nG1 X0 E4\n",
+        kHead + "G20\n" + layer(0) + "G0 X0 Y0 Z0.03 F100\nG1 X1 E0.2 F50\nG1 Y1 E0.2\n",
+        kHead + layer(0) + "M83 G90 G1 X0 Y0 Z0.8 F3000\nN7 G1 X20 E4 F1200*9\ng1 y20 e4 ; E9\n"}) {
+    const std::vector<base::Value> note = amountNote(text);
+    EXPECT_TRUE(note.empty()) << text << (note.empty() ? "" : lineOf(note));
   }
 }
 
