@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/stopwatch.h"
 #include "pipeline/mill_job.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 #include "program/gcode/gcode_milling.h"
@@ -59,6 +60,7 @@ project::ReplayReport cutReplayReport(const milling::CutVerdict& verdict) {
 project::ProgramReport programReport(const MilledPart& milled) {
   project::ProgramReport report;
   report.format = program::kMillingFormat;
+  report.state = milled.verdict.passed ? "released" : "notWritten";
   if (milled.verdict.passed)
     report.files = {kMillProgramFile};
   report.bytes = milled.program.size();
@@ -109,6 +111,8 @@ project::MilledReport millReport(const project::LoadedPart& loaded, const MillOr
   report.milling = millingReport(order, milled);
   report.programs = {programReport(milled)};
   report.replay = cutReplayReport(milled.verdict);
+  report.verdict = verdictId(milled.verdict.passed ? PlanVerdict::Passed : PlanVerdict::Refused);
+  report.safeToRun = report.printsAsAsked = milled.verdict.passed;
   report.findings = defectFindings(loaded.remains);
   report.findings.insert(report.findings.begin(), milled.verdict.findings.begin(),
                          milled.verdict.findings.end());

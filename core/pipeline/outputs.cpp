@@ -79,8 +79,33 @@ void writeProgram(const CheckedProgram& checked, const std::filesystem::path& fo
 } // namespace
 
 namespace {
+// Names the files of a program that the folder holds, and whether they are released.
+void nameWritten(project::ProgramReport& program, const std::filesystem::path& folder) {
+  const auto isThere = [&](const std::string& prefix) {
+    return !program.files.empty() &&
+           std::ranges::all_of(program.files, [&](const std::string& name) {
+             return std::filesystem::exists(folder / (prefix + name));
+           });
+  };
+  const std::string refused(kRefusedPrefix);
+  if (isThere("")) {
+    program.state = "released";
+  } else if (isThere(refused)) {
+    program.state = "refused";
+    for (std::string& name : program.files)
+      name.insert(0, refused);
+  } else {
+    program.state = "notWritten";
+    program.files.clear();
+    program.bytes = 0;
+  }
+}
+
 // Sorts blocking findings first; otherwise they keep the order of the stages.
 void writeReport(project::Report report, const std::filesystem::path& folder) {
+  static_cast<project::VerdictReport&>(report) = verdictReport(report);
+  for (project::ProgramReport& program : report.programs)
+    nameWritten(program, folder);
   std::ranges::stable_partition(report.findings, &plan::Finding::blocking);
   base::writeFile(folder / kReportName, project::reportJson(report));
 }

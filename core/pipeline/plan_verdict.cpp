@@ -29,6 +29,13 @@ std::vector<plan::Finding> blockersOf(const project::Report& report, const std::
   return blockers;
 }
 
+const plan::Finding* firstBlocking(const plan::Findings& findings) {
+  auto found = std::ranges::find_if(findings, plan::blocksRunning);
+  if (found == findings.end())
+    found = std::ranges::find_if(findings, &plan::Finding::blocking);
+  return found == findings.end() ? nullptr : &*found;
+}
+
 namespace {
 PlanVerdict verdictOn(bool isSafe, bool passed, const plan::Findings& findings) {
   if (!isSafe)
@@ -52,6 +59,28 @@ PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& repo
 
 PlanVerdict verdictOf(const project::Report& report) {
   return verdictOn(isSafe(report.replay), report.replay.passed, report.findings);
+}
+
+std::string verdictId(PlanVerdict verdict) {
+  switch (verdict) {
+  case PlanVerdict::Passed:
+    return "passed";
+  case PlanVerdict::NotAsAsked:
+    return "differs";
+  case PlanVerdict::Blocked:
+    return "blocked";
+  case PlanVerdict::Refused:
+    break;
+  }
+  return "refused";
+}
+
+project::VerdictReport verdictReport(const project::Report& report) {
+  if (report.programs.empty())
+    return {};
+  const PlanVerdict verdict = verdictOf(report);
+  const bool passed = verdict == PlanVerdict::Passed;
+  return {verdictId(verdict), passed || verdict == PlanVerdict::NotAsAsked, passed};
 }
 
 double bridgedMm(const CheckedProgram& program, const process::Tooling& tooling) {

@@ -30,10 +30,19 @@ std::string formatOf(const plan::Finding& finding);
 // Returns the blocking findings of the plan and of its program in a format.
 std::vector<plan::Finding> blockersOf(const project::Report& report, const std::string& format);
 
+// Returns the first blocking finding that concerns safety; without one, the first by which the part
+// differs; null: none blocks.
+const plan::Finding* firstBlocking(const plan::Findings& findings);
+
 // Of one program of the plan.
 PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& report);
 // Of a replayed plan with all its programs.
 PlanVerdict verdictOf(const project::Report& report);
+
+// Returns the same for report.json. A plan without any program has none.
+project::VerdictReport verdictReport(const project::Report& report);
+// Returns the word of report.json.
+std::string verdictId(PlanVerdict verdict);
 
 // Returns the length that the material of the longest unsupported bead bridges; if no bead is too
 // long, that of the tool that bridges most [mm].

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pipeline/quality.h"
+#include "plan/finding.h"
 #include "plan/layer_times.h"
 #include "process/tooling.h"
 #include "program/program_input.h"
@@ -41,6 +42,7 @@ struct ProgramStageInput {
   replay::WholePlan whole = {};                // before its points were merged
   plan::LayerTimes layerTimes = {};            // as replay::ReplayInput::layerTimes
   Quality quality = {};                        // its limits judge the program
+  plan::Findings blockers = {};                // of the plan before its programs: for their heads
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

@@ -212,8 +212,12 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.verdict = checked.verdict;
   proof.decision = verdictOf(checked, result.job.report);
   for (const plan::Finding& finding : blockersOf(result.job.report, checked.program.format))
-    if (formatOf(finding).empty()) // the program's own are among the checks
-      proof.blockers.push_back({plan::reasonOf(finding), plan::blocksRunning(finding)});
+    if (formatOf(finding).empty()) { // the program's own are among the checks
+      ProofPlace place;
+      place.at = finding.where;
+      place.atS = finding.whenS.value_or(-1.0);
+      proof.blockers.push_back({plan::reasonOf(finding), plan::blocksRunning(finding), place});
+    }
   proof.deviations = checked.deviations;
   proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
@@ -256,7 +260,8 @@ Json replayJson(const Proof& proof) {
   Json blockers = Json::array();
   for (const Proof::Blocker& blocker : proof.blockers)
     blockers.push_back(base::english(blocker.reason));
-  return Json{{"passed", v.passed},
+  return Json{{"verdict", verdictId(proof.decision)},
+              {"passed", v.passed},
               {"safeToRun", v.safeToRun},
               {"quality", v.thresholds.quality},
               {"accepted", v.thresholds.accepted},

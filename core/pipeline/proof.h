@@ -53,6 +53,7 @@ struct Proof {
   struct Blocker {
     base::Message reason;
     bool concernsSafety = false;
+    ProofPlace place;
   };
   std::vector<Blocker> blockers;         // the plan's blocking findings
   std::size_t deviations = 0;            // places where the program differs from the plan

@@ -358,7 +358,8 @@ private:
     constexpr std::size_t kMaxShown = 8;
     for (std::size_t i = 0; i < std::min(kMaxShown, proof_.blockers.size()); ++i)
       check(proof_.blockers[i].concernsSafety ? Mark::Failed : Mark::Caution,
-            message("Plan: {finding}."_text, proof_.blockers[i].reason));
+            message("Plan: {finding}."_text, proof_.blockers[i].reason),
+            place(proof_.blockers[i].place));
     if (proof_.blockers.size() > kMaxShown)
       check(proof_.decision == PlanVerdict::NotAsAsked ? Mark::Caution : Mark::Failed,
             message(

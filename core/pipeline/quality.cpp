@@ -115,13 +115,25 @@ std::string textOf(const std::vector<AcceptedShare>& accepted) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+namespace {
+std::size_t indexOf(const AcceptedShare& one) {
+  return static_cast<std::size_t>(one.figure - kFigures.data());
+}
+} // namespace
+
+std::vector<AcceptedShare> beyondLevel(const Quality& quality) {
+  const QualityLevel& level = levelNamed(quality.level);
+  std::vector<AcceptedShare> shares = quality.accepted;
+  std::erase_if(
+      shares, [&](const AcceptedShare& one) { return one.share <= level.shares.at(indexOf(one)); });
+  return shares;
+}
+
 ReplayThresholds thresholdsOf(const Quality& quality) {
   const QualityLevel& level = levelNamed(quality.level);
   std::array<double, kFigures.size()> shares = level.shares;
-  for (const AcceptedShare& one : quality.accepted) {
-    double& share = shares.at(static_cast<std::size_t>(one.figure - kFigures.data()));
-    share = std::max(share, one.share);
-  }
+  for (const AcceptedShare& one : beyondLevel(quality))
+    shares.at(indexOf(one)) = one.share;
   ReplayThresholds limits;
   limits.bridgesMaySag = level.bridgesMaySag;
   for (std::size_t i = 0; i < kFigures.size(); ++i)

@@ -52,6 +52,9 @@ base::ParameterTable qualityParameters();
 // Throws Error{Usage} if `accept` is not a list such as "uncovered=0.05, mass=0.04".
 Quality qualityOf(const base::ParameterValues& values);
 std::string textOf(const std::vector<AcceptedShare>& accepted);
+// Returns the accepted shares that replace a stricter limit of the level. The others accept
+// nothing.
+std::vector<AcceptedShare> beyondLevel(const Quality& quality);
 
 // Returns the level's limits; an accepted share replaces a stricter limit.
 replay::ReplayThresholds thresholdsOf(const Quality& quality);

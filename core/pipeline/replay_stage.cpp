@@ -5,16 +5,19 @@
 #include "motion/motion_options.h"
 #include "motion/resumed_motion.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/head_verdict.h"
 #include "pipeline/replayed/shared_runs.h"
 #include "pipeline/resolved.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "program/read_hash.h"
 #include "project/job.h"
 #include "project/part_formats.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <numeric>
 
 namespace voluta::pipeline {
@@ -26,7 +29,10 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 program::ProgramInput programInput(const ProgramStageInput& in,
                                    const plan::Trajectory& trajectory) {
-  return {in.toolPlan, trajectory, in.cell, in.tooling, in.name, in.options, in.job, in.arcs};
+  program::ProgramInput input{in.toolPlan, trajectory, in.cell, in.tooling,
+                              in.name,     in.options, in.job,  in.arcs};
+  input.verdict = kPassedVerdict;
+  return input;
 }
 
 // Returns the arcs of the points [first, last), numbered from `first`. The arc to `first` is none.
@@ -90,7 +96,8 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           points.arcs,
           {&in.trajectory, points.pointOf},
           in.layerTimes,
-          in.quality};
+          in.quality,
+          in.blockers};
 }
 
 std::string programsName(const project::Job& job) {
@@ -112,6 +119,10 @@ ProgramStageInput programStageInput(const project::Job& job, const geometry::Tri
   in.firstTriangle = project::firstTriangles(job);
   in.layerTimes = motion::layerTimes(resolved.values);
   in.quality = qualityOf(resolved.values);
+  std::ranges::copy_if(job.report.findings, std::back_inserter(in.blockers),
+                       [](const plan::Finding& finding) {
+                         return finding.blocking && plan::stageOf(finding) != plan::Stage::Replay;
+                       });
   return in;
 }
 
@@ -123,6 +134,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
                     const ProgramStageInput& in, const base::RunContext& ctx, SharedRuns* shared) {
   ctx.report(0.0, base::message("replaying {format}"_text, format));
   plan::ReadProgram read = program::readProgram(format, files, in.tooling, ctx.sub(0.0, 0.1));
+  const std::uint64_t hash = program::readHash(read);
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
     read.firstMotion = motions.size();
@@ -135,7 +147,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     motions.insert(motions.end(), read.motions.begin(), read.motions.end());
     read.motions = std::move(motions);
   }
-  ReadBack back{read.firstMotion, read.defects, {}};
+  ReadBack back{read.firstMotion, read.defects, hash, {}};
   replay::ReplayInput input{std::move(read), in.toolPlan,      in.trajectory, in.cell,
                             in.tooling,      in.part,          in.platform,   in.firstPoint,
                             in.commonPoint,  in.firstTriangle, in.whole,      in.layerTimes};
@@ -174,7 +186,7 @@ project::ReplayReport replayReport(const replay::Verification& verdict, const Qu
   r.tapeMm3 = verdict.tapeMm3;
   const replay::ReplayThresholds limits = thresholdsOf(quality);
   r.thresholds.quality = quality.level;
-  r.thresholds.accepted = textOf(quality.accepted);
+  r.thresholds.accepted = textOf(beyondLevel(quality));
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;
   r.thresholds.overfill = limits.overfillMax;
@@ -232,6 +244,21 @@ std::shared_ptr<const CheckedProgram> refusedProgram(const program::Dialect& dia
 }
 } // namespace
 
+namespace {
+// Writes the verdict into the heads, unless it is the one that they were written with. Only
+// comments change, which is checked: the text that is released is read as the replayed one was.
+void putVerdict(CheckedProgram& checked, const program::Dialect& dialect, const ReadBack& back,
+                const ProgramStageInput& in, const base::RunContext& ctx) {
+  const std::string verdict = headVerdict(back.verdict, in.blockers);
+  std::vector<plan::ProgramFile>& files = checked.program.files;
+  if (verdict == kPassedVerdict || !program::replaceVerdict(files, verdict, dialect.longestLine))
+    return;
+  const plan::ReadProgram read =
+      program::readProgram(std::string(dialect.id), files, in.tooling, ctx.quiet());
+  base::require(program::readHash(read) == back.hash, "a verdict that changes a comment only");
+}
+} // namespace
+
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,
@@ -257,8 +284,9 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
   ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), shared);
-  checked->timings.replay = replaying.seconds();
   replay::Verification& verdict = back.verdict;
+  putVerdict(*checked, dialect, back, said, ctx);
+  checked->timings.replay = replaying.seconds();
   checked->pointLines.resize(in.trajectory.pointCount());
   std::vector<TextLine> lines(said.trajectory.pointCount());
   for (std::size_t m = 0; m < verdict.motionPlaces.size(); ++m)

@@ -10,6 +10,7 @@
 #include "replay/verification.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Resolved;
 struct ReadBack {
   std::size_t firstMotion = 0; // index of the text's first motion
   std::vector<plan::ProgramDefect> defects;
+  std::uint64_t hash = 0; // of the text as read (program::readHash)
   replay::Verification verdict;
 };
 

@@ -20,14 +20,6 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-// Returns why a program alone is refused; nullopt if it is not.
-std::optional<base::Message> refusalOf(const VerifyResult& alone) {
-  if (const plan::Finding* finding = firstBlocking(alone.findings))
-    return plan::reasonOf(*finding);
-  if (verdictOf(alone) == PlanVerdict::Refused)
-    return "the program is refused"_text;
-  return std::nullopt;
-}
 } // namespace
 
 StationCheck verifyStation(const std::filesystem::path& folder, const base::RunContext& ctx) {
@@ -51,8 +43,9 @@ StationCheck verifyStation(const std::filesystem::path& folder, const base::RunC
         firstProgramIn(file.parent_path() / machineFolder(k), job.report.programs);
     check.programs.push_back(program);
     check.alone.push_back(verifyProgram(program, job, part));
-    if (const auto refusal = refusalOf(check.alone.back()))
-      check.findings.push_back(machineFinding(k, *refusal));
+    const VerifyResult& alone = check.alone.back();
+    if (auto finding = machineFinding(k, verdictOf(alone), alone.findings))
+      check.findings.push_back(std::move(*finding));
     const FoundProgram found = findProgram(program, job.report.programs);
     plans.push_back(resultOf(std::move(job)));
     places.push_back(station.machines[k].shared_T_world);

@@ -108,6 +108,23 @@ plan::Finding machineFinding(std::size_t k, base::Message reason) {
                      {{"machine", k + 1}, {"reason", std::move(reason)}});
 }
 
+std::optional<plan::Finding> machineFinding(std::size_t k, PlanVerdict verdict,
+                                            const plan::Findings& own) {
+  if (verdict == PlanVerdict::Passed)
+    return std::nullopt;
+  if (verdict == PlanVerdict::NotAsAsked) {
+    const auto first = std::ranges::find_if(own, &plan::Finding::blocking);
+    const base::Message reason =
+        first == own.end() ? base::Message("see its report"_text) : plan::reasonOf(*first);
+    return makeFinding(FindingKind::MachineDiffers, {{"machine", k + 1}, {"reason", reason}});
+  }
+  auto first = std::ranges::find_if(own, plan::blocksRunning);
+  if (first == own.end())
+    first = std::ranges::find_if(own, &plan::Finding::blocking);
+  return machineFinding(k, first == own.end() ? base::Message("the program is refused"_text)
+                                              : plan::reasonOf(*first));
+}
+
 bool isOfPlaces(const plan::Finding& finding) {
   using enum FindingKind;
   constexpr std::array kOfPlaces{MachinesOverlap, MachinesStartClose, MachineMeetsBody,

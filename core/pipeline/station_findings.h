@@ -3,11 +3,14 @@
 #pragma once
 
 #include "pipeline/plan_result.h"
+#include "pipeline/plan_verdict.h"
 #include "plan/finding.h"
 #include "replay/shared_run.h"
 #include "together/placed_motion.h"
 #include "together/together.h"
 
+#include <cstddef>
+#include <optional>
 #include <span>
 
 namespace voluta::pipeline {
@@ -22,6 +25,10 @@ plan::Findings overlapFindings(std::span<const together::PlacedMotion> motions);
 plan::Findings runFindings(const replay::SharedRun& run);
 // Returns the finding that machine k (from 0) keeps its programs back.
 plan::Finding machineFinding(std::size_t k, base::Message reason);
+// Returns the finding about machine k (from 0) by the verdict on it alone, with the first of its
+// blocking findings; nullopt if it passed.
+std::optional<plan::Finding> machineFinding(std::size_t k, PlanVerdict verdict,
+                                            const plan::Findings& own);
 
 // Returns whether other places of the machines may help against the finding.
 bool isOfPlaces(const plan::Finding& finding);

@@ -52,6 +52,7 @@ Json machineJson(const StationResult& result, std::size_t k) {
   Json json{{"part", plan.job.item().partName},
             {"cell", plan.cell->id()},
             {"folder", machineFolder(k)},
+            {"verdict", verdictReport(plan.job.report).verdict},
             {"placeMm", pointJson(place.translation())},
             {"turnDeg", machineRotationDeg(place)}};
   if (!result.work.rests.empty()) { // a machine found no way to its place: nothing was compared
@@ -96,7 +97,12 @@ std::string stationJson(const StationResult& result) {
   Json machines = Json::array();
   for (std::size_t k = 0; k < result.plans.size(); ++k)
     machines.push_back(machineJson(result, k));
-  Json json{{"passed", !why}, {"refusal", why ? Json(plan::englishReason(*why)) : Json()}};
+  const PlanVerdict verdict = verdictOf(result);
+  Json json{
+      {"passed", !why},
+      {"verdict", verdictId(verdict)},
+      {"safeToRun", verdict != PlanVerdict::Refused},
+      {"refusal", verdict == PlanVerdict::Refused ? Json(plan::englishReason(*why)) : Json()}};
   json["findings"] = Json::array();
   for (const plan::Finding& finding : result.findings)
     json["findings"].push_back(project::findingJson(finding));

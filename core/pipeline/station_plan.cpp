@@ -18,6 +18,7 @@
 #include "pipeline/stage_options.h"
 #include "pipeline/station_check.h"
 #include "pipeline/station_findings.h"
+#include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
 #include "together/machine_marks.h"
@@ -223,13 +224,14 @@ StationResult planStation(project::Station station, const base::RunContext& ctx,
     addMarks(result.plans[k], together::marksOf(*result.work.order, k, result.work.rests[k]));
     const double from = 0.5 + share * static_cast<double>(k);
     result.plans[k] = written(std::move(result.plans[k].job), ctx.sub(from, from + share));
-    if (const plan::Finding* finding = firstBlocking(result.plans[k].job.report.findings))
-      result.findings.push_back(machineFinding(k, plan::reasonOf(*finding)));
+    const project::Report& report = result.plans[k].job.report;
+    if (auto finding = machineFinding(k, verdictOf(report), report.findings))
+      result.findings.push_back(std::move(*finding));
   }
   result.replay = replayTogether(result, ctx.sub(0.8, 1.0));
   if (result.replay)
     std::ranges::copy(runFindings(*result.replay), std::back_inserter(result.findings));
-  else if (!firstBlocking(result.findings))
+  else if (std::ranges::none_of(result.findings, plan::blocksRunning))
     result.findings.push_back(machineFinding(firstNotReplayed(result),
                                              "no program of it passed that states the arm"_text));
   return result;
@@ -250,9 +252,11 @@ const CheckedProgram* replayedTogether(const PlanResult& plan) {
   return nullptr;
 }
 
-const plan::Finding* firstBlocking(const plan::Findings& findings) {
-  const auto found = std::ranges::find_if(findings, &plan::Finding::blocking);
-  return found == findings.end() ? nullptr : &*found;
+PlanVerdict verdictOf(const StationResult& result) {
+  const plan::Finding* first = firstBlocking(result.findings);
+  return !first                         ? PlanVerdict::Passed
+         : !plan::blocksRunning(*first) ? PlanVerdict::NotAsAsked
+                                        : PlanVerdict::Refused;
 }
 
 bool passed(const StationResult& result) {

@@ -4,6 +4,7 @@
 
 #include "base/run_context.h"
 #include "pipeline/plan_result.h"
+#include "pipeline/plan_verdict.h"
 #include "pipeline/stage_cache.h"
 #include "plan/finding.h"
 #include "project/station.h"
@@ -68,9 +69,8 @@ StationResult planStation(project::Station station, const base::RunContext& ctx,
 // Returns the result's machines with their jobs as planned.
 project::Station stationOf(const StationResult& result);
 
-// Returns the first blocking finding: the reason why the machines cannot work together; null: they
-// can, and all programs passed.
-const plan::Finding* firstBlocking(const plan::Findings& findings);
+// Passed, NotAsAsked or Refused: the machines may run unless it is the last one.
+PlanVerdict verdictOf(const StationResult& result);
 bool passed(const StationResult& result);
 
 // Returns the program of a machine that is replayed together with the others: the first that

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "pipeline/program_files.h"
 #include "pipeline/station_findings.h"
+#include "plan/finding_kinds.h"
 
 namespace voluta::pipeline {
 
@@ -52,7 +53,9 @@ StationResult resumeStation(project::Station station, const std::vector<ResumePl
     const base::RunContext own =
         ctx.sub(share * static_cast<double>(k), share * static_cast<double>(k + 1));
     job = restOf(std::move(job), places[k], k, folder, own);
-    if (const plan::Finding* finding = firstBlocking(job.report.findings))
+    // What a part lacks does not keep the machines from going on.
+    const plan::Finding* finding = firstBlocking(job.report.findings);
+    if (finding && (!job.trajectory || plan::blocksRunning(*finding)))
       refused.push_back(machineFinding(k, plan::reasonOf(*finding)));
   }
   if (refused.empty())

@@ -72,7 +72,7 @@ private:
     std::size_t tried = 0; // index of its row in tried_
     // its results so far, from which it can be planned to its end
     std::unique_ptr<StageCache> stages;
-    PlanResult result = {};
+    PlanResult result = PlanResult();
     project::Stage rejectedBy = {};
   };
 
@@ -139,7 +139,7 @@ private:
   }
 
   void keepFailed(Candidate candidate) {
-    candidate.result = {}; // The stages stay in the candidate's cache.
+    candidate.result = PlanResult(); // The stages stay in the candidate's cache.
     if (!failed_ || candidate.rejectedBy > failed_->rejectedBy)
       failed_ = std::move(candidate);
   }

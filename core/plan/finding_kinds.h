@@ -193,6 +193,7 @@ enum class FindingKind : std::uint8_t {
   MarkNotReached,
   MachinesMeet,
   MachineRefused,
+  MachineDiffers,
   // of milled parts
   OtherMotion,
   RapidInBlock,

@@ -238,6 +238,27 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
   return std::nullopt;
 }
 
+bool replaceVerdict(std::vector<plan::ProgramFile>& files, std::string_view verdict,
+                    std::size_t longestLine) {
+  constexpr std::size_t kMaxLength = 240; // readable, and within every controller's line
+  bool isReplaced = false;
+  for (plan::ProgramFile& file : files) {
+    LineReader lines(file.text);
+    for (std::string_view line; lines.number() < kHeadLines && lines.next(line);) {
+      const std::optional<std::string_view> old = behindMark(line, kVerdictMark);
+      if (!old)
+        continue;
+      const std::size_t before = line.size() - old->size();
+      const std::size_t room = longestLine > before ? longestLine - before : kMaxLength;
+      const auto at = static_cast<std::size_t>(old->data() - file.text.data());
+      file.text.replace(at, old->size(), plainText(verdict, std::min(room, kMaxLength)));
+      isReplaced = true;
+      break;
+    }
+  }
+  return isReplaced;
+}
+
 std::string fittedQuestion(const ProgramInput& input) {
   const bool isFed = input.cell.toolChange().by == robot::ToolChange::By::Feeder;
   return joined({"Is ", toolName(input.tooling, input.trajectory.firstTool),
@@ -289,13 +310,14 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   for (const plan::TrajectoryEvent& event : t.events)
     waitS += event.seconds;
   const JobHead head = jobHead(input);
-  std::vector<std::string> lines = {
-      joined({kPart, head.part, kJob, head.job}),
-      joined({kCell, head.cell, kRobot, head.robot, kProcess, head.process, " (",
-              plainText(p.material.label), ")"}),
-      joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
-              fixedText(input.tooling.printedG(t), 1), " g, ", fixedText(t.timeS.back() + waitS, 1),
-              " s"})};
+  std::vector<std::string> lines = {joined({kPart, head.part, kJob, head.job}),
+                                    joined({kCell, head.cell, kRobot, head.robot, kProcess,
+                                            head.process, " (", plainText(p.material.label), ")"})};
+  if (!input.verdict.empty())
+    lines.push_back(joined({kVerdictMark, input.verdict}));
+  lines.push_back(joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
+                          fixedText(input.tooling.printedG(t), 1), " g, ",
+                          fixedText(t.timeS.back() + waitS, 1), " s"}));
   if (std::string heat = heatLine(input); !heat.empty())
     lines.push_back(std::move(heat));
   if (input.selectsTool())

@@ -27,9 +27,18 @@ std::string jobHash(const ProgramInput& input);
 // job uses: the rest of a stopped print keeps the plate as it is. 0: not heated.
 int plateC(const ProgramInput& input);
 
-// Returns lines without a dialect's comment mark: part, job, cell, robot, process; amount and
-// duration; temperatures and fan, if known; the ranges and the start values of the joints (unless
-// foreign: those of the cell's own arm); how programs with marks are started.
+// Begins the line of a head with the verdict of the replay.
+inline constexpr std::string_view kVerdictMark = "replay: ";
+// Replaces the verdict in the heads of all files, as a comment of the same line: nothing else of
+// the texts changes. The verdict is cut where the line would be longer than the dialect allows.
+// Returns whether there is such a line in a head.
+bool replaceVerdict(std::vector<plan::ProgramFile>& files, std::string_view verdict,
+                    std::size_t longestLine);
+
+// Returns lines without a dialect's comment mark: part, job, cell, robot, process; the verdict, if
+// there is one; amount and duration; temperatures and fan, if known; the ranges and the start
+// values of the joints (unless foreign: those of the cell's own arm); how programs with marks are
+// started.
 std::vector<std::string> headLines(const ProgramInput& input);
 // Same for controllers that limit lines to `maxLength` characters: longer lines are continued in
 // the next one at a blank; lines that names from files make too long are cut.

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace voluta::program {
 
@@ -36,6 +37,8 @@ struct ProgramInput {
   std::string job = {};
   std::span<const ArcVia> arcs = {}; // ascending by point; empty unless the dialect has arcs
   bool foreign = false;              // for a controller other than the cell's; set by writeProgram
+  // The verdict of the replay, a line of the head (job_head.h, kVerdictMark); empty: none.
+  std::string_view verdict = {};
 
   // Of the tool that the program begins with.
   const process::Process& process() const { return tooling.at(trajectory.firstTool).process; }

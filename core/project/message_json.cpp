@@ -152,6 +152,7 @@ Json findingJson(const plan::Finding& f) {
             {"remedy", plan::englishRemedy(f)},
             {"remedyMm", fits != values.end() ? Json(*fits) : Json()},
             {"blocking", f.blocking},
+            {"concerns", plan::rowOf(f.kind).concern == plan::Concern::Safety ? "safety" : "part"},
             {"values", std::move(values)}};
   if (f.item >= 0) // Reports of one item have no such key
     json["item"] = f.item;

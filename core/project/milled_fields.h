@@ -35,14 +35,12 @@ constexpr auto fieldsOf(std::type_identity<MillingReport>) {
 }
 constexpr auto fieldsOf(std::type_identity<MilledReport>) {
   using R = MilledReport;
-  return std::tuple{Field{"model", &R::model},
-                    Field{"milling", &R::milling},
-                    Field{"programs", &R::programs},
-                    Field{"replay", &R::replay},
-                    Field{"findings", &R::findings},
-                    Field{"timingS", &R::timings},
-                    Field{"peakRssMb", &R::peakRssMb, "MB"},
-                    Field{"threads", &R::threads}};
+  return std::tuple_cat(fieldsOf(std::type_identity<VerdictReport>{}),
+                        std::tuple{Field{"model", &R::model}, Field{"milling", &R::milling},
+                                   Field{"programs", &R::programs}, Field{"replay", &R::replay},
+                                   Field{"findings", &R::findings}, Field{"timingS", &R::timings},
+                                   Field{"peakRssMb", &R::peakRssMb, "MB"},
+                                   Field{"threads", &R::threads}});
 }
 
 } // namespace voluta::project

@@ -32,7 +32,7 @@ struct MillingReport {
   double cornersMm3 = 0.0;
 };
 
-struct MilledReport {
+struct MilledReport : VerdictReport {
   ModelReport model;
   MillingReport milling;
   std::vector<ProgramReport> programs;

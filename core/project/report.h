@@ -51,6 +51,9 @@ struct ProgramReport {
   std::size_t bytes = 0;
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
   double durationS = 0.0, flowErrorFraction = 0.0, massRatio = 0.0; // on its controller
+  // In report.json, where `files` has the written ones only: "released", "refused" (written on
+  // request) or "notWritten".
+  std::string state = {};
 };
 
 // The limits that a replay must keep to pass.
@@ -120,7 +123,14 @@ struct ItemReport {
   std::vector<TriedReport> tried; // in the order they were tried
 };
 
-struct Report {
+// The verdict on the whole plan, in report.json (pipeline/plan_verdict.h): "passed", "differs" (safe
+// to run, not as asked), "blocked", "refused"; "notReplayed": there is no program to judge.
+struct VerdictReport {
+  std::string verdict = "notReplayed";
+  bool safeToRun = false, printsAsAsked = false; // as asked: and safe
+};
+
+struct Report : VerdictReport {
   std::vector<ItemReport> items = {ItemReport{}}; // one or more, as the job's
   plan::ToolpathStatistics toolpath;
   MotionReport motion;

@@ -143,7 +143,14 @@ constexpr auto fieldsOf(std::type_identity<ProgramReport>) {
                     Field{"maxDeviationRad", &R::maxDeviationRad, "rad"},
                     Field{"durationS", &R::durationS, "s", true},
                     Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
-                    Field{"massRatio", &R::massRatio, "", true}};
+                    Field{"massRatio", &R::massRatio, "", true},
+                    Field{"state", &R::state, "", true}};
+}
+constexpr auto fieldsOf(std::type_identity<VerdictReport>) {
+  using R = VerdictReport;
+  return std::tuple{Field{"verdict", &R::verdict, "", true},
+                    Field{"safeToRun", &R::safeToRun, "", true},
+                    Field{"printsAsAsked", &R::printsAsAsked, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
   using R = ThresholdsReport;
@@ -227,11 +234,13 @@ constexpr auto fieldsOf(std::type_identity<ItemReport>) {
 // report.json has the fields of the first item beside these.
 constexpr auto fieldsOf(std::type_identity<Report>) {
   using R = Report;
-  return std::tuple{Field{"toolpath", &R::toolpath},         Field{"motion", &R::motion},
-                    Field{"programs", &R::programs},         Field{"replay", &R::replay},
-                    Field{"findings", &R::findings},         Field{"timingS", &R::timings},
-                    Field{"peakRssMb", &R::peakRssMb, "MB"}, Field{"threads", &R::threads},
-                    Field{"items", &R::items, "", true}};
+  return std::tuple_cat(fieldsOf(std::type_identity<VerdictReport>{}),
+                        std::tuple{Field{"toolpath", &R::toolpath}, Field{"motion", &R::motion},
+                                   Field{"programs", &R::programs}, Field{"replay", &R::replay},
+                                   Field{"findings", &R::findings}, Field{"timingS", &R::timings},
+                                   Field{"peakRssMb", &R::peakRssMb, "MB"},
+                                   Field{"threads", &R::threads},
+                                   Field{"items", &R::items, "", true}});
 }
 
 template <typename R>

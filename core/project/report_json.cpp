@@ -76,7 +76,8 @@ Timings& Timings::operator+=(const Timings& more) {
 
 std::string reportJson(const Report& report) {
   // The first item's figures are at the top too: reports had one item only.
-  Json all = json(report.item());
+  Json all = json(static_cast<const VerdictReport&>(report));
+  all.update(json(report.item()));
   all.update(json(report));
   return textOf(std::move(all));
 }

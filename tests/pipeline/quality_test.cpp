@@ -7,17 +7,23 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/head_verdict.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_verdict.h"
 #include "pipeline/quality.h"
 #include "pipeline/remedies.h"
+#include "pipeline/replay_stage.h"
 #include "pipeline/resume.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
+#include "program/dialect.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <memory>
+#include <nlohmann/json.hpp>
 
 using namespace voluta;
 using namespace voluta::pipeline;
@@ -110,6 +116,19 @@ TEST(Quality, AnAcceptedShareReplacesAStricterLimitOnly) {
       << "the last one counts";
 }
 
+// An acceptance that is stricter than the level accepts nothing, and no report lists it.
+TEST(Quality, AShareWithinTheLevelIsNotListedAsAccepted) {
+  const auto listed = [](const std::string& level, const std::string& accept) {
+    const Quality quality = qualityWith(level, accept);
+    return replayReport({}, quality).thresholds.accepted;
+  };
+  EXPECT_EQ(listed("usual", "uncovered=0.05"), "");
+  EXPECT_EQ(listed("usual", "uncovered=0.06"), "");
+  EXPECT_EQ(listed("strict", "uncovered=0.05"), "uncovered=0.05");
+  EXPECT_EQ(listed("usual", "uncovered=0.05, mass=0.08"), "mass=0.08");
+  EXPECT_EQ(listed("draft", "uncovered=0.05, mass=0.08"), "");
+}
+
 TEST(Quality, AListThatIsNoneIsRefused) {
   EXPECT_NE(refusalOf("uncoverd=0.05").find("uncovered"), std::string::npos);
   EXPECT_NE(refusalOf("uncovered=2").find("0 to 1"), std::string::npos) << refusalOf("uncovered=2");
@@ -162,6 +181,15 @@ TEST(Quality, ASafeProgramIsReleasedAndSaysThatThePartDiffers) {
   EXPECT_EQ(verdictOf(verifyProgram(folder / name, folder / "job.voluta", base::RunContext())),
             PlanVerdict::NotAsAsked);
 
+  const auto json = nlohmann::json::parse(base::readFile(folder / "report.json"));
+  EXPECT_EQ(json.at("verdict"), "differs");
+  EXPECT_EQ(json.at("safeToRun"), true);
+  EXPECT_EQ(json.at("printsAsAsked"), false);
+  EXPECT_EQ(json.at("programs").at(0).at("state"), "released");
+  EXPECT_EQ(json.at("programs").at(0).at("files").at(0), name);
+  const auto proof = nlohmann::json::parse(base::readFile(folder / (name + ".proof.json")));
+  EXPECT_EQ(proof.at("replay").at("verdict"), "differs");
+
   ASSERT_NE(uncovered(plan), nullptr);
   const std::vector<RemedyAction> offers = remediesFor(*uncovered(plan), plan.job.choices);
   const auto accept = std::ranges::find_if(offers, [](const RemedyAction& action) {
@@ -176,9 +204,99 @@ TEST(Quality, ASafeProgramIsReleasedAndSaysThatThePartDiffers) {
   EXPECT_EQ(passed.job.report.replay.thresholds.accepted, accept->choices.parameters.at("accept"));
   const test::TemporaryFolder second;
   writeOutputs(passed, second.path(), base::RunContext());
-  EXPECT_EQ(base::readFile(second / name), base::readFile(folder / name));
+  // The heads differ in their verdicts, and nothing else.
+  const std::string amber = base::readFile(folder / name), green = base::readFile(second / name);
+  const auto without = [](std::string text) {
+    const std::size_t at = text.find("# replay: ");
+    EXPECT_NE(at, std::string::npos);
+    return text.erase(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(without(amber), without(green));
+  EXPECT_NE(green.find("# replay: passed, safe to run"), std::string::npos);
+  EXPECT_NE(amber.find("# replay: safe to run; differs from the part: "), std::string::npos);
+  EXPECT_NE(amber.find(" % not covered at ("), std::string::npos);
+  EXPECT_LT(amber.find("# replay: "), amber.find("movej"));
   EXPECT_NE(base::readFile(second / (name + ".proof.html")).find("accepted: uncovered=0."),
             std::string::npos);
+}
+
+// The verdict is a comment in every language, and the reader finds the same program.
+TEST(Quality, EveryFormatStatesTheVerdictInItsHead) {
+  std::size_t stated = 0;
+  for (const program::Dialect& dialect : program::dialects()) {
+    PlanRequest request = prismRequest({{"quality", "strict"}});
+    request.choices.formats = {std::string(dialect.id)};
+    PlanResult plan;
+    try {
+      plan = planPart(request, base::RunContext());
+    } catch (const base::Error&) {
+      continue; // not of this cell
+    }
+    if (plan.checked.empty() || !plan.checked[0]->safeToRun)
+      continue;
+    ++stated;
+    bool isStated = false;
+    for (const plan::ProgramFile& file : plan.checked[0]->program.files) {
+      const std::size_t at = file.text.find("replay: safe to run; differs from the part: ");
+      if (at == std::string::npos)
+        continue;
+      isStated = true;
+      const std::size_t begin = file.text.rfind('\n', at) + 1;
+      const std::string before = file.text.substr(begin, at - begin); // A number and a mark
+      EXPECT_TRUE(std::ranges::none_of(before, [](unsigned char c) { return std::isalpha(c); }))
+          << dialect.id << ": " << before;
+      EXPECT_LE(file.text.find('\n', at) - begin,
+                dialect.longestLine > 0 ? dialect.longestLine + 1 : 300u)
+          << dialect.id;
+    }
+    EXPECT_TRUE(isStated) << dialect.id;
+    EXPECT_EQ(verdictOf(*plan.checked[0], plan.job.report), PlanVerdict::NotAsAsked) << dialect.id;
+  }
+  EXPECT_GE(stated, 8u);
+}
+
+TEST(Quality, TheHeadOfARefusedProgramSaysSo) {
+  replay::Verification verdict;
+  verdict.results = {{"collisions", 3.0, 0.0, false, true}};
+  EXPECT_EQ(headVerdict(verdict, {}), "REFUSED, do not run: collisions 3 (limit 0)");
+  verdict.safeToRun = true;
+  EXPECT_EQ(
+      headVerdict(verdict, {plan::makeFinding(plan::FindingKind::CollisionInMotion,
+                                              {{"first", "arm"_name}, {"second", "plate"_name}})}),
+      "NOT approved, the plan is not safe: arm collides with plate in the finished motion");
+  verdict.passed = true;
+  EXPECT_EQ(headVerdict(verdict, {}), kPassedVerdict);
+  EXPECT_EQ(headVerdict(verdict, {plan::makeFinding(plan::FindingKind::NoPathTo,
+                                                    {{"place", "bead 3"_name}, {"pieces", 1}},
+                                                    Eigen::Vector3d(1.0, 2.0, 3.0))}),
+            "safe to run; differs from the part: bead 3: no collision-free transfer to 1 piece of "
+            "a path at (1.0 2.0 3.0)");
+}
+
+// In report.json a program that is not written has no files.
+TEST(Quality, AReportListsTheProgramsThatAreWritten) {
+  PlanResult plan = test::boxPlan();
+  const auto json = [&] {
+    const test::TemporaryFolder folder;
+    writeOutputs(plan, folder.path(), base::RunContext());
+    return nlohmann::json::parse(base::readFile(folder / "report.json"));
+  };
+  EXPECT_EQ(json().at("verdict"), "passed");
+  EXPECT_EQ(json().at("printsAsAsked"), true);
+  auto refused = std::make_shared<CheckedProgram>(*plan.checked[0]);
+  refused->safeToRun = refused->verdict.safeToRun = refused->verdict.passed = false;
+  plan.checked = {refused};
+  plan.job.report.replay = refused->verdict;
+  const auto kept = json();
+  EXPECT_EQ(kept.at("verdict"), "refused");
+  EXPECT_EQ(kept.at("safeToRun"), false);
+  EXPECT_EQ(kept.at("programs").at(0).at("state"), "notWritten");
+  EXPECT_TRUE(kept.at("programs").at(0).at("files").empty());
+  plan.keepRefused = true;
+  const auto asked = json();
+  EXPECT_EQ(asked.at("programs").at(0).at("state"), "refused");
+  EXPECT_EQ(asked.at("programs").at(0).at("files").at(0),
+            "refused-" + refused->program.files[0].name);
 }
 
 namespace {

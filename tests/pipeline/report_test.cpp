@@ -88,12 +88,15 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
   for (const auto& [section, keys] : kKeys)
     for (const std::string& key : keys)
       EXPECT_TRUE(j.at(section).contains(key)) << section << "." << key;
-  for (const char* key : {"format", "foreign", "files", "bytes", "maxDeviationMm",
-                          "maxDeviationRad", "durationS", "flowErrorFraction", "massRatio"})
+  for (const char* key :
+       {"format", "foreign", "files", "bytes", "maxDeviationMm", "maxDeviationRad", "durationS",
+        "flowErrorFraction", "massRatio", "state"})
     EXPECT_TRUE(j.at("programs")[0].contains(key)) << key;
-  for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy", "values"})
+  for (const char* key : {"stage", "kind", "where", "when", "count", "reason", "remedy", "blocking",
+                          "concerns", "values"})
     EXPECT_TRUE(j.at("findings")[0].contains(key)) << key;
-  for (const char* key : {"peakRssMb", "threads", "version"})
+  for (const char* key :
+       {"verdict", "safeToRun", "printsAsAsked", "peakRssMb", "threads", "version"})
     EXPECT_TRUE(j.contains(key)) << key;
 }
 

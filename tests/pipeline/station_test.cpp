@@ -127,6 +127,32 @@ TEST(Together, FarApartBothWorkAllTheTime) {
               towers().checked.front()->program.files.front().text);
 }
 
+// A machine whose part differs keeps nobody from working.
+TEST(Together, AnAmberMachineMakesAnAmberStation) {
+  PlanResult amber = towers();
+  amber.job.report.findings.insert(
+      amber.job.report.findings.begin(),
+      plan::makeFinding(plan::FindingKind::NoPathTo, {{"place", "bead 3"_name}, {"pieces", 1}}));
+  ++amber.job.stages[project::indexOf(project::Stage::Load)].findings;
+  StationResult result = together(towers(), amber, "3000,0,0,180");
+  ASSERT_TRUE(result.replay) << why(result);
+  EXPECT_EQ(verdictOf(result), PlanVerdict::NotAsAsked);
+  EXPECT_FALSE(passed(result));
+  const plan::Finding* first = firstBlocking(result.findings);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->kind, plan::FindingKind::MachineDiffers);
+  EXPECT_EQ(why(result), "machine 2 is safe to run, but does not print its part as asked: bead 3: "
+                         "no collision-free transfer to 1 piece of a path");
+  const test::TemporaryFolder folder;
+  writeStationOutputs(result, folder.path(), kCtx);
+  const std::string json = base::readFile(folder / "together.json");
+  EXPECT_NE(json.find("\"verdict\": \"differs\",\n  \"safeToRun\": true"), std::string::npos)
+      << json;
+  const StationCheck check = verifyStation(folder.path(), kCtx);
+  ASSERT_TRUE(firstBlocking(check.findings));
+  EXPECT_EQ(firstBlocking(check.findings)->kind, plan::FindingKind::MachineDiffers);
+}
+
 TEST(Together, MachinesInOnePlaceHaveAReason) {
   const StationResult result = together(towers(), towers(), "0,0,0,0");
   EXPECT_FALSE(passed(result));

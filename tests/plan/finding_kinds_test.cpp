@@ -201,11 +201,11 @@ TEST(Findings, OfBeforeThereWereValuesStayAsTheyWere) {
 // safety unless its row says otherwise, and here.
 TEST(FindingKinds, SayWhichVerdictTheyConcern) {
   using enum FindingKind;
-  const std::set<FindingKind> partInReplay{Uncovered,     Overfill,    Mass,
-                                           Unsupported,   CoolingTime, GivenUncovered,
-                                           GivenOverfill, GivenMass,   GivenUnsupported};
-  const std::set<FindingKind> unsafeBefore{Verbatim, Stopped, Overload, CollisionInMotion,
-                                           HomeMeets};
+  const std::set<FindingKind> partInReplay{
+      Uncovered,      Overfill,      Mass,      Unsupported,      CoolingTime,
+      GivenUncovered, GivenOverfill, GivenMass, GivenUnsupported, MachineDiffers};
+  const std::set<FindingKind> unsafeBefore{Verbatim,          Stopped,   Overload,
+                                           CollisionInMotion, HomeMeets};
   const auto isOfStation = [](FindingKind kind) {
     return kind >= PlatesOverlap && kind <= MachineRefused;
   };

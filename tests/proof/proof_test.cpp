@@ -134,7 +134,7 @@ TEST(Proof, RefusedProgramIsMarkedFirst) {
 TEST(Proof, AProgramOfAnotherPartThanAskedHasNotPassed) {
   PlanResult plan = test::boxPlan();
   plan.job.report.findings.push_back(
-      plan::makeFinding(plan::FindingKind::BeginsInAir, {{"pieces", 1}}));
+      plan::makeFinding(plan::FindingKind::BeginsInAir, {{"pieces", 1}}, Eigen::Vector3d(1, 2, 3)));
   plan.job.report.findings.push_back(
       plan::makeFinding(plan::FindingKind::ProgramRefused,
                         {{"format", "another"_name}, {"failed", std::vector<base::Message>()}}));
@@ -150,6 +150,7 @@ TEST(Proof, AProgramOfAnotherPartThanAskedHasNotPassed) {
     EXPECT_NE(page.find("Safe to run, but it does not print the part as asked."),
               std::string::npos);
     EXPECT_NE(page.find("1 piece of a layer begins in the air"), std::string::npos);
+    EXPECT_NE(page.find("at (1.0, 2.0, 3.0)"), std::string::npos);
     const auto proof = proofIn(folder.path(), checked->program.files[0].name);
     EXPECT_EQ(proof["replay"]["planPassed"], false);
     EXPECT_EQ(proof["replay"]["blocking"].size(), 1u);

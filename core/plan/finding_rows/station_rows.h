@@ -54,6 +54,11 @@ inline constexpr FindingRow kCommonRunRows[] = {
     error(MachineRefused, "machineRefused", "machine {machine}: {reason}"_text,
           "see the report of that machine"_text,
           {.reportId = "programRefused", .whyNoRemedy = kOthersHelp}),
+    error(MachineDiffers, "machineDiffers",
+          "machine {machine} is safe to run, but does not print its part as asked: {reason}"_text,
+          "see the report of that machine"_text,
+          {.whyNoRemedy = "see the remedies in the job of that machine"_text,
+           .concern = Concern::Part}),
 };
 
 } // namespace voluta::plan::finding_rows
