@@ -31,10 +31,11 @@ void requireFiniteNumbers(const CLI::App& app);
 // Returns "; 1 more finding", "; 3 more findings" or, for 0, nothing.
 std::string moreFindings(std::size_t more);
 // Prints the first finding that blocks to stderr, as the one-line reason why a result is not
-// complete; nothing if none blocks. `nameOf`: returns "kitten.stl: " for a finding about one of
-// several parts.
+// complete: of safety, if there is one; nothing if none blocks. `nameOf`: returns "kitten.stl: "
+// for a finding about one of several parts. `isReleased`: the programs are safe to run, so that the
+// finding says how the part differs.
 void sayBlocker(const plan::Findings& findings,
-                const std::function<std::string(const plan::Finding&)>& nameOf);
+                const std::function<std::string(const plan::Finding&)>& nameOf, bool isReleased);
 
 struct PlanOptions {
   pipeline::PlanRequest request; // its item has the choices common to all parts

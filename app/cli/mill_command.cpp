@@ -51,7 +51,8 @@ void sayResult(const project::MilledReport& report) {
              "{:.0f} mm3 in corners and between lines\n",
              m.moves, report.replay.controllerDurationS / 60.0, m.removedMm3, m.deepestMm,
              m.residueMm, m.cornersMm3);
-  sayBlocker(report.findings, [](const plan::Finding&) { return std::string(); });
+  sayBlocker(
+      report.findings, [](const plan::Finding&) { return std::string(); }, false);
 }
 
 ExitCode millCommand(MillOptions options) {

@@ -19,20 +19,19 @@ std::string moreFindings(std::size_t more) {
 }
 
 void sayBlocker(const plan::Findings& findings,
-                const std::function<std::string(const plan::Finding&)>& nameOf) {
-  std::size_t blocking = 0;
-  const plan::Finding* first = nullptr;
-  for (const plan::Finding& f : findings)
-    if (f.blocking && blocking++ == 0)
-      first = &f;
+                const std::function<std::string(const plan::Finding&)>& nameOf, bool isReleased) {
+  const plan::Finding* first = pipeline::firstBlocking(findings);
   if (!first)
     return;
+  const auto blocking =
+      static_cast<std::size_t>(std::ranges::count_if(findings, &plan::Finding::blocking));
   const std::string where = first->where
                                 ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
                                               first->where->y(), first->where->z())
                                 : "";
-  fmt::print(stderr, "{}: {}{}{} ({}){}\n", plan::stageName(plan::stageOf(*first)), nameOf(*first),
-             plan::englishReason(*first), where, plan::englishRemedy(*first),
+  fmt::print(stderr, "{}{}: {}{}{} ({}){}\n", isReleased ? amberWords(*first) : "",
+             plan::stageName(plan::stageOf(*first)), nameOf(*first), plan::englishReason(*first),
+             where, plan::englishRemedy(*first),
              blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
 }
 
@@ -125,8 +124,9 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
   sayResult(*report);
   sayMissingPrograms(report->findings);
   sayLeftOver(old);
-  sayBlocker(report->findings,
-             [&](const plan::Finding& finding) { return partOf(finding, *report); });
+  sayBlocker(
+      report->findings, [&](const plan::Finding& finding) { return partOf(finding, *report); },
+      pipeline::verdictReport(*report).safeToRun);
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 

@@ -50,7 +50,7 @@ void sayOrder(const together::Plan& work) {
              work.order->seconds);
 }
 
-// Prints notes, and the first blocking finding as the one-line reason.
+// Prints notes, and the first blocking finding as the one-line reason: of safety, if there is one.
 ExitCode concluded(const plan::Findings& findings) {
   for (const plan::Finding& finding : findings)
     if (!finding.blocking)
@@ -62,7 +62,7 @@ ExitCode concluded(const plan::Findings& findings) {
                                 ? fmt::format(" at ({:.0f}, {:.0f}, {:.0f})", first->where->x(),
                                               first->where->y(), first->where->z())
                                 : "";
-  fmt::print(stderr, "{}{} ({})\n", plan::englishReason(*first), where,
+  fmt::print(stderr, "{}{}{} ({})\n", amberWords(*first), plan::englishReason(*first), where,
              plan::englishRemedy(*first));
   return kNotAll;
 }
@@ -162,7 +162,7 @@ ExitCode verifyTogetherCommand(const TogetherOptions& options) {
                verdictWords(pipeline::verdictOf(alone)), alone.format);
     for (const plan::Finding& f : alone.findings)
       if (f.blocking)
-        fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
+        fmt::print("{}{}: {}\n", amberWords(f), plan::reportId(f), plan::englishReason(f));
   }
   sayRun(check->replay);
   return concluded(check->findings);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pipeline/plan_verdict.h"
+#include "plan/finding_kinds.h"
 
 namespace voluta::cli {
 
@@ -17,6 +18,11 @@ inline const char* verdictWords(pipeline::PlanVerdict verdict) {
     break;
   }
   return "refused";
+}
+
+// Begins the line of a finding by which a part differs, beside programs that are safe to run.
+inline const char* amberWords(const plan::Finding& finding) {
+  return finding.blocking && !plan::blocksRunning(finding) ? "not as asked: " : "";
 }
 
 } // namespace voluta::cli

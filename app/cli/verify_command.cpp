@@ -21,16 +21,14 @@ bool isMillJobFile(const std::filesystem::path& file) {
   return pipeline::isMillJob(base::beginningOf(file, kBegin));
 }
 
-// Prints the findings on a program, and to stderr the first one that blocks.
+// Prints the findings on a program, and to stderr the first one that blocks: of safety, if there is
+// one.
 void sayFindings(const std::filesystem::path& program, const plan::Findings& findings) {
-  const plan::Finding* first = nullptr;
-  for (const plan::Finding& f : findings) {
-    fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
-    if (f.blocking && !first)
-      first = &f;
-  }
-  if (first)
-    fmt::print(stderr, "{}: {}\n", program.string(), plan::englishReason(*first));
+  for (const plan::Finding& f : findings)
+    fmt::print("{}{}: {}\n", amberWords(f), plan::reportId(f), plan::englishReason(f));
+  if (const plan::Finding* first = pipeline::firstBlocking(findings))
+    fmt::print(stderr, "{}: {}{}\n", program.string(), amberWords(*first),
+               plan::englishReason(*first));
 }
 
 ExitCode verifyMilled(const VerifyOptions& options) {

@@ -44,6 +44,44 @@ TEST(FindingsModel, BlockingFirstThenByStage) {
   EXPECT_EQ(model.rowCount(), 2);
 }
 
+// Beside programs that are safe to run, a finding on the printed part alone is amber.
+TEST(FindingsModel, FindingsThatConcernThePartAreNoBlockers) {
+  using enum plan::FindingKind;
+  const plan::Findings findings{
+      plan::makeFinding(LeftOut, {{"waypoints", 3}, {"share", base::percent(0.1)}}),
+      plan::makeFinding(Mass, {{"share", base::percent(92.0)}}),
+      plan::makeFinding(CollisionInMotion, {{"first", "arm"_name}, {"second", "plate"_name}})};
+  panels::FindingsModel model;
+  model.setFindings(findings, {}, true);
+  EXPECT_EQ(model.blocking(), 1u);
+  EXPECT_EQ(model.differing(), 1u);
+  EXPECT_EQ(model.weight(0), panels::FindingsModel::Blocks);
+  EXPECT_EQ(model.weight(1), panels::FindingsModel::Differs);
+  EXPECT_EQ(model.weight(2), panels::FindingsModel::Informs);
+  EXPECT_TRUE(model.index(1)
+                  .data(Qt::AccessibleTextRole)
+                  .toString()
+                  .startsWith("Not as asked: deposited volume"));
+  model.setBlockedOnly(true);
+  EXPECT_EQ(model.rowCount(), 2);
+  model.setFindings(findings); // without programs
+  EXPECT_EQ(model.blocking(), 2u);
+  EXPECT_EQ(model.differing(), 0u);
+}
+
+TEST(FindingsPanel, CountsWhatBlocksAndWhatDiffersApart) {
+  using enum plan::FindingKind;
+  const plan::Finding differs = plan::makeFinding(Mass, {{"share", base::percent(92.0)}});
+  panels::FindingsPanel panel;
+  const auto* button = panel.findChild<QToolButton*>("blockedOnly");
+  panel.setFindings({differs}, {}, true);
+  EXPECT_EQ(button->text(), "Not as asked (1)");
+  panel.setFindings({differs, finding("replay", "hits", true)}, {}, true);
+  EXPECT_EQ(button->text(), "Blocked (1), not as asked (1)");
+  panel.setFindings({differs});
+  EXPECT_EQ(button->text(), "Blocked (1)");
+}
+
 TEST(FindingsModel, DetailNamesStageCountPlaceAndTime) {
   plan::Finding f = finding("motion", "", true);
   f.count = 12;

@@ -219,6 +219,28 @@ TEST_F(CommandLine, AProgramOfAnEarlierPlanIsNamed) {
   EXPECT_EQ(plan("two.stl").out.find("two.csv and"), std::string::npos) << "its own are replaced";
 }
 
+// A part whose program is safe to run ends with 4 and a line of its own; so do its verification and
+// the rest of the print.
+TEST_F(CommandLine, APartThatDiffersIsAmberInEveryCommand) {
+  geometry::TriangleMesh prism = test::box({-7, -3, 0}, {7, 3.5, 6}); // its back edge is sharp
+  for (Eigen::Vector3d& v : prism.vertices)
+    if (v.y() > 0.0)
+      v.x() *= 1e-3;
+  const std::string out = (folder_ / "out").string(), job = out + "/job.voluta";
+  const Ended plan = run({"plan", stl("prism.stl", prism), "-o", out, "--mode", "flat", "--format",
+                          "urscript", "--set", "quality=strict"});
+  expectOneLine(plan, 4, {"not as asked: replay: ", "not covered by beads"});
+  EXPECT_NE(plan.out.find("replay safe to run, NOT as asked: "), std::string::npos) << plan.out;
+  const auto json = nlohmann::json::parse(base::readFile(fs::path(out) / "report.json"));
+  EXPECT_EQ(json.at("verdict"), "differs");
+  const std::string name = json.at("programs").at(0).at("files").at(0);
+  const Ended verified = run({"verify", out + "/" + name, "--job", job});
+  expectOneLine(verified, 4, {"not as asked: ", "not covered by beads"});
+  EXPECT_NE(verified.out.find("not as asked: uncovered: "), std::string::npos) << verified.out;
+  const Ended rest = run({"resume", job, "--bead", "3", "-o", (folder_ / "rest").string()});
+  expectOneLine(rest, 4, {"not as asked: "});
+}
+
 // What is accepted on the command line is one list, wherever it is given.
 TEST_F(CommandLine, AcceptedSharesAreOneList) {
   const std::string part = smallBox(), out = (folder_ / "out").string();

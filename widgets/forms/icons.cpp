@@ -46,6 +46,14 @@ void paintWarning(QPainter& p, const QPalette& palette) {
   p.drawEllipse(QPointF(8.0, 11.9), 1.05, 1.05);
 }
 
+void paintNote(QPainter& p, const QPalette& palette) {
+  fill(p, mutedColour(palette));
+  p.drawEllipse(QPointF(8.0, 8.0), 7.0, 7.0);
+  fill(p, palette.color(QPalette::Base));
+  p.drawEllipse(QPointF(8.0, 4.6), 1.15, 1.15);
+  p.drawRoundedRect(QRectF(7.1, 6.8, 1.8, 5.2), 0.8, 0.8);
+}
+
 void paintGood(QPainter& p, const QPalette& palette) {
   fill(p, goodColour(palette));
   p.drawEllipse(QPointF(8.0, 8.0), 7.2, 7.2);
@@ -141,6 +149,9 @@ void paintIcon(QPainter& painter, const QRectF& where, Icon which, const QPalett
     break;
   case Icon::Warning:
     paintWarning(painter, palette);
+    break;
+  case Icon::Note:
+    paintNote(painter, palette);
     break;
   case Icon::Good:
     paintGood(painter, palette);

@@ -14,6 +14,7 @@ namespace voluta::forms {
 enum class Icon {
   Blocked,   // Red octagon with a bar
   Warning,   // Amber triangle with an exclamation mark
+  Note,      // Grey disc with an i: worth knowing
   Good,      // Green disc with a tick
   Pending,   // Grey ring
   EyeOpen,   // Shown

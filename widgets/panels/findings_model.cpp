@@ -11,21 +11,35 @@ namespace voluta::panels {
 
 FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel(parent) {}
 
-void FindingsModel::setFindings(const plan::Findings& findings, const plan::Findings& before) {
+FindingsModel::Weight FindingsModel::weightOf(const plan::Finding& finding) const {
+  if (!finding.blocking)
+    return Informs;
+  return plan::blocksRunning(finding) || !hasPrograms_ ? Blocks : Differs;
+}
+
+void FindingsModel::setFindings(const plan::Findings& findings, const plan::Findings& before,
+                                bool hasPrograms) {
   beginResetModel();
-  const auto inOrder = [](const plan::Findings& some) {
+  hasPrograms_ = hasPrograms;
+  const auto inOrder = [this](const plan::Findings& some) {
     std::vector<ListedFinding> rows = listed(some);
-    std::stable_sort(rows.begin(), rows.end(), [](const ListedFinding& a, const ListedFinding& b) {
-      if (a.finding.blocking != b.finding.blocking)
-        return a.finding.blocking;
-      return plan::stageOf(a.finding) < plan::stageOf(b.finding);
-    });
+    std::stable_sort(rows.begin(), rows.end(),
+                     [this](const ListedFinding& a, const ListedFinding& b) {
+                       const Weight first = weightOf(a.finding), second = weightOf(b.finding);
+                       if (first != second)
+                         return first < second;
+                       return plan::stageOf(a.finding) < plan::stageOf(b.finding);
+                     });
     return rows;
   };
   rows_ = inOrder(findings);
   current_ = rows_.size();
-  blocking_ = static_cast<std::size_t>(std::count_if(
-      rows_.begin(), rows_.end(), [](const ListedFinding& row) { return row.finding.blocking; }));
+  const auto count = [this](Weight weight) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        rows_, [&](const ListedFinding& row) { return weightOf(row.finding) == weight; }));
+  };
+  blocking_ = count(Blocks);
+  differing_ = count(Differs);
   const std::vector<ListedFinding> older = inOrder(before);
   rows_.insert(rows_.end(), older.begin(), older.end());
   endResetModel();
@@ -56,7 +70,7 @@ void FindingsModel::setBlockedOnly(bool only) {
 int FindingsModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid())
     return 0;
-  return static_cast<int>(blockedOnly_ ? blocking_ : rows_.size());
+  return static_cast<int>(blockedOnly_ ? blocking_ + differing_ : rows_.size());
 }
 
 const plan::Finding& FindingsModel::finding(int row) const {
@@ -75,7 +89,9 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
         .join(QLatin1Char('\n'))
         .trimmed();
   case Qt::AccessibleTextRole:
-    return (f.blocking ? tr("Blocked: %1") : tr("Worth knowing: %1"))
+    return (weightOf(f) == Blocks    ? tr("Blocked: %1")
+            : weightOf(f) == Differs ? tr("Not as asked: %1")
+                                     : tr("Worth knowing: %1"))
         .arg((QStringList{reason(index.row())} + formats(index.row())).join(QStringLiteral(", ")));
   case DetailRole:
     return isOutOfDate(index.row()) ? tr("before the change") + QStringLiteral(" · ") + detail(f)
@@ -84,8 +100,8 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
     return formats(index.row());
   case OutOfDateRole:
     return isOutOfDate(index.row());
-  case BlockingRole:
-    return f.blocking;
+  case WeightRole:
+    return weightOf(f);
   default:
     return {};
   }

@@ -1,4 +1,5 @@
-// Findings sorted for reading: blocking first, then by stage.
+// Findings sorted for reading: those that block first, then those by which the printed part
+// differs, then by stage.
 #pragma once
 
 #include "panels/listed_findings.h"
@@ -14,12 +15,16 @@ class FindingsModel : public QAbstractListModel {
 
 public:
   // Roles in addition to Qt::DisplayRole (the reason).
-  enum Role { DetailRole = Qt::UserRole, BlockingRole, OutOfDateRole, FormatsRole };
+  enum Role { DetailRole = Qt::UserRole, WeightRole, OutOfDateRole, FormatsRole };
+  // What a finding means for the programs; WeightRole.
+  enum Weight { Blocks, Differs, Informs };
 
   explicit FindingsModel(QObject* parent = nullptr);
 
-  // `before`: findings from before the last change of the choices; they come last.
-  void setFindings(const plan::Findings& findings, const plan::Findings& before = {});
+  // `before`: findings from before the last change of the choices; they come last. `hasPrograms`:
+  // the plan has programs, so that findings that concern the printed part alone block none of them.
+  void setFindings(const plan::Findings& findings, const plan::Findings& before = {},
+                   bool hasPrograms = false);
   void setBlockedOnly(bool only);
   // Names of the parts that findings concern; empty: the job has one part.
   void setParts(const QStringList& names) { parts_ = names; }
@@ -36,17 +41,21 @@ public:
   QString detail(const plan::Finding& finding) const;
 
   bool isOutOfDate(int row) const { return static_cast<std::size_t>(row) >= current_; }
+  Weight weight(int row) const { return weightOf(finding(row)); }
   // Without those from before the change.
   std::size_t blocking() const { return blocking_; }
+  std::size_t differing() const { return differing_; }
   std::size_t total() const { return current_; }
   // Updates the texts after a change of language.
   void retranslate();
 
 private:
-  // sorted, the blocking ones first; then those from before the change
+  Weight weightOf(const plan::Finding& finding) const;
+
+  // sorted by weight; then those from before the change
   std::vector<ListedFinding> rows_;
-  std::size_t current_ = 0, blocking_ = 0;
-  bool blockedOnly_ = false;
+  std::size_t current_ = 0, blocking_ = 0, differing_ = 0;
+  bool blockedOnly_ = false, hasPrograms_ = false;
   QStringList parts_;
 };
 

@@ -70,12 +70,13 @@ public:
 
     const int side = option.fontMetrics.height();
     const QRect whole = option.rect.adjusted(6, 4, -6, -4);
-    const bool blocking = index.data(FindingsModel::BlockingRole).toBool();
+    const int weight = index.data(FindingsModel::WeightRole).toInt();
     const bool outOfDate = index.data(FindingsModel::OutOfDateRole).toBool();
     forms::paintIcon(*painter, QRectF(whole.left(), whole.top(), side, side),
-                     outOfDate  ? forms::Icon::Pending
-                     : blocking ? forms::Icon::Blocked
-                                : forms::Icon::Warning,
+                     outOfDate                          ? forms::Icon::Pending
+                     : weight == FindingsModel::Blocks  ? forms::Icon::Blocked
+                     : weight == FindingsModel::Differs ? forms::Icon::Warning
+                                                        : forms::Icon::Note,
                      option.palette);
 
     const bool selected = option.state & QStyle::State_Selected;
@@ -258,11 +259,12 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   arrange();
 }
 
-void FindingsPanel::setFindings(const plan::Findings& findings, const plan::Findings& before) {
+void FindingsPanel::setFindings(const plan::Findings& findings, const plan::Findings& before,
+                                bool hasPrograms) {
   const QModelIndex current = list_->currentIndex();
   const std::optional<plan::Finding> chosen =
       current.isValid() ? std::optional(model_->finding(current.row())) : std::nullopt;
-  model_->setFindings(findings, before);
+  model_->setFindings(findings, before, hasPrograms);
   showState();
   if (chosen)
     for (int row = 0; row < model_->rowCount(); ++row)
@@ -426,12 +428,21 @@ void FindingsPanel::showState() {
   const auto count = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
   title_->setText(model_->total() == 0 ? tr("Findings")
                                        : tr("Findings (%1)").arg(count(model_->total())));
-  title_->setToolTip(
-      tr("%1 blocking, %2 for information")
-          .arg(count(model_->blocking()), count(model_->total() - model_->blocking())));
+  const std::size_t blocking = model_->blocking(), differing = model_->differing();
+  const QString informing = count(model_->total() - blocking - differing);
+  title_->setToolTip(differing == 0
+                         ? tr("%1 blocking, %2 for information").arg(count(blocking), informing)
+                         : tr("%1 blocking, %2 not as asked, %3 for information")
+                               .arg(count(blocking), count(differing), informing));
   blockedOnly_->setEnabled(model_->total() > 0);
-  blockedOnly_->setCount(tr("Blocked (%1)").arg(count(model_->blocking())),
-                         count(model_->blocking()));
+  const bool isAmber = blocking == 0 && differing > 0;
+  blockedOnly_->setIcon(forms::icon(isAmber ? forms::Icon::Warning : forms::Icon::Blocked));
+  blockedOnly_->setCount(
+      isAmber ? tr("Not as asked (%1)").arg(count(differing))
+      : differing == 0
+          ? tr("Blocked (%1)").arg(count(blocking))
+          : tr("Blocked (%1), not as asked (%2)").arg(count(blocking), count(differing)),
+      count(isAmber ? differing : blocking));
   if (model_->rowCount() > 0)
     pages_->setCurrentWidget(list_);
   else
@@ -449,7 +460,7 @@ void FindingsPanel::showState() {
 }
 
 void FindingsPanel::retranslate() {
-  blockedOnly_->setToolTip(tr("Show only blocking findings"));
+  blockedOnly_->setToolTip(tr("Show only findings that block, or by which the part differs"));
   show_->setText(tr("Show"));
   show_->setToolTip(tr("Move the camera, the sliders and the robot there"));
   list_->setAccessibleName(tr("Findings"));

@@ -34,8 +34,9 @@ public:
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   // Sorts the findings: blocking first, then by stage. Keeps the selection if it is among the new
-  // ones. Emits nothing. `before`: findings from before the last change of the choices.
-  void setFindings(const plan::Findings& findings, const plan::Findings& before = {});
+  // ones. Emits nothing. `before`, `hasPrograms`: as for FindingsModel::setFindings().
+  void setFindings(const plan::Findings& findings, const plan::Findings& before = {},
+                   bool hasPrograms = false);
   // false (initially): nothing was planned yet, so an empty list has no meaning.
   void setPlanned(bool planned);
   // Stages that have not checked the present choices.

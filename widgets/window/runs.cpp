@@ -130,6 +130,9 @@ QString endText(const document::Document& document) {
   const auto blocking =
       std::count_if(findings.begin(), findings.end(),
                     [](const panels::ListedFinding& row) { return row.finding.blocking; });
+  if (!result->job.report.programs.empty() &&
+      pipeline::verdictOf(result->job.report) == pipeline::PlanVerdict::NotAsAsked)
+    return Runs::tr("Done. Safe to run, not as asked: %1.").arg(blocking);
   return blocking > 0 ? Runs::tr("Done. Blocking findings: %1.").arg(blocking) : Runs::tr("Done.");
 }
 

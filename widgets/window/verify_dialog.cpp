@@ -4,6 +4,7 @@
 #include "panels/listed_findings.h"
 #include "panels/verdict_table.h"
 #include "pipeline/plan_verdict.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
 #include <QDialogButtonBox>
@@ -95,7 +96,9 @@ void VerifyDialog::show(const pipeline::VerifyResult& result) {
     if (found_->count() == kMaxListed)
       break;
     auto* item = new QListWidgetItem(language::words(plan::reasonOf(one.finding)), found_);
-    item->setIcon(forms::icon(one.finding.blocking ? forms::Icon::Blocked : forms::Icon::Warning));
+    item->setIcon(forms::icon(plan::blocksRunning(one.finding) ? forms::Icon::Blocked
+                              : one.finding.blocking           ? forms::Icon::Warning
+                                                               : forms::Icon::Note));
     item->setToolTip(language::words(plan::remedyOf(one.finding)));
   }
   if (listed.size() > kMaxListed)

@@ -40,13 +40,13 @@ void FindingsPresenter::show() {
     (dated.outOfDate ? before : now).push_back(std::move(dated.finding));
   const auto parts = document_.sources();
   panel_.setParts(parts.size() > 1 ? document::shownNames(parts) : QStringList());
-  panel_.setFindings(now, before);
+  panel_.setFindings(now, before, result && !result->job.report.programs.empty());
   std::vector<timeline::Mark> marks;
   if (result)
     for (const plan::Finding& finding : result->job.report.findings)
       if (finding.whenS)
-        marks.push_back(
-            {*finding.whenS, finding.blocking, language::words(plan::reasonOf(finding))});
+        marks.push_back({*finding.whenS, plan::blocksRunning(finding),
+                         language::words(plan::reasonOf(finding))});
   timeline_.setMarks(std::move(marks));
 }
 

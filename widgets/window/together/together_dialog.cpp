@@ -208,9 +208,9 @@ void TogetherDialog::listen() {
           });
   connect(&joining_, &document::Joining::cancelled, this, &TogetherDialog::showResult);
   connect(&joining_, &document::Joining::failed, this,
-          [this](const QString& message) { conclude(message, false); });
+          [this](const QString& message) { conclude(message, forms::Icon::Blocked); });
   connect(&joining_, &document::Joining::written, this, [this](const QString& folder) {
-    conclude(tr("The programs were saved in %1.").arg(folder), true);
+    conclude(tr("The programs were saved in %1.").arg(folder), forms::Icon::Good);
   });
   connect(player_, &timeline::Player::positionChanged, this, &TogetherDialog::setTimeS);
   connect(player_, &timeline::Player::playingChanged, this, &TogetherDialog::refresh);
@@ -316,7 +316,8 @@ void TogetherDialog::refresh() {
   find_->setEnabled(count > 1);
   progress_->setVisible(isBusy);
   cancel_->setVisible(isBusy);
-  save_->setEnabled(!isBusy && result && pipeline::passed(*result));
+  save_->setEnabled(!isBusy && result &&
+                    pipeline::verdictOf(*result) != pipeline::PlanVerdict::Refused);
   const plan::Finding* blocking = result ? pipeline::firstBlocking(result->findings) : nullptr;
   apart_->setVisible(!isBusy && blocking && pipeline::isOfPlaces(*blocking));
   timeline_->setVisible(machines_->endS() > 0.0);
@@ -324,10 +325,10 @@ void TogetherDialog::refresh() {
       timeline::icon(player_->playing() ? timeline::BarIcon::Pause : timeline::BarIcon::Play));
 }
 
-void TogetherDialog::conclude(const QString& text, bool good) {
+void TogetherDialog::conclude(const QString& text, forms::Icon sign) {
   refresh();
   figures_->setText(text);
-  sign_->setPixmap(forms::iconBeside(*figures_, good ? forms::Icon::Good : forms::Icon::Blocked));
+  sign_->setPixmap(forms::iconBeside(*figures_, sign));
 }
 
 void TogetherDialog::showResult() {
@@ -349,6 +350,8 @@ void TogetherDialog::showResult() {
   }
   listPlaces();
   const plan::Finding* refusal = pipeline::firstBlocking(result->findings);
+  const pipeline::PlanVerdict verdict = pipeline::verdictOf(*result);
+  const bool isSafe = verdict != pipeline::PlanVerdict::Refused;
   QStringList lines;
   if (refusal)
     lines << tr("%1: %2").arg(language::words(plan::reasonOf(*refusal)),
@@ -378,7 +381,7 @@ void TogetherDialog::showResult() {
     lines << tr("Minimum distance %1 mm; collisions: %2")
                  .arg(number(result->replay->minDistanceMm, 1))
                  .arg(result->replay->collisions);
-    if (!refusal && !result->work.order->meetings.empty())
+    if (isSafe && !result->work.order->meetings.empty())
       lines << tr("Start the programs in any order: each waits at its first point for the others, "
                   "whatever their signals are, and ends with its signals off. If one is stopped, "
                   "stop all, and start all again.");
@@ -389,7 +392,9 @@ void TogetherDialog::showResult() {
   }
   if (refusal)
     view_->scene().setMarker(refusal->where);
-  conclude(lines.join(QLatin1Char('\n')), !refusal);
+  conclude(lines.join(QLatin1Char('\n')), !refusal ? forms::Icon::Good
+                                          : isSafe ? forms::Icon::Warning
+                                                   : forms::Icon::Blocked);
   setTimeS(0.0);
 }
 

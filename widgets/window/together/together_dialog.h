@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/joining.h"
+#include "forms/icons.h"
 #include "window/together/joined_machines.h"
 
 #include <QDialog>
@@ -68,7 +69,7 @@ private:
   void showResult();
   void listPlaces();
   void goTo(const QListWidgetItem* item);
-  void conclude(const QString& text, bool good);
+  void conclude(const QString& text, forms::Icon sign);
   void refresh();
 
   JoinedMachines* machines_;
