@@ -15,6 +15,7 @@
 #include "process/process.h"
 #include "process/tooling.h"
 #include "project/loaded_part.h"
+#include "sliced/sliced_reader.h"
 #include "toolpath/path_figures.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -244,22 +246,92 @@ std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
       std::vector<base::Value>{count, names})};
 }
 
-plan::Findings withRemediesForGiven(plan::Findings findings, const std::vector<bool>& isGiven) {
+namespace {
+using KindForGiven = std::pair<plan::FindingKind, plan::FindingKind>;
+
+// Kinds with the same values.
+constexpr std::array<KindForGiven, 5> withSameValues() {
   using enum plan::FindingKind;
-  constexpr std::array<std::pair<plan::FindingKind, plan::FindingKind>, 5> kKinds{
-      {{Uncovered, GivenUncovered},
-       {Overfill, GivenOverfill},
-       {Mass, GivenMass},
-       {Unsupported, GivenUnsupported},
-       {LongBridge, GivenLongBridge}}};
+  return {{{Uncovered, GivenUncovered},
+           {Overfill, GivenOverfill},
+           {Mass, GivenMass},
+           {Unsupported, GivenUnsupported},
+           {LongBridge, GivenLongBridge}}};
+}
+
+// Kinds whose counterpart states their reason as a whole.
+constexpr std::array<KindForGiven, 26> withSameReason() {
+  using enum plan::FindingKind;
+  return {{{TinyPart, GivenOddSize},
+           {HugePart, GivenOddSize},
+           {ThinPart, GivenThin},
+           {ThinPartInReach, GivenThin},
+           {LargerThanPlates, GivenTooLarge},
+           {TooLarge, GivenUnreachable},
+           {MuchOutOfReach, GivenUnreachable},
+           {Unreachable, GivenUnreachable},
+           {Unconnected, GivenUnreachable},
+           {StaysUpright, GivenStaysUpright},
+           {HeadInPart, GivenCollision},
+           {HeadInPlatform, GivenCollision},
+           {Collision, GivenCollision},
+           {MeetsOnCloserLook, GivenCollision},
+           {CollisionInMotion, GivenCollisionInMotion},
+           {NoPathTo, GivenTransfer},
+           {NoPathFrom, GivenTransfer},
+           {LeftOut, GivenLeftOut},
+           {ReplayedCollision, GivenReplayedCollision},
+           {OutOfReach, GivenLimit},
+           {JointRange, GivenLimit},
+           {JointSpeed, GivenLimit},
+           {SlideSpeed, GivenLimit},
+           {BranchJump, GivenLimit},
+           {BlendOverlap, GivenLimit},
+           {Flow, GivenLimit}}};
+}
+constexpr auto kSameValues = withSameValues();
+constexpr auto kSameReason = withSameReason();
+
+std::optional<plan::FindingKind> otherKind(std::span<const KindForGiven> kinds,
+                                           plan::FindingKind kind) {
+  const auto row = std::ranges::find(kinds, kind, &KindForGiven::first);
+  return row == kinds.end() ? std::nullopt : std::optional(row->second);
+}
+} // namespace
+
+plan::FindingKind kindForGiven(plan::FindingKind kind) {
+  return otherKind(kSameValues, kind).value_or(otherKind(kSameReason, kind).value_or(kind));
+}
+
+plan::Findings withRemediesForGiven(plan::Findings findings, const std::vector<bool>& isGiven) {
   const bool areAllGiven = std::ranges::all_of(isGiven, std::identity());
   for (plan::Finding& finding : findings) {
     if (finding.item < 0 ? !areAllGiven : !isGiven.at(static_cast<std::size_t>(finding.item)))
       continue;
-    const auto row = std::ranges::find(kKinds, finding.kind,
-                                       &std::pair<plan::FindingKind, plan::FindingKind>::first);
-    if (row != kKinds.end())
-      finding.kind = row->second;
+    if (otherKind(kSameReason, finding.kind)) {
+      finding.values = {{"reason", plan::factOf(finding)}};
+      finding.more = false; // the reason says so
+    }
+    finding.kind = kindForGiven(finding.kind);
+  }
+  return findings;
+}
+
+plan::Findings amountFindings(const project::LoadedPart& loaded) {
+  constexpr double kSameShare = 0.01;
+  plan::Findings findings;
+  for (const base::Message& note : loaded.readNotes) {
+    if (note.text.english() != sliced::kAmountNote.english())
+      continue;
+    const auto amount = [&](std::size_t i) {
+      const auto* quantity = std::get_if<base::Quantity>(&note.values.at(i).data());
+      return quantity ? quantity->number : 0.0;
+    };
+    if (std::abs(amount(1) - amount(0)) > kSameShare * amount(0))
+      findings.push_back(
+          plan::makeFinding(plan::FindingKind::GivenAmountDiffers, {{"stated", note.values.at(0)},
+                                                                    {"read", note.values.at(1)},
+                                                                    {"line", note.values.at(2)}}));
   }
   return findings;
 }

@@ -53,8 +53,16 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
 std::vector<base::Message> missingToolNotes(const plan::ToolPlan& given,
                                             const process::Tooling& tooling);
 
-// Returns findings of the replay with remedies for tool-paths that were not planned: turning the
-// part or choosing another way of building does not change them. `isGiven`: of each item; findings
+// Returns the kind of finding of the same fact whose remedies are for tool-paths that were not
+// planned; `kind` itself if its remedies are for all.
+plan::FindingKind kindForGiven(plan::FindingKind kind);
+
+// Returns a finding if the tool-paths have more than 1 % less or more material than the E words of
+// their file; none if the file has no such amounts.
+plan::Findings amountFindings(const project::LoadedPart& loaded);
+
+// Returns findings with remedies for tool-paths that were not planned: turning or scaling the part,
+// or choosing another way of building, does not change them. `isGiven`: of each item; findings
 // of no item are changed if all of them are. Precondition: findings name items of the job or none.
 plan::Findings withRemediesForGiven(plan::Findings findings, const std::vector<bool>& isGiven);
 

@@ -194,6 +194,8 @@ ItemOutcome ItemStages::load() {
   append(out.findings, size->findings);
   append(out.findings, stand->findings);
   append(out.findings, remainingDefects(*loaded_));
+  if (hasGivenPaths_)
+    append(out.findings, amountFindings(*loaded_));
   append(out.findings, placed_->findings);
   return out;
 }

@@ -97,7 +97,11 @@ private:
   }
 
   // Records that a stage is complete. Returns whether to continue.
-  bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
+  bool done(project::Stage stage, plan::Findings findings, const project::Timings& timings) {
+    std::vector<bool> isGiven;
+    for (const auto& item : items_)
+      isGiven.push_back(item->hasGivenPaths());
+    findings = withRemediesForGiven(std::move(findings), isGiven);
     const bool whole = !context_.isRejected(); // False: the stage ended early
     recordStage(job(), stage, whole ? keys_[project::indexOf(stage)] : std::string(), findings,
                 timings, process().beadWidthMaxMm);

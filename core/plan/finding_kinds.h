@@ -43,6 +43,10 @@ enum class FindingKind : std::uint8_t {
   LargerThanPlates,
   PartsOverlap,
   PartsBlock,
+  GivenAmountDiffers,
+  GivenOddSize,
+  GivenThin,
+  GivenTooLarge,
   // decompose
   PlatformAdrift,
   ShadowedUnderFacet,
@@ -121,6 +125,12 @@ enum class FindingKind : std::uint8_t {
   LeftOut,
   JerkOverLimit,
   LongShot,
+  GivenUnreachable,
+  GivenStaysUpright,
+  GivenCollision,
+  GivenCollisionInMotion,
+  GivenTransfer,
+  GivenLeftOut,
   // replay
   UnreadableLine,
   EndMissing,
@@ -180,6 +190,8 @@ enum class FindingKind : std::uint8_t {
   GivenMass,
   GivenUnsupported,
   GivenLongBridge,
+  GivenReplayedCollision,
+  GivenLimit,
   FormatRefused,
   WithoutForce,
   // of a station: order of work, common run

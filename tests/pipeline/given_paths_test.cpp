@@ -17,8 +17,11 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "project/job.h"
+#include "project/loaded_part.h"
+#include "sliced/sliced_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -243,6 +246,122 @@ TEST(GivenPaths, RemediesForGivenPathsReferToTheSlicer) {
     EXPECT_NE(remedy.find("slice"), std::string::npos) << remedy;
     EXPECT_EQ(remedy.find("turn the part"), std::string::npos) << remedy;
   }
+}
+
+namespace {
+// Kinds of the stages of which a plan of given paths can have findings, without those that only
+// planned layers and paths make.
+bool canConcernGiven(const plan::FindingRow& row) {
+  using enum plan::FindingKind;
+  constexpr std::array kOfPlanned{Verbatim,
+                                  Stopped,
+                                  CellsTurned,
+                                  CellsLifted,
+                                  MeshDefect,
+                                  OpenRims,
+                                  SheetModel,
+                                  RimsClosed,
+                                  SheetsLeftOut,
+                                  SurfaceThickened,
+                                  SurfaceAsWall,
+                                  LiesBadly,
+                                  TurnedMinRiskyArea,
+                                  TurnedFewestMissed,
+                                  TurnedMinResidualArea,
+                                  TurnedMinAfterCuts,
+                                  TurnedAfterCuts,
+                                  NotTurned,
+                                  PatchWithoutBead,
+                                  ThinWallsWidened,
+                                  ThinWallsLeftOut,
+                                  HollowSkin,
+                                  SpiralEnds,
+                                  SpiralInterrupted,
+                                  RimSupports,
+                                  PrimeFalls,
+                                  BrimCut,
+                                  Braced,
+                                  Gouge,
+                                  Overload,
+                                  NoTape,
+                                  TapesLeftOut,
+                                  TapesBare,
+                                  NothingToPrint,
+                                  LongShot,
+                                  BeyondRod};
+  const bool isOfStage = row.stage == plan::Stage::Load || row.stage == plan::Stage::Toolpath ||
+                         row.stage == plan::Stage::Motion || row.stage == plan::Stage::Replay;
+  return isOfStage && row.kind < PlatesOverlap &&
+         std::ranges::find(kOfPlanned, row.kind) == kOfPlanned.end();
+}
+} // namespace
+
+// The user of a slicer's file moves the part, chooses cell and process, and slices again.
+TEST(GivenPaths, NoRemedyAdvisesWhatTheUserOfAFileCannotDo) {
+  for (const plan::FindingRow& planned : plan::findingRows()) {
+    if (!canConcernGiven(planned))
+      continue;
+    const plan::FindingRow& row = plan::rowOf(kindForGiven(planned.kind));
+    if (planned.kind != plan::FindingKind::Unconnected) { // reported as unreachable
+      EXPECT_EQ(row.reportId, planned.reportId) << planned.id;
+    }
+    EXPECT_EQ(row.concern, planned.concern) << planned.id;
+    EXPECT_EQ(row.severity, planned.severity) << planned.id;
+    EXPECT_EQ(row.stage, planned.stage) << planned.id;
+    for (const std::string_view banned :
+         {"turn the part", "turn it", "rotate", "orient", "mode", "add supports", "at scale",
+          "--scale", "layer height", "lower layers", "thinner layers", "voxel", "--units",
+          "density", "Voluta", "scale the part"}) {
+      const bool isSlicers = row.remedy.english().find("slice") != std::string_view::npos;
+      EXPECT_TRUE(isSlicers || row.remedy.english().find(banned) == std::string_view::npos)
+          << planned.id << ": " << row.remedy.english();
+    }
+    using enum plan::RemedyId;
+    for (const plan::RemedyId banned :
+         {ScaleToFit, Shrink, ScaleUp, ScaleToReach, ScaleToPlate, Enlarge, UnitsMetres,
+          UnitsInches, UnitsMicrometres, AddSupports, RotateToMinRiskyArea, OrientPart, StandBest,
+          PrintFlat, ChooseStrategy, LowerLayers, AdaptLayers})
+      EXPECT_EQ(std::ranges::count(row.remedies, banned), 0) << planned.id;
+  }
+}
+
+// The reason stays as it was, with further ones that are not listed.
+TEST(GivenPaths, AFindingKeepsItsReasonAndItsPlace) {
+  using enum plan::FindingKind;
+  plan::Findings planned{
+      plan::makeMoreFinding(Unreachable, {{"place", "layer 3"_name}}, Eigen::Vector3d(1, 2, 3), 7),
+      plan::makeFinding(CollisionInMotion, {{"first", "arm"_name}, {"second", "plate"_name}}),
+      plan::makeFinding(FlowErrors, {{"share", base::percent(2.0)}})};
+  planned[0].whenS = 4.0;
+  const plan::Findings given = withRemediesForGiven(planned, {true});
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    EXPECT_EQ(plan::englishReason(given[i]), plan::englishReason(planned[i]));
+    EXPECT_EQ(given[i].where, planned[i].where);
+    EXPECT_EQ(given[i].whenS, planned[i].whenS);
+    EXPECT_EQ(given[i].count, planned[i].count);
+    EXPECT_EQ(plan::blocksRunning(given[i]), plan::blocksRunning(planned[i]));
+  }
+  const plan::Findings twice = withRemediesForGiven(given, {true});
+  EXPECT_EQ(plan::englishReason(twice[0]), plan::englishReason(given[0]));
+  EXPECT_EQ(withRemediesForGiven(planned, {false})[0].kind, Unreachable);
+}
+
+// A file that states more material than its tool-paths have is printed, and amber.
+TEST(GivenPaths, MaterialThatTheReaderDoesNotKnowIsAFinding) {
+  const auto findingOf = [](double stated, double read) {
+    project::LoadedPart loaded;
+    loaded.readNotes = {base::message(sliced::kAmountNote, base::mm3(stated), base::mm3(read),
+                                      base::message("in line {line} first"_text, 12))};
+    return amountFindings(loaded);
+  };
+  EXPECT_TRUE(findingOf(1000.0, 991.0).empty());
+  const plan::Findings found = findingOf(1000.0, 950.0);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].blocking);
+  EXPECT_FALSE(plan::blocksRunning(found[0]));
+  EXPECT_EQ(plan::englishReason(found[0]),
+            "the file extrudes 1000 mm3 by its E words, the tool-paths taken from it have 950 mm3; "
+            "they part in line 12 first");
 }
 
 TEST(GivenPaths, AProjectKeepsThem) {

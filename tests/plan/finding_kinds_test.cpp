@@ -205,7 +205,7 @@ TEST(FindingKinds, SayWhichVerdictTheyConcern) {
       Uncovered,      Overfill,      Mass,      Unsupported,      CoolingTime,
       GivenUncovered, GivenOverfill, GivenMass, GivenUnsupported, MachineDiffers};
   const std::set<FindingKind> unsafeBefore{Verbatim,          Stopped,   Overload,
-                                           CollisionInMotion, HomeMeets};
+                                           CollisionInMotion, HomeMeets, GivenCollisionInMotion};
   const auto isOfStation = [](FindingKind kind) {
     return kind >= PlatesOverlap && kind <= MachineRefused;
   };

@@ -108,6 +108,22 @@ inline constexpr FindingRow kLoadRows[] = {
         "the head may touch {first} or {second} beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}"_text,
         "arrange the parts, or print them layer by layer"_text,
         {.remedies = kOffers<PrintByLayer>}),
+    error(
+        GivenAmountDiffers, "givenAmountDiffers",
+        "the file extrudes {stated:.0f} by its E words, the tool-paths taken from it have {read:.0f}; they part {line}"_text,
+        "look at that line: export the file again without it, with straight lines or arcs (G1, G2, G3)"_text,
+        {.whyNoRemedy = kSlicersPaths}),
+    error(GivenOddSize, "givenOddSize", kSameReason,
+          "export the file again in millimetres, at the size to be printed"_text,
+          {.reportId = "oddSize", .whyNoRemedy = kSlicersPaths}),
+    byAmount(GivenThin, "givenThin", kSameReason,
+             "choose a process with narrower beads, or slice the part again with wider ones"_text,
+             {.reportId = "thinPart",
+              .remedies = kOffers<FinerProcess>,
+              .whyNoRemedy = kSlicersPaths}),
+    error(GivenTooLarge, "givenTooLarge", kSameReason,
+          "use a cell with a larger plate, or slice the part again at a smaller size"_text,
+          {.reportId = "tooLarge", .remedies = kOffers<LargerCell>, .whyNoRemedy = kSlicersPaths}),
 };
 
 } // namespace voluta::plan::finding_rows

@@ -10,6 +10,10 @@ inline constexpr std::span<const RemedyId> kForOutOfReach =
 inline constexpr std::span<const RemedyId> kForCollision =
     kOffers<LessClearance, MoreTurns, Shrink, CentrePart>;
 inline constexpr base::Text kRotateOrClearance = "turn the part, or allow less clearance"_text;
+inline constexpr base::Text kMoveOrClearance =
+    "move the part on the plate, use a slimmer print head, or allow less clearance"_text;
+inline constexpr std::span<const RemedyId> kForGivenCollision =
+    kOffers<LessClearance, MoreTurns, CentrePart>;
 inline constexpr base::Text kMoreWaypoints =
     "{count} more waypoint: {what}|{count} more waypoints, the first: {what}"_plural;
 
@@ -101,6 +105,31 @@ inline constexpr FindingRow kMotionRows[] = {
         LongShot, "longShot",
         "{shots} shot into a pocket lasts up to {seconds:.1f}: after {most:.0f} in the pocket the nozzle melts the layers around it|{shots} shots into pockets last up to {seconds:.1f}: after {most:.0f} in a pocket the nozzle melts the layers around it"_plural,
         "use a process with a greater flow, or smaller pockets (`stitchDiameter`)"_text),
+    error(GivenUnreachable, "givenUnreachable", kSameReason, kMovePart,
+          {.reportId = "unreachable",
+           .remedies = kOffers<CentrePart, LargerCell, MoreTurns>,
+           .whyNoRemedy = kSlicersPaths}),
+    error(GivenStaysUpright, "givenStaysUpright", kSameReason,
+          "use a cell whose arm can tilt the nozzle, or print the paths on the plate"_text,
+          {.reportId = "staysUpright",
+           .remedies = kOffers<UsualCell>,
+           .whyNoRemedy = kSlicersPaths}),
+    error(GivenCollision, "givenCollision", kSameReason, kMoveOrClearance,
+          {.reportId = "collision",
+           .remedies = kForGivenCollision,
+           .whyNoRemedy = kSlicersPaths}),
+    error(GivenCollisionInMotion, "givenCollisionInMotion", kSameReason, kMoveOrClearance,
+          {.reportId = "collision",
+           .remedies = kForGivenCollision,
+           .whyNoRemedy = kSlicersPaths,
+           .concern = Concern::Safety}),
+    error(GivenTransfer, "givenTransfer", kSameReason, kMoveOrClearance,
+          {.reportId = "transfer",
+           .remedies = kForGivenCollision,
+           .whyNoRemedy = kSlicersPaths}),
+    info(GivenLeftOut, "givenLeftOut", kSameReason,
+         "check these places in the view; move the part on the plate if they matter"_text,
+         {.reportId = "leftOut"}),
 };
 
 } // namespace voluta::plan::finding_rows

@@ -22,8 +22,6 @@ inline constexpr std::span<const RemedyId> kForFill =
     kOffers<LowerLayers, FinerProcess, ChooseStrategy, AcceptShare>;
 inline constexpr std::span<const RemedyId> kForLimits =
     kOffers<MoreTurns, Shrink, CentrePart, PrintFlat>;
-inline constexpr base::Text kSlicersPaths =
-    "the tool-paths are those of the file: change them where they were made"_text;
 inline constexpr base::Text kSliceSupports =
     "slice the part again with supports there, or with denser infill; its tool-paths are printed as they are"_text;
 inline constexpr base::Text kSlower =
@@ -201,6 +199,16 @@ inline constexpr FindingRow kReplayRows[] = {
           forGiven("unsupported")),
     info(GivenLongBridge, "givenLongBridge", kBridgeLength, kSliceSupports,
          {.reportId = "longBridge", .whyNoRemedy = kSlicersPaths}),
+    error(GivenReplayedCollision, "givenReplayedCollision", kSameReason,
+          "plan again with more clearance, or move the part on the plate"_text,
+          {.reportId = "collision",
+           .remedies = kOffers<MoreClearance, CentrePart>,
+           .whyNoRemedy = kSlicersPaths}),
+    error(GivenLimit, "givenLimit", kSameReason,
+          "move the part on the plate, or slice it again for a lower speed there"_text,
+          {.reportId = "limit",
+           .remedies = kOffers<MoreTurns, CentrePart>,
+           .whyNoRemedy = kSlicersPaths}),
     error(FormatRefused, "formatRefused", "no {format} program: {why}"_text, "{help}"_text,
           {.reportId = "programRefused", .whyNoRemedy = "choose another program format"_text}),
     info(

@@ -62,6 +62,11 @@ inline constexpr base::Text kWriteAgain =
     "write the program again; to keep this change, make it in the plan"_text;
 inline constexpr base::Text kOthersHelp = "see the remedies of the findings before this one"_text;
 inline constexpr base::Text kCellFile = "change the cell's file: Edit, Edit cell"_text;
+inline constexpr base::Text kSlicersPaths =
+    "the tool-paths are those of the file: change them where they were made"_text;
+inline constexpr base::Text kSameReason = "{reason}"_text; // of a finding with another remedy
+inline constexpr base::Text kMovePart =
+    "move the part on the plate, or use another cell; its tool-paths are printed as they are"_text;
 inline constexpr base::Text kBreakOff = "break it off after printing"_text;
 inline constexpr base::Text kRotateOrOther =
     "turn the part (`orient=leastRisky`), or use planar or curved mode"_text;
