@@ -78,11 +78,12 @@ void sayResult(const project::Report& r) {
   fmt::print("\n");
   const project::ReplayReport replay = project::shownFigures(r.replay);
   if (!replay.thresholds.quality.empty()) // of a program that was judged
-    fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
-               "{} collisions, deviation {:.4f} mm\n",
-               verdictWords(pipeline::verdictOf(r)), replay.coveredFraction,
-               replay.unsupportedFraction, replay.overfillFraction, replay.massRatio,
-               replay.collisions, replay.maxDeviationMm);
+    fmt::print(
+        "replay {}: covered {:.4f}, thin {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
+        "{} collisions, deviation {:.4f} mm\n",
+        verdictWords(pipeline::verdictOf(r)), replay.coveredFraction, replay.thinFraction,
+        replay.unsupportedFraction, replay.overfillFraction, replay.massRatio, replay.collisions,
+        replay.maxDeviationMm);
 }
 
 // Returns the programs with verification reports in `folder` that no file of `staged` replaces.

@@ -67,11 +67,12 @@ ExitCode verifyCommand(const VerifyOptions& options) {
   const pipeline::VerifyResult& result = *ended;
   const project::ReplayReport shown = project::shownFigures(result.replay);
   const pipeline::PlanVerdict verdict = pipeline::verdictOf(result);
-  fmt::print("{}: {} ({}): covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, {} "
+  fmt::print("{}: {} ({}): covered {:.4f}, thin {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass "
+             "{:.4f}, {} "
              "collisions, {} limit violations, deviation {:.4f} mm\n",
              options.program.string(), verdictWords(verdict), result.format, shown.coveredFraction,
-             shown.unsupportedFraction, shown.overfillFraction, shown.massRatio, shown.collisions,
-             shown.limitViolations, shown.maxDeviationMm);
+             shown.thinFraction, shown.unsupportedFraction, shown.overfillFraction, shown.massRatio,
+             shown.collisions, shown.limitViolations, shown.maxDeviationMm);
   sayFindings(options.program, result.findings);
   return verdict == pipeline::PlanVerdict::Passed ? kDone : kNotAll;
 }

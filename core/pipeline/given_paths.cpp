@@ -250,9 +250,10 @@ namespace {
 using KindForGiven = std::pair<plan::FindingKind, plan::FindingKind>;
 
 // Kinds with the same values.
-constexpr std::array<KindForGiven, 5> withSameValues() {
+constexpr std::array<KindForGiven, 6> withSameValues() {
   using enum plan::FindingKind;
   return {{{Uncovered, GivenUncovered},
+           {Thin, GivenThin},
            {Overfill, GivenOverfill},
            {Mass, GivenMass},
            {Unsupported, GivenUnsupported},
@@ -264,8 +265,8 @@ constexpr std::array<KindForGiven, 26> withSameReason() {
   using enum plan::FindingKind;
   return {{{TinyPart, GivenOddSize},
            {HugePart, GivenOddSize},
-           {ThinPart, GivenThin},
-           {ThinPartInReach, GivenThin},
+           {ThinPart, GivenThinPart},
+           {ThinPartInReach, GivenThinPart},
            {LargerThanPlates, GivenTooLarge},
            {TooLarge, GivenUnreachable},
            {MuchOutOfReach, GivenUnreachable},

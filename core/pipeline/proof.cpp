@@ -228,6 +228,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   if (proof.armChecked)
     putMargins(proof, result, measured, places);
   proof.gap = places.near(checked.worst.gap);
+  proof.thin = places.near(checked.worst.thin);
   proof.overfill = places.near(checked.worst.overfill);
   proof.unsupported = places.near(checked.worst.unsupported);
   proof.halfCarried = places.near(checked.worst.halfCarried);
@@ -268,6 +269,8 @@ Json replayJson(const Proof& proof) {
               {"planPassed", proof.decision == PlanVerdict::Passed},
               {"blocking", std::move(blockers)},
               {"coveredFraction", v.coveredFraction},
+              {"thinFraction", v.thinFraction},
+              {"thinMm3", v.thinMm3},
               {"unsupportedFraction", v.unsupportedFraction},
               {"halfCarriedFraction", v.halfCarriedFraction},
               {"longestUnsupportedMm", v.longestUnsupportedMm},
@@ -375,6 +378,7 @@ std::string proofJson(const Proof& proof) {
             {"armChecked", proof.armChecked},
             {"worst",
              {{"coveredFraction", placeJson(proof.gap)},
+              {"thinFraction", placeJson(proof.thin)},
               {"overfillFraction", placeJson(proof.overfill)},
               {"unsupportedFraction", placeJson(proof.unsupported)},
               {"halfCarriedFraction", placeJson(proof.halfCarried)},

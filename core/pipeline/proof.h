@@ -80,8 +80,8 @@ struct Proof {
   std::vector<Joint> joints;
   ProofValue isotropy; // motion/joint_margins.h; 0: singular
   // Worst places of the replay's figures (replay/worst_places.h).
-  ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError,
-      layerTime;
+  ProofPlace gap, thin, overfill, unsupported, halfCarried, longestUnsupported, deviation,
+      flowError, layerTime;
   double minLayerTimeS = 0.0; // required; 0: none
   FillMap fill;
 };

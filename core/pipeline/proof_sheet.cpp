@@ -194,6 +194,11 @@ private:
             message("Fill: {share:.1f} of the part is filled; at least {limit:.4g} required."_text,
                     share(verdict_.coveredFraction, limits.covered, 1), share(limits.covered)),
             place(proof_.gap));
+    quality(verdict_.thinFraction <= limits.thin,
+            message("Thin: {share:.1f} of the part is narrower than the narrowest bead and stays "
+                    "open; at most {limit:.4g} allowed."_text,
+                    share(verdict_.thinFraction, limits.thin, 1), share(limits.thin)),
+            place(proof_.thin));
     quality(verdict_.overfillFraction <= limits.overfill,
             message("Overfill: {share:.1f} of the part's volume lies outside it or in places "
                     "already full; at most {limit:.4g} allowed."_text,

@@ -13,7 +13,7 @@ namespace {
 using plan::FindingKind;
 using replay::ReplayThresholds;
 
-constexpr std::array<QualityFigure, 4> kFigures{
+constexpr std::array<QualityFigure, 5> kFigures{
     {{"uncovered", "uncovered"_text, FindingKind::Uncovered, FindingKind::GivenUncovered,
       &ReplayThresholds::coveredMin, true},
      {"unsupported", "unsupported"_text, FindingKind::Unsupported, FindingKind::GivenUnsupported,
@@ -21,12 +21,13 @@ constexpr std::array<QualityFigure, 4> kFigures{
      {"overfill", "overfill"_text, FindingKind::Overfill, FindingKind::GivenOverfill,
       &ReplayThresholds::overfillMax},
      {"mass", "mass"_text, FindingKind::Mass, FindingKind::GivenMass,
-      &ReplayThresholds::massTolerance}}};
+      &ReplayThresholds::massTolerance},
+     {"thin", "thin"_text, FindingKind::Thin, FindingKind::GivenThin, &ReplayThresholds::thinMax}}};
 
 constexpr std::array<QualityLevel, 3> kLevels{
-    {{"strict", "strict"_text, {0.03, 0.005, 0.03, 0.03}},
-     {"usual", "usual"_text, {0.06, 0.02, 0.06, 0.06}, true},
-     {"draft", "draft"_text, {0.12, 0.05, 0.12, 0.12}, true}}};
+    {{"strict", "strict"_text, {0.03, 0.005, 0.03, 0.03, 0.03}},
+     {"usual", "usual"_text, {0.06, 0.02, 0.06, 0.06, 0.06}, true},
+     {"draft", "draft"_text, {0.12, 0.05, 0.12, 0.12, 0.12}, true}}};
 
 const QualityLevel& levelNamed(std::string_view id) {
   return *std::ranges::find(kLevels, id, &QualityLevel::id);
@@ -100,7 +101,7 @@ base::ParameterTable qualityParameters() {
            true),
        base::textParameter("accept", "Quality"_text, "accepted differences"_text,
                            "Shares that are accepted in this job beyond the quality's limits: "
-                           "uncovered, unsupported, overfill and mass, such as "
+                           "uncovered, unsupported, overfill, mass and thin, such as "
                            "uncovered=0.05, mass=0.04. Verification reports list them."_text)});
 }
 

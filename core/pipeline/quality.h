@@ -30,7 +30,7 @@ std::span<const QualityFigure> qualityFigures();
 struct QualityLevel {
   std::string_view id;
   base::Text label;
-  std::array<double, 4> shares;
+  std::array<double, 5> shares;
   bool bridgesMaySag = false;
 };
 // From the strictest to the most lenient one.

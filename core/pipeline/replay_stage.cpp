@@ -167,6 +167,8 @@ project::ReplayReport replayReport(const replay::Verification& verdict, const Qu
   r.passed = verdict.passed;
   r.safeToRun = verdict.safeToRun;
   r.coveredFraction = verdict.coveredFraction;
+  r.thinFraction = verdict.thinFraction;
+  r.thinMm3 = verdict.thinMm3;
   r.unsupportedFraction = verdict.unsupportedFraction;
   r.halfCarriedFraction = verdict.halfCarriedFraction;
   r.longestUnsupportedMm = verdict.longestUnsupportedMm;
@@ -178,7 +180,8 @@ project::ReplayReport replayReport(const replay::Verification& verdict, const Qu
   r.controllerDurationS = verdict.durationS;
   r.flowErrorFraction = verdict.flowErrorFraction;
   for (const replay::ItemFigures& item : verdict.items)
-    r.items.push_back({item.coveredFraction, item.unsupportedFraction, item.massRatio});
+    r.items.push_back(
+        {item.coveredFraction, item.unsupportedFraction, item.massRatio, item.thinFraction});
   r.shortestLayerTimeS = verdict.layerTimes.shortestS;
   r.meanLayerTimeS = verdict.layerTimes.meanS;
   r.longestLayerTimeS = verdict.layerTimes.longestS;
@@ -191,6 +194,7 @@ project::ReplayReport replayReport(const replay::Verification& verdict, const Qu
   r.thresholds.unsupported = limits.unsupportedMax;
   r.thresholds.overfill = limits.overfillMax;
   r.thresholds.mass = limits.massTolerance;
+  r.thresholds.thin = limits.thinMax;
   r.thresholds.collisions = limits.collisionsMax;
   r.thresholds.limitViolations = limits.limitViolationsMax;
   r.thresholds.deviationMm = limits.deviationMaxMm;

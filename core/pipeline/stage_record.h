@@ -15,7 +15,8 @@ namespace voluta::pipeline {
 
 // Adds findings and timings of the stage to the job's report; the stage is then the last one of the
 // job. In a job of several items, findings of stages after Load name the item in whose box, widened
-// by `marginMm`, they lie (nameItems). `key`: empty for a stage that ended early.
+// by `marginMm`, they lie (nameItems). `key`: empty for a stage that ended early. Findings on thin
+// places are settled by those of replay.
 void recordStage(project::Job& job, project::Stage stage, std::string key,
                  const plan::Findings& findings, const project::Timings& timings, double marginMm);
 

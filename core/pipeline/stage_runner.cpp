@@ -227,11 +227,16 @@ private:
       findings.push_back(*load);
     const bool continues = done(project::Stage::Toolpath, findings, stage->timings);
     if (continues && context_.isTrial() && !given && report().item().model.watertight)
-      if (const auto mass =
-              massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_), process(),
-                             thresholdsOf(qualityOf(resolved_.values)).massTolerance))
+      if (const auto mass = massOutOfReach(*stage->toolPlan, *judgedPart(job(), resolved_),
+                                           process(), massLeeway()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return continues;
+  }
+
+  // Material may be missing in places that are thinner than a bead.
+  double massLeeway() const {
+    const replay::ReplayThresholds limits = thresholdsOf(qualityOf(resolved_.values));
+    return limits.massTolerance + limits.thinMax;
   }
 
   // Of the items without tool-paths of their own. `others`: where the other items are printed.

@@ -59,20 +59,21 @@ struct ProgramReport {
 // The limits that a replay must keep to pass.
 struct ThresholdsReport {
   double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
-  double flowError = 0.0;
+  double flowError = 0.0, thin = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   std::string quality = {}, accepted = {}; // as parameters `quality` and `accept`
 };
 
 // Of one item among several.
 struct ItemReplayReport {
-  double coveredFraction = 0.0, unsupportedFraction = 0.0, massRatio = 0.0;
+  double coveredFraction = 0.0, unsupportedFraction = 0.0, massRatio = 0.0, thinFraction = 0.0;
 };
 
 struct ReplayReport {
   bool passed = false;    // safe to run, and prints the part as asked
   bool safeToRun = false; // false in older reports: passed implies it
   double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
+  double thinFraction = 0.0, thinMm3 = 0.0; // open because narrower than the narrowest bead
   double halfCarriedFraction = 0.0, longestUnsupportedMm = 0.0;
   std::size_t collisions = 0, limitViolations = 0;
   double maxDeviationMm = 0.0;

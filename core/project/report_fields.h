@@ -160,6 +160,7 @@ constexpr auto fieldsOf(std::type_identity<ThresholdsReport>) {
                     Field{"unsupported", &R::unsupported},
                     Field{"overfill", &R::overfill},
                     Field{"mass", &R::mass},
+                    Field{"thin", &R::thin, "", true},
                     Field{"collisions", &R::collisions},
                     Field{"limitViolations", &R::limitViolations},
                     Field{"deviationMm", &R::deviationMm, "mm"},
@@ -170,6 +171,8 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
   return std::tuple{Field{"passed", &R::passed},
                     Field{"safeToRun", &R::safeToRun, "", true},
                     Field{"coveredFraction", &R::coveredFraction, "%"},
+                    Field{"thinFraction", &R::thinFraction, "%", true},
+                    Field{"thinMm3", &R::thinMm3, "mm³", true},
                     Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
                     Field{"halfCarriedFraction", &R::halfCarriedFraction, "%", true},
                     Field{"longestUnsupportedMm", &R::longestUnsupportedMm, "mm", true},
@@ -192,7 +195,8 @@ constexpr auto fieldsOf(std::type_identity<ItemReplayReport>) {
   using R = ItemReplayReport;
   return std::tuple{Field{"coveredFraction", &R::coveredFraction, "%"},
                     Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
-                    Field{"massRatio", &R::massRatio}};
+                    Field{"massRatio", &R::massRatio},
+                    Field{"thinFraction", &R::thinFraction, "%", true}};
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {
   using R = TriedReport;

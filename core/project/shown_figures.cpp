@@ -19,6 +19,7 @@ double massLimit(double ratio, double tolerance) {
 ReplayReport shownFigures(ReplayReport r) {
   for (const ItemReplayReport& item : r.items) {
     r.coveredFraction = std::min(r.coveredFraction, item.coveredFraction);
+    r.thinFraction = std::max(r.thinFraction, item.thinFraction);
     r.unsupportedFraction = std::max(r.unsupportedFraction, item.unsupportedFraction);
     if (std::abs(item.massRatio - 1.0) > std::abs(r.massRatio - 1.0))
       r.massRatio = item.massRatio;
@@ -30,6 +31,7 @@ ReplayReport shownFigures(ReplayReport r) {
   };
   if (r.coveredFraction < limits.covered)
     r.coveredFraction = base::roundedBeyond(r.coveredFraction, limits.covered, kShareDecimals);
+  atMost(r.thinFraction, limits.thin, kShareDecimals);
   atMost(r.unsupportedFraction, limits.unsupported, kShareDecimals);
   atMost(r.overfillFraction, limits.overfill, kShareDecimals);
   atMost(r.flowErrorFraction, limits.flowError, kShareDecimals);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace voluta::replay {
 
@@ -142,18 +143,21 @@ namespace {
 struct ItemSum {
   double covered = 0.0, part = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0, interior = 0.0;
   Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
+  double thin = 0.0, thinInBlock = 0.0; // in all, in the worst block
+  Eigen::Vector3d thinAt = Eigen::Vector3d::Zero();
 };
 
 struct SlabSum {
   std::vector<ItemSum> items;
+  std::vector<float> thin; // per item and block; empty: none
   double outside = 0.0;
 };
 
 class SlabMeasure {
 public:
   SlabMeasure(const BeadGrid& beads, const PartCells& cells, const geometry::MeshQuery& query,
-              const SurfaceBands& bands, const ItemFinder& items)
-      : beads_(beads), grid_(beads.grid), cells_(cells), query_(query), bands_(bands),
+              const SurfaceBands& bands, const ItemFinder& items, const ThinCells& thin)
+      : thin_(thin), beads_(beads), grid_(beads.grid), cells_(cells), query_(query), bands_(bands),
         items_(items), block_(std::max(1, static_cast<int>(std::lround(3.0 / grid_.pitch)))),
         blocksX_((grid_.size.x() + block_ - 1) / block_),
         blocksY_((grid_.size.y() + block_ - 1) / block_) {}
@@ -166,15 +170,17 @@ public:
   SlabSum measure(std::size_t slab, const base::RunContext& ctx) const {
     SlabSum sum;
     sum.items.resize(items_.count());
-    const auto blocks = static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_);
-    std::vector<double> gap(blocks * items_.count());
+    const std::size_t blocks = this->blocks();
+    std::vector<double> gap(blocks * items_.count()), open(gap.size());
     const int first = static_cast<int>(slab) * block_;
     for (int k = first; k < std::min(first + block_, grid_.size.z()); ++k)
       for (int j = 0; j < grid_.size.y(); ++j) {
         if (ctx.cancelled())
           return sum;
+        ThinRow thinShares = thinRow(k, grid_.index(0, j, k));
         for (int i = 0; i < grid_.size.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
+          const double thin = thinShares.at(c);
           const double share = cells_.share[c] / 255.0, fill = fillOf(c);
           if (cells_.share[c] == 0 && fill <= 0.0)
             continue;
@@ -188,8 +194,13 @@ public:
           own.part += share;
           own.covered += std::min(share, fill);
           own.notch += notch;
-          gap[item * blocks + static_cast<std::size_t>(j / block_ * blocksX_ + i / block_)] +=
-              std::max(0.0, share - fill - notch);
+          const std::size_t block =
+              item * blocks + static_cast<std::size_t>(j / block_ * blocksX_ + i / block_);
+          const double missing = std::max(0.0, share - fill - notch),
+                       thinAndOpen = std::min(thin, missing);
+          own.thin += thinAndOpen;
+          open[block] += thinAndOpen;
+          gap[block] += missing - thinAndOpen;
           if (fill <= share)
             continue;
           const bool outside = cells_.share[c] == 0 && !isNear(i, j, k, bands_.outsideMm);
@@ -202,12 +213,74 @@ public:
       sum.items[item].gap = *worst;
       const auto b = static_cast<int>(worst - from);
       sum.items[item].gapAt =
-          middleOfGap({b % blocksX_ * block_, b / blocksX_ * block_, first}, item);
+          middleOfGap({b % blocksX_ * block_, b / blocksX_ * block_, first}, item, false);
+      const auto thinFrom = open.begin() + static_cast<std::ptrdiff_t>(item * blocks);
+      const auto most = std::max_element(thinFrom, thinFrom + static_cast<std::ptrdiff_t>(blocks));
+      sum.items[item].thinInBlock = *most;
+      const auto t = static_cast<int>(most - thinFrom);
+      if (*most > 0.0)
+        sum.items[item].thinAt =
+            middleOfGap({t % blocksX_ * block_, t / blocksX_ * block_, first}, item, true);
     }
+    if (!thin_.firstOfRow.empty())
+      sum.thin.assign(open.begin(), open.end());
     return sum;
   }
 
+  // Counts groups of neighbouring blocks, seen from above, with more than 2 % of an item's open
+  // thin volume each. `open`: per block, summed over the slabs.
+  std::size_t places(std::vector<double> open) const {
+    constexpr double kNoticeable = 0.02;
+    const double least = kNoticeable * std::accumulate(open.begin(), open.end(), 0.0);
+    std::size_t count = 0;
+    std::vector<int> stack;
+    for (int start = 0; start < static_cast<int>(open.size()); ++start) {
+      if (open[static_cast<std::size_t>(start)] <= least)
+        continue;
+      ++count;
+      stack.assign(1, start);
+      while (!stack.empty()) {
+        const int block = stack.back(), x = block % blocksX_, y = block / blocksX_;
+        stack.pop_back();
+        open[static_cast<std::size_t>(block)] = 0.0;
+        for (int j = std::max(0, y - 1); j <= std::min(blocksY_ - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(blocksX_ - 1, x + 1); ++i)
+            if (open[static_cast<std::size_t>(j * blocksX_ + i)] > least) {
+              open[static_cast<std::size_t>(j * blocksX_ + i)] = 0.0;
+              stack.push_back(j * blocksX_ + i);
+            }
+      }
+    }
+    return count;
+  }
+
+  std::size_t blocks() const {
+    return static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_);
+  }
+
 private:
+  // Reads the thin cells in ascending order.
+  struct ThinRow {
+    const ThinCells::Cell *next, *end;
+    double at(std::size_t cell) {
+      while (next != end && next->index < cell)
+        ++next;
+      return next != end && next->index == cell ? next->share / 255.0 : 0.0;
+    }
+  };
+  ThinRow thinRow(int k, std::size_t from) const {
+    if (thin_.firstOfRow.empty())
+      return {nullptr, nullptr};
+    const ThinCells::Cell* cells = thin_.cells.data();
+    const auto row = static_cast<std::size_t>(k);
+    const ThinCells::Cell *begin = cells + thin_.firstOfRow[row],
+                          *end = cells + thin_.firstOfRow[row + 1];
+    return {std::lower_bound(
+                begin, end, from,
+                [](const ThinCells::Cell& cell, std::size_t index) { return cell.index < index; }),
+            end};
+  }
+
   double fillOf(std::size_t c) const {
     const double other = beads_.otherFill.empty() ? 0.0 : static_cast<double>(beads_.otherFill[c]);
     return std::max(0.0, static_cast<double>(beads_.fill[c]) - other);
@@ -235,9 +308,9 @@ private:
     return notch;
   }
 
-  // Returns the mean position of the item's material that is missing in the block from `low` on;
-  // zero if none is.
-  Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low, std::size_t item) const {
+  // Returns the mean position of the item's material that is missing in the block from `low` on,
+  // in thin places or in all others; zero if none is.
+  Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low, std::size_t item, bool ofThin) const {
     const Eigen::Vector3i end = (low.array() + block_).min(grid_.size.array());
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double missing = 0.0;
@@ -248,7 +321,8 @@ private:
           if (cells_.share[c] == 0 || items_.at(grid_.centre(i, j, k)) != item ||
               isInterior(i, j, k, item))
             continue;
-          const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c) - notchAt(i, j, k));
+          const double all = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c) - notchAt(i, j, k)),
+                       thin = std::min(all, thinRow(k, c).at(c)), less = ofThin ? thin : all - thin;
           missing += less;
           middle += less * grid_.centre(i, j, k);
         }
@@ -257,6 +331,7 @@ private:
     return middle;
   }
 
+  const ThinCells& thin_;
   const BeadGrid& beads_;
   const voxel::VoxelGrid& grid_;
   const PartCells& cells_;
@@ -273,6 +348,11 @@ void add(ItemSum& to, const ItemSum& more) {
   to.notch += more.notch;
   to.bulge += more.bulge;
   to.interior += more.interior;
+  to.thin += more.thin;
+  if (more.thinInBlock > to.thinInBlock) {
+    to.thinInBlock = more.thinInBlock;
+    to.thinAt = more.thinAt;
+  }
   if (more.gap > to.gap) {
     to.gap = more.gap;
     to.gapAt = more.gapAt;
@@ -280,10 +360,17 @@ void add(ItemSum& to, const ItemSum& more) {
 }
 
 ItemCoverage coverageOf(const ItemSum& sum, double cellMm3) {
-  return {.coveredFraction =
-              sum.part > 0.0 ? (sum.covered + std::min(sum.notch, sum.bulge)) / sum.part : 0.0,
+  const double covered = sum.covered + std::min(sum.notch, sum.bulge),
+               coverable = sum.part - sum.thin;
+  // Of a part that is thin everywhere, nothing is left to cover.
+  constexpr double kNothing = 1e-9;
+  return {.coveredFraction = coverable > kNothing ? covered / coverable
+                             : sum.part > 0.0     ? 1.0
+                                                  : 0.0,
           .worstGap = sum.gapAt,
           .worstGapMm3 = sum.gap * cellMm3,
+          .thinMm3 = sum.thin * cellMm3,
+          .worstThin = sum.thinAt,
           .shellMm3 = sum.part * cellMm3,
           .interiorMm3 = sum.interior * cellMm3};
 }
@@ -292,9 +379,10 @@ ItemCoverage coverageOf(const ItemSum& sum, double cellMm3) {
 
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
                          const geometry::MeshQuery& query, const SurfaceBands& bands,
-                         const base::RunContext& ctx, const ItemFinder& items) {
+                         const base::RunContext& ctx, const ItemFinder& items,
+                         const ThinCells& thin) {
   base::require(cells.share.size() == beads.fill.size(), "measureCoverage: one grid");
-  const SlabMeasure slabs(beads, cells, query, bands, items);
+  const SlabMeasure slabs(beads, cells, query, bands, items, thin);
   std::vector<SlabSum> sums(slabs.slabs());
   base::parallelChunks(ctx, sums.size(), 1, [&](std::size_t begin, std::size_t) {
     sums[begin] = slabs.measure(begin, ctx);
@@ -312,8 +400,17 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
     }
   }
   Coverage result{coverageOf(all, cellMm3), outside, {}};
-  for (const ItemSum& sum : ofItems)
-    result.items.push_back(coverageOf(sum, cellMm3));
+  for (std::size_t i = 0; i < ofItems.size(); ++i) {
+    result.items.push_back(coverageOf(ofItems[i], cellMm3));
+    if (thin.firstOfRow.empty())
+      continue;
+    std::vector<double> open(slabs.blocks());
+    for (const SlabSum& slab : sums)
+      for (std::size_t b = 0; b < open.size(); ++b)
+        open[b] += static_cast<double>(slab.thin[i * open.size() + b]);
+    result.items.back().thinPlaces = slabs.places(std::move(open));
+    result.thinPlaces += result.items.back().thinPlaces;
+  }
   return result;
 }
 

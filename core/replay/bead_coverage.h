@@ -31,6 +31,17 @@ struct PartCells {
 PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuery& query,
                     const voxel::VoxelGrid& grid, const base::RunContext& ctx);
 
+// Shares of cells that are part of the body but narrower than the narrowest bead (thin_cells.h).
+struct ThinCells {
+  struct Cell {
+    std::uint32_t index;
+    std::uint8_t share; // at most the part's, in 255ths
+  };
+  std::vector<Cell> cells;             // ascending by index
+  std::vector<std::size_t> firstOfRow; // per row of cells along z, and the end; empty: none is thin
+  double volumeMm3 = 0.0;
+};
+
 // Distances from the part's surface [mm].
 struct SurfaceBands {
   double outsideMm = 0.0; // Farther out, fill is outside the part
@@ -44,16 +55,19 @@ struct SurfaceBands {
 
 // Of one item.
 struct ItemCoverage {
-  // (sum of min(fill, share) + filled notches) / sum of share. The smooth surface of the part cuts
-  // through the round sides of the beads: they bulge out of it, and leave notches inside of it that
-  // are as large. Notches are cells near the surface inside the rectangle around a bead; the volume
-  // that bulges out counts as their fill, as far as it goes.
+  // (sum of min(fill, share) + filled notches) / (sum of share - open thin places). The smooth
+  // surface of the part cuts through the round sides of the beads: they bulge out of it, and leave
+  // notches inside of it that are as large. Notches are cells near the surface inside the rectangle
+  // around a bead; the volume that bulges out counts as their fill, as far as it goes.
   double coveredFraction = 0.0;
   // centre of the missing material in the emptiest block of 3 mm
   Eigen::Vector3d worstGap = Eigen::Vector3d::Zero();
-  double worstGapMm3 = 0.0; // missing volume there
-  double shellMm3 = 0.0;    // volume of the part within SurfaceBands::shellMm of its surface
-  double interiorMm3 = 0.0; // the rest of the part, which coveredFraction leaves out
+  double worstGapMm3 = 0.0;                            // missing volume there
+  double thinMm3 = 0.0;                                // open volume in thin places
+  Eigen::Vector3d worstThin = Eigen::Vector3d::Zero(); // middle of most of it, in a block of 3 mm
+  std::size_t thinPlaces = 0; // separate groups of blocks of 3 mm, seen from above
+  double shellMm3 = 0.0;      // volume of the part within SurfaceBands::shellMm of its surface
+  double interiorMm3 = 0.0;   // the rest of the part, which coveredFraction leaves out
 };
 
 struct Coverage : ItemCoverage { // of all items
@@ -61,9 +75,11 @@ struct Coverage : ItemCoverage { // of all items
   std::vector<ItemCoverage> items;
 };
 
-// Supports and skirts are excluded from the fill. Throws Cancelled.
+// Supports and skirts are excluded from the fill. Material that is missing in thin places is theirs
+// and no gap. Throws Cancelled.
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
                          const geometry::MeshQuery& query, const SurfaceBands& bands,
-                         const base::RunContext& ctx, const ItemFinder& items = {});
+                         const base::RunContext& ctx, const ItemFinder& items = {},
+                         const ThinCells& thin = {});
 
 } // namespace voluta::replay

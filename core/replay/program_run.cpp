@@ -11,6 +11,7 @@
 #include "replay/covered_beads.h"
 #include "replay/item_finder.h"
 #include "replay/replay_ground.h"
+#include "replay/thin_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,11 @@ private:
                        .notchMm = 0.5 * minOf(&process::Process::layerHeightMm)};
     for (const plan::FillIntent& fill : in_.plan.fill)
       bands.shellMm.push_back(fill.shellMm);
-    const Coverage coverage = measureCoverage(beads, cells, query, bands, ctx_, items);
+    const double narrowest = minOf(&process::Process::beadWidthMinMm);
+    const ThinCells thin = hasLevelLayers(in_.plan)
+                               ? thinCells(in_.part, cells, beads.grid, narrowest, ctx_)
+                               : ThinCells{};
+    const Coverage coverage = measureCoverage(beads, cells, query, bands, ctx_, items, thin);
     figures.partVolumeMm3 = partVolume(0, in_.part.triangles.size(), cells.volumeMm3);
     judgeCoverage(coverage);
     judgeExcess(coverage.outsideMm3, beads.pieceExcessMm3, pieces);
@@ -179,21 +184,28 @@ private:
   double intendedMm3(std::size_t item, const ItemCoverage& coverage, double volumeMm3) const {
     return volumeMm3 - std::min(in_.plan.fillOf(item).openMm3, coverage.interiorMm3);
   }
-  // Returns the covered share of the intended volume.
+  // Returns the covered share of the intended volume that is not both thin and open.
   double coveredFraction(std::size_t item, const ItemCoverage& coverage, double intended) const {
     if (in_.plan.fillOf(item).isSolid())
       return coverage.coveredFraction;
-    return 1.0 - (1.0 - coverage.coveredFraction) * coverage.shellMm3 / std::max(intended, 1e-9);
+    const double thin = coverage.thinMm3;
+    return 1.0 - (1.0 - coverage.coveredFraction) * (coverage.shellMm3 - thin) /
+                     std::max(intended - thin, 1e-9);
   }
 
   void judgeCoverage(const Coverage& coverage) {
     RunFigures& figures = out_.figures;
     if (coverage.worstGapMm3 > 0.0)
       figures.worst.gap = coverage.worstGap;
+    figures.thinMm3 = coverage.thinMm3;
+    if (coverage.thinMm3 > 0.0)
+      figures.worst.thin = coverage.worstThin;
     if (coverage.items.size() == 1) {
       figures.intendedMm3 = intendedMm3(0, coverage, figures.partVolumeMm3);
       figures.coveredFraction = coveredFraction(0, coverage, figures.intendedMm3);
+      figures.thinFraction = coverage.thinMm3 / std::max(figures.intendedMm3, 1e-9);
       addUncovered(figures.coveredFraction, coverage, -1);
+      addThin(figures.thinFraction, coverage.items.front(), -1);
       return;
     }
     double covered = 0.0;
@@ -205,18 +217,32 @@ private:
       item.intendedMm3 = intendedMm3(
           i, own, partVolume(in_.firstTriangle[i], end, own.shellMm3 + own.interiorMm3));
       item.coveredFraction = coveredFraction(i, own, item.intendedMm3);
+      item.thinMm3 = own.thinMm3;
+      item.thinFraction = own.thinMm3 / std::max(item.intendedMm3, 1e-9);
       figures.intendedMm3 += item.intendedMm3;
-      covered += item.coveredFraction * item.intendedMm3;
+      covered += item.coveredFraction * (item.intendedMm3 - own.thinMm3);
       addUncovered(item.coveredFraction, own, static_cast<int>(i));
+      addThin(item.thinFraction, own, static_cast<int>(i));
       figures.items.push_back(item);
     }
-    figures.coveredFraction = covered / std::max(figures.intendedMm3, 1e-9);
+    figures.coveredFraction = covered / std::max(figures.intendedMm3 - figures.thinMm3, 1e-9);
+    figures.thinFraction = figures.thinMm3 / std::max(figures.intendedMm3, 1e-9);
   }
 
   void addUncovered(double coveredFraction, const ItemCoverage& coverage, int item) {
     if (coveredFraction < limits_.coveredMin)
       add(Uncovered, {{"share", base::percent(100.0 * (1.0 - coveredFraction))}}, coverage.worstGap,
           std::nullopt, 1, item);
+  }
+
+  void addThin(double share, const ItemCoverage& coverage, int item) {
+    if (share > limits_.thinMax)
+      add(Thin,
+          {{"share", base::percent(100.0 * share)},
+           {"volume", base::mm3(coverage.thinMm3)},
+           {"bead", base::mm(minOf(&process::Process::beadWidthMinMm))},
+           {"places", coverage.thinPlaces}},
+          coverage.worstThin, std::nullopt, 1, item);
   }
 
   void judgeExcess(double outsideMm3, const std::vector<float>& excessMm3,

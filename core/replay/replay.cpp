@@ -18,6 +18,12 @@ namespace {
 using Eigen::Vector3d;
 using enum plan::FindingKind;
 
+// See Verification::massRatio.
+double massRatio(double depositedMm3, double intendedMm3, double thinMm3) {
+  const double most = std::max(intendedMm3, 1e-9), least = std::max(intendedMm3 - thinMm3, 1e-9);
+  return depositedMm3 / std::clamp(depositedMm3, least, most);
+}
+
 // Completes a verdict by what was found in the run.
 class VerdictWriter {
 public:
@@ -55,10 +61,10 @@ private:
     const double part = std::max(out_.partVolumeMm3, 1e-9);
     out_.excessFraction += compared_.standingMm3 / part;
     out_.overfillFraction += compared_.standingMm3 / part;
-    out_.massRatio = out_.depositedMm3 / std::max(out_.intendedMm3, 1e-9);
+    out_.massRatio = massRatio(out_.depositedMm3, out_.intendedMm3, out_.thinMm3);
     for (std::size_t i = 0; i < out_.items.size(); ++i)
-      out_.items[i].massRatio =
-          out_.depositedOfItemMm3.at(i) / std::max(out_.items[i].intendedMm3, 1e-9);
+      out_.items[i].massRatio = massRatio(out_.depositedOfItemMm3.at(i), out_.items[i].intendedMm3,
+                                          out_.items[i].thinMm3);
   }
 
   void addBeads() {
@@ -122,14 +128,16 @@ private:
     };
     // Of several items, the worst one decides.
     double covered = out_.coveredFraction, unsupported = out_.unsupportedFraction;
-    double mass = out_.massRatio;
+    double mass = out_.massRatio, thin = out_.thinFraction;
     for (const ItemFigures& item : out_.items) {
       covered = std::min(covered, item.coveredFraction);
+      thin = std::max(thin, item.thinFraction);
       unsupported = std::max(unsupported, item.unsupportedFraction);
       if (std::abs(item.massRatio - 1.0) > std::abs(mass - 1.0))
         mass = item.massRatio;
     }
     atLeast("coveredFraction", covered, limits_.coveredMin);
+    atMost("thinFraction", thin, limits_.thinMax);
     atMost("unsupportedFraction", unsupported, limits_.unsupportedMax);
     atMost("overfillFraction", out_.overfillFraction, limits_.overfillMax);
     atMost("massRatio", std::abs(mass - 1.0), limits_.massTolerance);

@@ -54,10 +54,11 @@ struct ReplayInput {
 // The limits that a program must keep (docs/design.md, Replay).
 struct ReplayThresholds {
   // Of quality: beyond these the program is safe to run, but does not print the part as asked.
-  double coveredMin = 0.97;      // share of the part's volume inside beads
+  double coveredMin = 0.97;      // share of the part's volume inside beads, thin places left out
   double unsupportedMax = 0.005; // share of bead length with nothing below
   double overfillMax = 0.03;     // bead volume outside the part, by part volume
   double massTolerance = 0.03;   // |massRatio - 1|
+  double thinMax = 0.03;         // share of the part's volume that is open and thin
   bool bridgesMaySag = false;    // spans as process::saggingBridgeMm() are held
   // Of safety: beyond these the program must not run.
   std::size_t collisionsMax = 0;
@@ -82,13 +83,17 @@ struct TextPlace {
 struct ItemFigures {
   double coveredFraction = 0.0, unsupportedFraction = 0.0;
   double intendedMm3 = 0.0, massRatio = 0.0;
+  double thinMm3 = 0.0, thinFraction = 0.0;
 };
 
 // Figures of a run: its beads and its collisions.
 struct RunFigures {
-  // Share of the intended volume that is inside beads. Of a part with sparse infill only the shell
-  // is measured; the interior counts as covered, and its amount shows in the mass.
+  // Share of the intended volume without thinMm3 that is inside beads. Of a part with sparse infill
+  // only the shell is measured; the interior counts as covered, and its amount shows in the mass.
   double coveredFraction = 0.0;
+  // Volume that no bead fills and that is narrower than the narrowest bead (thin_cells.h), and its
+  // share of the intended volume. 0 unless layers are horizontal.
+  double thinMm3 = 0.0, thinFraction = 0.0;
   double unsupportedFraction = 0.0;
   double halfCarriedFraction = 0.0; // share of bead length supported on less than half its width
   // longest continuous length of a bead with nothing directly below
@@ -115,7 +120,8 @@ struct Verification : RunFigures {
   bool passed = false;    // safe to run, and all other thresholds kept too
 
   // Deposited material (without supports and skirts) by intended volume, at the controller's own
-  // speeds.
+  // speeds. Material may be missing in thin places: amounts between the intended volume without
+  // them and the whole have the ratio 1, and less is measured by the volume without them.
   double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0, tapeMm3 = 0.0;
   std::vector<double> depositedOfItemMm3; // of each item of a job of several

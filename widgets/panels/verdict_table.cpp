@@ -38,6 +38,8 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& report,
   return {
       {VerdictTable::tr("Coverage"), percent(r.coveredFraction),
        atLeast(shortPercent(limits.covered)), r.coveredFraction >= limits.covered, false},
+      {VerdictTable::tr("Thin and open"), percent(r.thinFraction),
+       atMost(shortPercent(limits.thin)), r.thinFraction <= limits.thin, false},
       {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
        atMost(shortPercent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported,
        false},

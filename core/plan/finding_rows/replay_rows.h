@@ -9,6 +9,8 @@ inline constexpr base::Text kVerifyItsJob = "verify it against the job it was wr
 inline constexpr base::Text kNozzleOff = "nozzle {distance:.3f} off the planned path"_text;
 inline constexpr base::Text kUncoveredShare =
     "{share:.2f} of the part is not covered by beads, mostly around this point"_text;
+inline constexpr base::Text kThinShare =
+    "{share:.2f} of the part ({volume:.3g}) is narrower than the narrowest bead ({bead:.3g}) and stays open, mostly around this point|{share:.2f} of the part ({volume:.3g}) is narrower than the narrowest bead ({bead:.3g}) and stays open, at {places} places, mostly around this point"_plural;
 inline constexpr base::Text kOverfillShares =
     "{outside:.2f} of the part's volume is deposited outside it, {noRoom:.2f} does not fit"_text;
 inline constexpr base::Text kDepositedShare = "deposited volume: {share:.2f} of the part's"_text;
@@ -133,6 +135,9 @@ inline constexpr FindingRow kReplayRows[] = {
           "use lower layers or a finer nozzle, or print the part larger"_text,
           {.remedies = kOffers<AdaptLayers, LowerLayers, FinerProcess, ChooseStrategy, AcceptShare>,
            .concern = Concern::Part}),
+    error(Thin, "thin", kThinShare, "use a finer nozzle, or print the part larger"_text,
+          {.remedies = kOffers<FinerProcess, Enlarge, ChooseStrategy, AcceptShare>,
+           .concern = Concern::Part}),
     error(Overfill, "overfill", kOverfillShares,
           "reduce the flow, or space the beads further apart"_text,
           {.remedies = kForFill, .concern = Concern::Part}),
@@ -187,6 +192,10 @@ inline constexpr FindingRow kReplayRows[] = {
         GivenUncovered, "givenUncovered", kUncoveredShare,
         "check the widths and layer heights in the slicer against the bead of the process; the tool-paths are printed as they are"_text,
         forGiven("uncovered")),
+    error(
+        GivenThin, "givenThin", kThinShare,
+        "choose the process that the file was sliced for; the tool-paths are printed as they are"_text,
+        forGiven("thin")),
     error(
         GivenOverfill, "givenOverfill", kOverfillShares,
         "check the flow in the slicer, and purge or prime lines that it does not mark; the tool-paths are printed as they are"_text,
