@@ -6,9 +6,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -52,6 +55,24 @@ struct Front {
   }
 };
 using FrontQueue = std::priority_queue<Front, std::vector<Front>, std::greater<>>;
+
+// The segments that continue each segment at its ends; -1: none.
+std::vector<std::array<int, 2>> neighbouringSegments(const std::vector<SourceSegment>& sources) {
+  std::vector<std::array<int, 2>> neighbours(sources.size(), {-1, -1});
+  std::vector<int> byStart(sources.size());
+  std::iota(byStart.begin(), byStart.end(), 0);
+  const auto key = [](const Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); };
+  const auto startOf = [&](int i) { return key(sources[at(i)].a); };
+  std::ranges::sort(byStart, {}, startOf);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto next = std::ranges::lower_bound(byStart, key(sources[i].b), {}, startOf);
+    if (next == byStart.end() || sources[at(*next)].a != sources[i].b)
+      continue;
+    neighbours[i][1] = *next;
+    neighbours[at(*next)][0] = static_cast<int>(i);
+  }
+  return neighbours;
+}
 } // namespace
 
 std::vector<SourceSegment> boundarySegments(const PatchSurface& s) {
@@ -115,6 +136,19 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
     nearest[at(v)] = source;
     return true;
   };
+  const auto neighbours =
+      s.planeNormal ? neighbouringSegments(sources) : std::vector<std::array<int, 2>>();
+  // On a plane, the nearest segment of a vertex may be none of its neighbours' where triangles are
+  // no smaller than segments: beside an accepted one there may be a nearer one.
+  const auto offerWithNeighbours = [&](int v, int source) {
+    if (!offer(v, source))
+      return false;
+    if (!neighbours.empty())
+      for (const std::size_t side : {0U, 1U})
+        for (int i = neighbours[at(source)][side]; i >= 0 && offer(v, i);)
+          i = neighbours[at(i)][side];
+    return true;
+  };
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (const int v : s.triangles[at(sources[i].triangle)])
       offer(v, static_cast<int>(i));
@@ -136,9 +170,10 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
       const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
       // Around an inner vertex, each neighbour is the next corner of exactly one triangle.
       const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-      if (nearest[at(next)] != source && offer(next, source) && continues(next))
+      if (nearest[at(next)] != source && offerWithNeighbours(next, source) && continues(next))
         queue.push({distance[at(next)], next});
-      if (open && nearest[at(last)] != source && offer(last, source) && continues(last))
+      if (open && nearest[at(last)] != source && offerWithNeighbours(last, source) &&
+          continues(last))
         queue.push({distance[at(last)], last});
     }
   }

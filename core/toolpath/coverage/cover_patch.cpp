@@ -17,6 +17,7 @@
 #include "toolpath/infill/gap_fill.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/infill/outer_walls.h"
+#include "toolpath/infill/thin_rings.h"
 #include "toolpath/infill/walls.h"
 #include "toolpath/surface_fields.h"
 #include "toolpath/unsupported/bead_tip.h"
@@ -56,6 +57,13 @@ constexpr double kPlaneEnough = 16000.0;
 // Distance [hatches] beyond the depth where lines become even; deeper vertices are never nearest to
 // other curves.
 constexpr double kNearEven = 1.2;
+// Beads side by side in a ring that needs no infill, whatever the number of walls.
+constexpr int kMostRings = 4;
+// [hatches]: gaps in the corners of such rings are shorter.
+constexpr double kCornerGap = 4.0;
+// [hatches of the widest bead]: half the width of a wall that one bead fills; a little more for the
+// rounding of distances.
+constexpr double kOneBead = 0.52;
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
@@ -79,6 +87,19 @@ struct Centrelines {
       curves.push_back(std::move(c));
       kind.push_back(k);
       ring.push_back(r);
+    }
+  }
+
+  // From the outer boundary to the inner one. One alone is the middle of a gap between both.
+  void addRings(std::vector<SurfaceCurve>&& rings) {
+    const std::size_t n = rings.size();
+    if (n == 1)
+      extraMm.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t depth = std::min(k, n - 1 - k);
+      const bool isMiddle = 2 * k + 1 == n;
+      add({std::move(rings[k])}, isMiddle ? PathKind::GapFill : PathKind::Wall,
+          isMiddle ? 0 : static_cast<int>(depth));
     }
   }
 
@@ -325,9 +346,22 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
     for (std::size_t v = 0; v < n; ++v)
       depth[v] = inHatches(boundaryMm[v], v);
   }
-  for (int i = 0; i < o.walls; ++i) {
+  const auto hatchFor = [&](double width) {
+    return process::hatchOf(width, process.layerHeightMm);
+  };
+  const double narrowest = hatchFor(process.beadWidthMinMm), usual = hatchFor(process.beadWidthMm),
+               widest = hatchFor(process.beadWidthMaxMm);
+  std::vector<SurfaceCurve> rings;
+  if (o.walls > 0 && !kind.needsChart)
+    rings = thinRings(s, process, lines.extraMm.empty() ? kMostRings : 1);
+  const bool isThinRing = !rings.empty();
+  if (isThinRing)
+    lines.addRings(std::move(rings));
+  for (int i = 0; i < o.walls && !isThinRing; ++i) {
     std::vector<SurfaceCurve> walls =
         wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5);
+    if (i == 0)
+      dropDashes(s, depth, kOneBead * widest / usual, walls);
     if (i == 0)
       dropJunctionRings(s, depth, process::hatchOf(process.beadWidthMm, process.layerHeightMm),
                         walls);
@@ -343,15 +377,18 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                                 o.infillAngleDeg + layer * o.infillRotationDeg, 180.0))),
                             base::degreesToRadians(o.windingAngleDeg),
                             beadScale};
-  InfillLines infill = kind.fill(region, ctx);
+  InfillLines infill;
+  if (!isThinRing)
+    infill = kind.fill(region, ctx);
   lines.add(std::move(infill.curves), PathKind::Infill, 0);
   ctx.checkpoint();
   lines.depth = depth;
   lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
   lines.isClosed = std::move(infill.isClosed);
-  std::vector<SurfaceCurve> spines =
-      gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale);
-  const double narrowest = process::hatchOf(process.beadWidthMinMm, process.layerHeightMm);
+  std::vector<SurfaceCurve> spines = gapSpines(s, outsideOf(s, lines, hatchMm, beadScale),
+                                               boundaryMm, hatchMm, beadScale, narrowest / usual);
+  if (isThinRing) // The corners of a ring are its beads' own.
+    std::erase_if(spines, [&](const SurfaceCurve& c) { return lengthOf(c) < kCornerGap * usual; });
   std::erase_if(spines, [&](const SurfaceCurve& spine) {
     const auto thin = thinWallAlong(s, spine, boundaryMm, narrowest);
     if (thin)

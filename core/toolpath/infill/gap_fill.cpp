@@ -17,7 +17,10 @@ namespace voluta::toolpath {
 namespace {
 using base::at;
 
-constexpr double kEdge = 0.18;       // [hatches]: distance between the ends of spine and gap
+constexpr double kEdge = 0.18; // [hatches]: distance between the ends of spine and gap
+// [hatches]: vertices with this room are joined to one gap. Beside the middle of a narrow gap few
+// have more.
+constexpr double kLinked = 0.08;
 constexpr double kWorthwhile = 0.28; // [hatches]: half width of the narrowest gap that gets a bead
 // [hatches]: greatest distance between the ends of two spines of one ring. The second begins 0.8
 // hatches and an edge beyond the end of the first.
@@ -85,6 +88,15 @@ private:
   std::vector<double> length_;
   std::vector<int> parent_, touched_;
 };
+// Removes the ends of a way where the gap is too narrow for a bead.
+void dropNarrowEnds(const std::vector<double>& room, std::vector<int>& path) {
+  for (int end = 0; end < 2; ++end) {
+    while (!path.empty() && room[at(path.back())] < kEdge)
+      path.pop_back();
+    std::ranges::reverse(path);
+  }
+}
+
 // Removes the ends of a way that leave the middle of the gap: the vertex that is farthest away is
 // in a corner of it.
 void dropCorners(const PatchSurface& s, const std::vector<double>& room, double reachMm,
@@ -171,7 +183,10 @@ void extendEnds(const PatchSurface& s, const std::vector<double>& room,
 
 std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<double>& outsideMm,
                                     const std::vector<double>& boundaryMm,
-                                    const std::vector<double>& hatchMm, double beadScale) {
+                                    const std::vector<double>& hatchMm, double beadScale,
+                                    double narrowest) {
+  // Three beads of the narrowest width fill this gap between two usual ones.
+  const double worthwhile = std::max(kWorthwhile, 1.5 * narrowest - 1.0);
   const std::size_t n = s.position.size();
   // Half of the available gap width at a vertex [hatches].
   std::vector<double> room(n);
@@ -182,7 +197,7 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
   std::vector<SurfaceCurve> spines;
   std::vector<double> cost(n);
   for (int round = 0; round < kRounds; ++round) {
-    const Regions regions = regionsAbove(s, room, kEdge);
+    const Regions regions = regionsAbove(s, room, kLinked);
     std::vector<int> widest(at(regions.count), -1);
     for (std::size_t v = 0; v < n; ++v) {
       const int r = regions.ofVertex[v];
@@ -198,12 +213,14 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
     for (int r = 0; r < regions.count; ++r) {
       const int middle = widest[at(r)];
       const double half = room[at(middle)];
-      if (half < kWorthwhile)
+      const bool isWall = outsideMm[at(middle)] > boundaryMm[at(middle)]; // no bead beside it
+      if (half < (isWall ? kWorthwhile : worthwhile))
         continue;
       const int a = ways.furthest(middle, false);
       const int b = ways.furthest(a, false);
       ways.furthest(a, true);
       std::vector<int> path = ways.pathTo(b);
+      dropNarrowEnds(room, path);
       const double hatch = hatchMm[at(middle)];
       dropCorners(s, room, kCornerReach * hatch, path);
       SurfaceCurve c;

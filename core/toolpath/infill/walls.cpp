@@ -71,10 +71,37 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double
   return wallsAround(s, openedAt(s, depth, hatchMm, beadScale, level, kWallInwards), beadScale);
 }
 
+namespace {
+constexpr double kThin = 0.3; // Depth of the thinnest joined wall [hatches]
+}
+
+void dropDashes(const PatchSurface& s, const std::vector<double>& depth, double deepest,
+                std::vector<SurfaceCurve>& walls) {
+  if (walls.size() < 2)
+    return;
+  const Regions regions = regionsAbove(s, depth, kThin);
+  std::vector<double> middle(at(regions.count), 0.0); // the largest depth
+  for (std::size_t v = 0; v < depth.size(); ++v)
+    if (const int region = regions.ofVertex[v]; region >= 0)
+      middle[at(region)] = std::max(middle[at(region)], depth[v]);
+  const auto regionOf = [&](const SurfaceCurve& c) {
+    const auto& triangle = s.triangles[at(c.points.front().triangle)];
+    return std::max({regions.ofVertex[at(triangle[0])], regions.ofVertex[at(triangle[1])],
+                     regions.ofVertex[at(triangle[2])]});
+  };
+  std::vector<int> count(at(regions.count), 0);
+  for (const SurfaceCurve& c : walls)
+    if (const int region = regionOf(c); region >= 0)
+      ++count[at(region)];
+  std::erase_if(walls, [&](const SurfaceCurve& c) {
+    const int region = regionOf(c);
+    return region >= 0 && count[at(region)] > 1 && middle[at(region)] <= deepest;
+  });
+}
+
 void dropJunctionRings(const PatchSurface& s, const std::vector<double>& depth, double hatchMm,
                        std::vector<SurfaceCurve>& walls) {
   constexpr double kRing = 6.5, kArms = 2.5; // [hatches]
-  constexpr double kThin = 0.3;              // Depth of the thinnest joined wall [hatches]
   const auto isRing = [&](const SurfaceCurve& c) { return lengthOf(c) < kRing * hatchMm; };
   if (std::ranges::none_of(walls, isRing))
     return;

@@ -24,8 +24,8 @@ std::vector<SurfaceCurve> wallsAround(const PatchSurface& surface, const LevelSe
                                       double beadScale);
 
 // Returns the centrelines at `level` hatches from the boundary, where the region extends at least
-// kWallInwards further inwards. Elsewhere two such curves from opposite sides would nearly meet, and
-// one bead on the medial line is better (gap_fill.h). This is the morphological opening of the
+// kWallInwards further inwards. Elsewhere two such curves from opposite sides would nearly meet,
+// and one bead on the medial line is better (gap_fill.h). This is the morphological opening of the
 // offset region: corners are rounded by as much, and narrow parts vanish without open ends.
 // depth: per vertex, distance from the boundary in hatches; hatchMm per vertex. beadScale as in
 // bead_scale.h.
@@ -38,5 +38,11 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& surface, const std::vector<
 // distance from the boundary in hatches.
 void dropJunctionRings(const PatchSurface& surface, const std::vector<double>& depth,
                        double hatchMm, std::vector<SurfaceCurve>& walls);
+
+// Removes the outermost walls of regions that are hardly wide enough for two beads, where they are
+// dashes: one bead fills such a region up to `deepest` hatches from its boundary. depth: per
+// vertex, distance from the boundary in hatches.
+void dropDashes(const PatchSurface& surface, const std::vector<double>& depth, double deepest,
+                std::vector<SurfaceCurve>& walls);
 
 } // namespace voluta::toolpath
