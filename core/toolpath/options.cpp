@@ -101,6 +101,10 @@ base::ParameterTable toolpathParameters() {
                              "bottom layers: one wall, without infill, top layers and supports "
                              "under low overhangs."_text,
                              true),
+      base::booleanParameter("spiralOuter", ToolpathOptions{}.spiralOuter, "Tool-paths"_text,
+                             "outer contour alone"_text,
+                             "The spiral follows the largest contour of each layer; holes and "
+                             "other contours are left out."_text),
       base::numberParameter(
           "coolingSpeedMmPerS", "mm/s", ToolpathOptions{}.cooling.slowestMmPerS, 0.0, 500.0,
           "Cooling"_text, "slowest speed for cooling"_text,
@@ -173,6 +177,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.thinWalls = values.text("thinWalls");
   o.orderIslands = values.text("islandOrder") == "travel";
   o.spiral = values.boolean("spiral");
+  o.spiralOuter = values.boolean("spiralOuter");
   o.cooling.slowestMmPerS = values.number("coolingSpeedMmPerS");
   o.fibre.everyLayers = static_cast<int>(values.integer("fibreLayers"));
   o.fibre.firstLayer = static_cast<int>(values.integer("fibreFirstLayer"));
@@ -201,14 +206,15 @@ std::string optionsKey(const ToolpathOptions& options) {
   // The structured binding forces every new option to be considered here; add it with changedKey().
   const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
                winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
-               spiral, tilts, cooling, fibre, stitches, infillTool, platform] = options;
+               spiral, spiralOuter, tilts, cooling, fibre, stitches, infillTool, platform] = options;
   static_cast<void>(platform);
   const std::string noPlatform;
   return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
                        infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
                        primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
                        noPlatform) +
-         (tilts ? "" : "upright\n") + changedKey(stitches, StitchOptions{});
+         (tilts ? "" : "upright\n") + changedKey(stitches, StitchOptions{}) +
+         (spiralOuter ? "outer\n" : "");
 }
 
 } // namespace voluta::toolpath

@@ -61,6 +61,7 @@ struct ToolpathOptions {
   std::string seam = "nearest"; // id in seamKinds()
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   bool spiral = false;          // one bead with rising height (spiral.h)
+  bool spiralOuter = false;     // of the outer contour of each layer alone
   // Cell and programs can state nozzle directions other than the plate's normal. Otherwise beads
   // keep the directions of their layers, and supports under rims are printed upright.
   bool canTilt = true;
@@ -77,7 +78,7 @@ struct ToolpathOptions {
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
-// brimWidthMm, seam, islandOrder, thinWalls, spiral and
+// brimWidthMm, seam, islandOrder, thinWalls, spiral, spiralOuter and
 // coolingSpeedMmPerS; those of FibreOptions, and stitchExcess and stitchDepth.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is

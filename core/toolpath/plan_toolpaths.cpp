@@ -162,7 +162,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
   const std::vector<PatchCover>& covers = made.covers;
   if (options.spiral)
-    made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
+    made.fill = keepOuterWalls(stack, options.bottomLayers, options.spiralOuter, made.covers);
   Assembled assembled =
       assemble(stack, covers, tooling,
                {options.seam, options.orderIslands, options.cooling.minLayerTimeS > 0.0});

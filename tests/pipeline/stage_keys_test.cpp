@@ -151,6 +151,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"stitchWait", {"1", 4}},
     {"islandOrder", {"layers", 3}},
     {"spiral", {"true", 3}},
+    {"spiralOuter", {"true", 3}},
     {"extruder", {"e-stream", 5}},
 };
 

@@ -190,12 +190,96 @@ TEST(Spiral, KeepsTheOuterWallsAboveTheBottom) {
   }
   covers[4].beads.erase(covers[4].beads.begin()); // no wall: everything stays
   stack.patches[3].group = layers::kSupportGroup;
-  const std::vector<plan::FillIntent> fill = toolpath::keepOuterWalls(stack, 2, covers);
+  const std::vector<plan::FillIntent> fill = toolpath::keepOuterWalls(stack, 2, false, covers);
   EXPECT_EQ(covers[1].beads.size(), 2u);
   EXPECT_EQ(covers[2].beads.size(), 1u);
   EXPECT_EQ(covers[3].beads.size(), 2u);
   EXPECT_EQ(covers[4].beads.size(), 1u);
   EXPECT_NEAR(fill.at(0).openMm3, 20 * process::beadArea(kWidth, kHeight), 1e-9);
+}
+
+// A square plate, and the closed wall half a bead inside it, with round corners.
+layers::Patch plate(const Eigen::Vector2d& low, double size, int layer) {
+  layers::Patch patch;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+    patch.surface.vertices.emplace_back(low.x() + size * x, low.y() + size * y, 0.0);
+  patch.surface.triangles = {{0, 1, 2}, {0, 2, 3}};
+  patch.layer = layer;
+  return patch;
+}
+toolpath::Bead wallIn(const Eigen::Vector2d& low, double size) {
+  toolpath::Bead bead{{}, plan::PathKind::Wall, 0, true};
+  constexpr double kRound = 0.4;
+  const double inner = size - kWidth - 2.0 * kRound;
+  constexpr int kCorner = 4, kSide = 12;
+  for (int corner = 0; corner < 4; ++corner) {
+    const Eigen::Vector2d middle = low + Eigen::Vector2d::Constant(0.5 * kWidth + kRound) +
+                                   inner * Eigen::Vector2d(corner == 1 || corner == 2, corner > 1);
+    for (int k = 0; k <= kCorner; ++k) {
+      const double a = 0.5 * std::numbers::pi * (corner + 2 + static_cast<double>(k) / kCorner);
+      const Eigen::Vector2d p = middle + kRound * Eigen::Vector2d(std::cos(a), std::sin(a));
+      bead.points.push_back(
+          {{p.x(), p.y(), 0}, Vector3d::UnitZ(), Vector3d::UnitZ(), kWidth, kHeight});
+    }
+    const double a = 0.5 * std::numbers::pi * (corner + 3);
+    const Eigen::Vector2d along(-std::sin(a), std::cos(a));
+    for (int k = 1; k < kSide; ++k) {
+      toolpath::BeadPoint next = bead.points.back();
+      next.middle.head<2>() += inner / kSide * along;
+      bead.points.push_back(next);
+    }
+  }
+  bead.points.push_back(bead.points.front());
+  return bead;
+}
+
+double lengthOf(const toolpath::Bead& bead) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < bead.points.size(); ++i)
+    length += (bead.points[i].middle - bead.points[i - 1].middle).norm();
+  return length;
+}
+
+// Two towers that touch at a corner or along a side are one loop, whatever the rounding; apart,
+// they are two.
+TEST(Spiral, GoesOnWhereContoursTouch) {
+  for (const auto& [other, touches] : {std::pair{Eigen::Vector2d(20.001, 20.0), true},
+                                       {Eigen::Vector2d(20.0, 20.0), true},
+                                       {Eigen::Vector2d(20.001, 6.0), true},
+                                       {Eigen::Vector2d(20.5, 6.0), false},
+                                       {Eigen::Vector2d(20.4, 20.4), false}}) {
+    layers::LayerStack stack;
+    stack.patches = {plate({0, 0}, 20.0, 0), plate(other, 20.0, 0)};
+    std::vector<toolpath::PatchCover> covers(2);
+    covers[0].beads = {wallIn({0, 0}, 20.0)};
+    covers[1].beads = {wallIn(other, 20.0)};
+    const double apart = lengthOf(covers[0].beads[0]) + lengthOf(covers[1].beads[0]);
+    toolpath::keepOuterWalls(stack, 0, false, covers);
+    EXPECT_EQ(covers[0].beads.size() + covers[1].beads.size(), touches ? 1u : 2u) << other;
+    if (!touches || covers[0].beads.empty())
+      continue;
+    const toolpath::Bead& joined = covers[0].beads.front();
+    EXPECT_TRUE(joined.closed);
+    EXPECT_NEAR(lengthOf(joined), apart, 2.5 * kWidth) << "as long as both";
+    for (std::size_t i = 1; i < joined.points.size(); ++i)
+      EXPECT_LT((joined.points[i].middle - joined.points[i - 1].middle).norm(), 2.5 * kWidth);
+    EXPECT_LT((joined.points.front().middle - joined.points.back().middle).norm(), 1e-9);
+  }
+}
+
+TEST(Spiral, TakesTheOuterContourAloneOnRequest) {
+  layers::LayerStack stack;
+  stack.patches = {plate({0, 0}, 20.0, 0), plate({0, 0}, 20.0, 1), plate({30, 0}, 5.0, 1)};
+  std::vector<toolpath::PatchCover> covers(3);
+  covers[0].beads = {wallIn({0, 0}, 20.0)};
+  covers[1].beads = {wallIn({5, 5}, 10.0), wallIn({0, 0}, 20.0)}; // a hole
+  covers[2].beads = {wallIn({30, 0}, 5.0)};
+  const double outer = lengthOf(covers[0].beads.front());
+  toolpath::keepOuterWalls(stack, 0, true, covers);
+  ASSERT_EQ(covers[0].beads.size(), 1u);
+  ASSERT_EQ(covers[1].beads.size(), 1u);
+  EXPECT_NEAR(lengthOf(covers[1].beads.front()), outer, 1e-9);
+  EXPECT_TRUE(covers[2].beads.empty()) << "a second tower of that layer";
 }
 
 } // namespace

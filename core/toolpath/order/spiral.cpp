@@ -5,12 +5,14 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_volume.h"
+#include "toolpath/order/outer_loops.h"
 #include "toolpath/unsupported/bead_tip.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -286,24 +288,56 @@ ToolpathOptions spiralOptions(ToolpathOptions options) {
   return options;
 }
 
+namespace {
+// Leaves one wall in a layer where its walls can be joined, or where only the largest is asked for.
+// `patches`: those of the layer with outer walls alone.
+void joinWalls(const layers::LayerStack& stack, const std::vector<std::size_t>& patches,
+               bool outerAlone, std::vector<PatchCover>& covers) {
+  std::vector<OuterLoop> loops;
+  for (const std::size_t i : patches) {
+    for (Bead& bead : covers[i].beads)
+      loops.push_back({std::move(bead), i});
+    covers[i].beads.clear();
+  }
+  if (outerAlone)
+    loops = {std::move(loops[largestLoop(loops)])};
+  else
+    loops = joinedWhereTouching(std::move(loops), stack.patches);
+  for (OuterLoop& loop : loops)
+    covers[loop.patch].beads.push_back(std::move(loop.bead));
+}
+} // namespace
+
 std::vector<plan::FillIntent> keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
-                                             std::vector<PatchCover>& covers) {
+                                             bool outerAlone, std::vector<PatchCover>& covers) {
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
   const auto isOuterWall = [](const Bead& bead) {
     return bead.kind == PathKind::Wall && bead.ring == 0 && bead.closed;
   };
-  double openMm3 = 0.0;
+  std::map<std::pair<int, int>, std::vector<std::size_t>> layers; // by item and layer
   for (std::size_t i = 0; i < covers.size(); ++i) {
     std::vector<Bead>& beads = covers[i].beads;
     if (stack.patches[i].layer < bottomLayers || stack.patches[i].group == layers::kSupportGroup ||
         std::ranges::none_of(beads, isOuterWall))
       continue;
-    if (std::erase_if(beads, [&](const Bead& bead) { return !isOuterWall(bead); }) == 0)
-      continue;
-    const double left = volumeOf(beads);
-    openMm3 += std::max(0.0, covers[i].beadVolumeMm3 - left);
-    covers[i].beadVolumeMm3 = left;
+    std::erase_if(beads, [&](const Bead& bead) { return !isOuterWall(bead); });
+    layers[{stack.patches[i].item, stack.patches[i].layer}].push_back(i);
   }
+  double openMm3 = 0.0;
+  for (const auto& [layer, patches] : layers) {
+    std::size_t walls = 0;
+    for (const std::size_t i : patches)
+      walls += covers[i].beads.size();
+    if (walls > 1)
+      joinWalls(stack, patches, outerAlone, covers);
+    for (const std::size_t i : patches) {
+      const double left = volumeOf(covers[i].beads);
+      openMm3 += covers[i].beadVolumeMm3 - left;
+      covers[i].beadVolumeMm3 = left;
+    }
+  }
+  constexpr double kRoundingMm3 = 1e-6;
+  openMm3 = openMm3 > kRoundingMm3 ? openMm3 : 0.0;
   return openMm3 > 0.0 ? std::vector<plan::FillIntent>{{0.0, openMm3}}
                        : std::vector<plan::FillIntent>{};
 }

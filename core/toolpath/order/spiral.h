@@ -18,10 +18,11 @@ namespace voluta::toolpath {
 ToolpathOptions spiralOptions(ToolpathOptions options);
 
 // Removes all beads but the closed outermost walls from patches that have such walls, from layer
-// `bottomLayers` on; supports stay. Returns the intent of the material that is left. Precondition:
-// one cover a patch.
+// `bottomLayers` on; supports stay. Where contours of one layer touch, their walls are joined to
+// one. `outerAlone`: only the largest wall of each layer stays. Returns the intent of the material
+// that is left. Precondition: one cover a patch.
 std::vector<plan::FillIntent> keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
-                                             std::vector<PatchCover>& covers);
+                                             bool outerAlone, std::vector<PatchCover>& covers);
 
 // Joins consecutive layers of one closed bead each to one open path, as long as each layer
 // continues the layer before. The path runs level along the first bead, and then once around per
