@@ -14,10 +14,19 @@
 namespace voluta::pipeline {
 
 namespace {
+constexpr const char* kAuto = "auto";
 constexpr const char* kClose = "close";
 constexpr const char* kThicken = "thicken";
 constexpr const char* kWall = "wall";
 constexpr double kWallBeads = 2.0;
+
+// The choice, with the one that `auto` stands for.
+std::string choiceFor(const project::LoadedPart& loaded, const base::ParameterValues& values) {
+  const std::string choice = values.text("openSurfaces");
+  if (choice != kAuto)
+    return choice;
+  return loaded.open && loaded.open->isPlain() ? kClose : kRefuseOpenSurfaces;
+}
 
 // Width of the sections of a wall of one bead [mm]: beads of the nominal width fill it.
 double oneBeadMm(const process::Process& process) {
@@ -28,14 +37,16 @@ double oneBeadMm(const process::Process& process) {
 base::ParameterTable openSurfaceParameters() {
   return base::ParameterTable({
       base::choiceParameter(
-          "openSurfaces", kRefuseOpenSurfaces,
-          {{kRefuseOpenSurfaces, "refuse"_text},
+          "openSurfaces", kAuto,
+          {{kAuto, "automatic"_text},
+           {kRefuseOpenSurfaces, "refuse"_text},
            {kClose, "close"_text},
            {kThicken, "thicken"_text},
            {kWall, "one wall"_text}},
           "Placement"_text, "Open surfaces"_text,
           "How a part whose surface has wide openings or no thickness is handled: "
-          "refuse it, close the openings with patches, thicken the surface to a "
+          "close openings that are flat or small and refuse others, refuse it, close the openings "
+          "with patches, thicken the surface to a "
           "wall two beads wide, or print it as one wall, one bead wide."_text,
           true),
   });
@@ -52,8 +63,10 @@ bool isPrintedAsWall(const project::LoadedPart& loaded, const base::ParameterVal
 std::string openSurfacesKey(const project::Choices& choices, const base::ParameterValues& values,
                             const process::Process& process) {
   const std::string choice = values.text("openSurfaces");
-  if (choice == kRefuseOpenSurfaces)
+  if (choice == kAuto)
     return {};
+  if (choice == kRefuseOpenSurfaces)
+    return base::keyText(choice);
   if (choice != kWall)
     return base::keyText(choice, openSurfaceWallMm(process));
   return base::keyText(choice, oneBeadMm(process), process.layerHeightMm,
@@ -63,7 +76,7 @@ std::string openSurfacesKey(const project::Choices& choices, const base::Paramet
 
 OpenPart::OpenPart(const project::LoadedPart& loaded, const base::ParameterValues& values,
                    const process::Process& process, bool levelLayers)
-    : loaded_(loaded), choice_(values.text("openSurfaces")),
+    : loaded_(loaded), choice_(choiceFor(loaded, values)),
       wallMm_(choice_ == kWall ? oneBeadMm(process) : openSurfaceWallMm(process)),
       beadMm_(process.beadWidthMm), layerHeightMm_(levelLayers ? process.layerHeightMm : 0.0) {}
 

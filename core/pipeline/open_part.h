@@ -25,7 +25,7 @@ double openSurfaceWallMm(const process::Process& process);
 // Returns whether the part is a surface that becomes a wall of one bead.
 bool isPrintedAsWall(const project::LoadedPart& loaded, const base::ParameterValues& values);
 // Cache key: all inputs that determine the mesh of an open part, other than the placement that a
-// search finds. Empty if such parts are refused.
+// search finds. Empty by default.
 std::string openSurfacesKey(const project::Choices& choices, const base::ParameterValues& values,
                             const process::Process& process);
 

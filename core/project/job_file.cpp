@@ -215,6 +215,7 @@ Json openJson(const geometry::OpenSurface& open) {
   return Json{{"rims", open.rims},
               {"widestMm", open.widestMm},
               {"widestAt", pointJson(open.widestAt)},
+              {"plainRims", open.hasPlainRims},
               {"capShare", open.capShare},
               {"sheetTriangles", open.sheetTriangles},
               {"sheetShare", open.sheetShare}};
@@ -224,6 +225,7 @@ geometry::OpenSurface readOpen(const Json& j) {
   j.at("rims").get_to(open.rims);
   j.at("widestMm").get_to(open.widestMm);
   open.widestAt = point(j.at("widestAt"));
+  open.hasPlainRims = j.value("plainRims", false); // older projects have none
   j.at("capShare").get_to(open.capShare);
   j.at("sheetTriangles").get_to(open.sheetTriangles);
   j.at("sheetShare").get_to(open.sheetShare);

@@ -300,6 +300,7 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   opening.open(writeBox(folder, {}));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !repaired.isEmpty(); }, 10000));
   EXPECT_EQ(document_.source()->mesh->triangles.size(), 10u) << "as it was read";
+  document_.setParameter("openSurfaces", "refuse");
   plan(Stage::Replay);
   ASSERT_TRUE(document_.lastResult());
   EXPECT_EQ(document_.lastResult()->job.reached, Stage::Load);

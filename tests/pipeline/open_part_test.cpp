@@ -72,9 +72,30 @@ TEST(OpenPart, ModeAutoRefusesItOnceForAllWays) {
   PlanRequest request;
   request.item().loaded = cup();
   request.choices.item().automatic = true;
+  test::giveParameters(request.choices, {{"openSurfaces", "refuse"}});
   const PlanResult result = pipeline::planPart(request, {});
   EXPECT_EQ(result.job.report.item().tried.size(), 1u);
   EXPECT_EQ(first(result).kind, FindingKind::OpenRims);
+}
+
+// The cup, with one corner of its rim raised.
+std::shared_ptr<const project::LoadedPart> cupWith(double raisedMm) {
+  geometry::TriangleMesh m = *cup()->source;
+  for (Eigen::Vector3d& v : m.vertices)
+    if (v.z() > 10.0 && v.x() > 20.0 && v.y() > 20.0)
+      v.z() += raisedMm;
+  return project::loadedFrom("raised.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)),
+                             {}, true, {});
+}
+
+TEST(OpenPart, FlatRimsAreClosedWithANote) {
+  const PlanResult result = planned(cup(), "auto");
+  EXPECT_EQ(first(result).kind, FindingKind::RimsClosed);
+  EXPECT_FALSE(first(result).blocking);
+  EXPECT_NEAR(result.job.report.item().model.volumeMm3, 30 * 30 * 20, 1e-6);
+  EXPECT_EQ(first(planned(cupWith(0.1), "auto")).kind, FindingKind::RimsClosed) << "nearly flat";
+  EXPECT_EQ(first(planned(cupWith(6.0), "auto")).kind, FindingKind::OpenRims);
+  EXPECT_EQ(first(planned(sheet(), "auto")).kind, FindingKind::SheetModel);
 }
 
 TEST(OpenPart, IsClosedOnTheUsersWord) {
@@ -153,7 +174,7 @@ TEST(OpenPart, BecomesOneWallOfOneBead) {
         EXPECT_EQ(made.paths.front().closed, !winds && turns >= 1.0);
         const double bead = result.tooling().first().process.beadWidthMm;
         for (std::size_t i = 0; i < made.waypointCount() && turns >= 1.0; ++i)
-          EXPECT_NEAR(made.widthMm[i], bead, 0.03 * bead) << mode;
+          EXPECT_NEAR(made.widthMm[i], bead, 0.035 * bead) << mode;
       }
 }
 

@@ -15,6 +15,8 @@ struct OpenSurface {
   std::size_t rims = 0;
   double widestMm = 0.0; // diagonal of the bounding box of the widest rim
   Eigen::Vector3d widestAt = Eigen::Vector3d::Zero(); // its centre
+  // every rim is flat, or small beside the surface: nothing is guessed where it is closed
+  bool hasPlainRims = false;
   double capShare = 0.0; // area of the patches over those rims as a share of surface and patches
   std::size_t sheetTriangles = 0;
   double sheetShare = 0.0; // share of the surface area
@@ -22,6 +24,8 @@ struct OpenSurface {
   // Returns whether more than one percent of the surface would have to be invented.
   bool hasOpenRims() const { return capShare > kMaxUnasked; }
   bool isSheetModel() const { return sheetShare > kMaxUnasked; }
+  // Returns whether closing its rims, as slicers do, gives the solid that it must be.
+  bool isPlain() const { return hasPlainRims && hasOpenRims() && !isSheetModel(); }
 
   // Returns one sentence; empty if neither holds.
   base::Message sentence() const;

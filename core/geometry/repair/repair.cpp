@@ -147,9 +147,28 @@ private:
       box.extend(mesh_.vertices[static_cast<std::size_t>(v)]);
     return box;
   }
+  // Returns the largest distance of a rim from the plane through its middle.
+  double bulgeOf(const RimCap& cap) const {
+    const auto at = [&](std::size_t i) -> const Eigen::Vector3d& {
+      return mesh_.vertices[static_cast<std::size_t>(cap.rim[i % cap.rim.size()])];
+    };
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), normal = middle;
+    for (std::size_t i = 0; i < cap.rim.size(); ++i)
+      middle += at(i) / static_cast<double>(cap.rim.size());
+    for (std::size_t i = 0; i < cap.rim.size(); ++i)
+      normal += (at(i) - middle).cross(at(i + 1) - middle);
+    double bulge = 0.0;
+    for (std::size_t i = 0; i < cap.rim.size(); ++i)
+      bulge = std::max(bulge, std::abs((at(i) - middle).dot(normal.normalized())));
+    return bulge;
+  }
   void addRim(const RimCap& cap) {
-    ++open_.rims;
+    constexpr double kFlat = 0.01, kSmall = 0.1; // of the rim's width; of the whole mesh's
     const Eigen::AlignedBox3d box = boxOf(cap);
+    const bool isPlain = bulgeOf(cap) <= kFlat * box.diagonal().norm() ||
+                         box.diagonal().norm() <= kSmall * found_.boundsMm.diagonal().norm();
+    open_.hasPlainRims = isPlain && (open_.rims == 0 || open_.hasPlainRims);
+    ++open_.rims;
     if (const double width = box.diagonal().norm(); width > open_.widestMm) {
       open_.widestMm = width;
       open_.widestAt = box.center();
