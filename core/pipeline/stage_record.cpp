@@ -21,9 +21,11 @@ bool isOfThinPart(const plan::Finding& finding) {
 void settleThin(project::Job& job) {
   using enum plan::FindingKind;
   plan::Findings& all = job.report.findings;
-  if (job.report.replay.passed)
+  const project::ReplayReport& replay = job.report.replay;
+  if (replay.passed)
     for (plan::Finding& finding : all)
-      finding.blocking = finding.blocking && !isOfThinPart(finding);
+      if (isOfThinPart(finding) || (finding.kind == PatchWithoutBead && replay.thinMm3 > 0.0))
+        finding.blocking = false;
   if (std::ranges::none_of(all, [](const plan::Finding& finding) {
         return finding.kind == Thin || finding.kind == GivenThin;
       }))
@@ -33,7 +35,8 @@ void settleThin(project::Job& job) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first),
                end = begin + static_cast<std::ptrdiff_t>(record.findings);
     const auto kept = std::remove_if(begin, end, [](const plan::Finding& finding) {
-      return isOfThinPart(finding) || finding.kind == ThinWallsLeftOut;
+      return isOfThinPart(finding) || finding.kind == ThinWallsLeftOut ||
+             finding.kind == PatchWithoutBead;
     });
     record.findings = static_cast<std::size_t>(kept - begin);
     all.erase(kept, end);
