@@ -18,8 +18,8 @@ namespace {
 using base::at;
 
 constexpr double kEdge = 0.18; // [hatches]: distance between the ends of spine and gap
-// [hatches]: vertices with this room are joined to one gap. Beside the middle of a narrow gap few
-// have more.
+// [hatches]: vertices between beads with this room are joined to one gap. Beside the middle of a
+// narrow gap few have more.
 constexpr double kLinked = 0.08;
 constexpr double kWorthwhile = 0.28; // [hatches]: half width of the narrowest gap that gets a bead
 // [hatches]: greatest distance between the ends of two spines of one ring. The second begins 0.8
@@ -35,11 +35,12 @@ constexpr double kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
 // Shortest paths from one vertex within a region, with lengths weighted by the vertices' cost.
 class Ways {
 public:
-  Ways(const PatchSurface& s, const Regions& regions, const std::vector<double>& cost)
-      : s_(s), regions_(regions), cost_(cost), length_(s.position.size(), INFINITY),
+  Ways(const PatchSurface& s, const Regions& regions, const std::vector<double>& room,
+       const std::vector<double>& cost)
+      : s_(s), regions_(regions), room_(room), cost_(cost), length_(s.position.size(), INFINITY),
         parent_(s.position.size(), -1) {}
 
-  // Returns the reachable vertex that is farthest from `start`.
+  // Returns the reachable vertex with room for a bead that is farthest from `start`.
   int furthest(int start, bool weighted) {
     for (const int v : touched_)
       length_[at(v)] = INFINITY;
@@ -55,7 +56,8 @@ public:
       queue.pop();
       if (d > length_[at(v)])
         continue;
-      last = v;
+      if (room_[at(v)] >= kEdge)
+        last = v;
       for (const int* t = s_.ringBegin(v); t != s_.ringEnd(v); ++t)
         for (const int w : s_.triangles[at(*t)]) {
           if (w == v || regions_.ofVertex[at(w)] != regions_.ofVertex[at(start)])
@@ -84,18 +86,11 @@ public:
 private:
   const PatchSurface& s_;
   const Regions& regions_;
+  const std::vector<double>& room_;
   const std::vector<double>& cost_;
   std::vector<double> length_;
   std::vector<int> parent_, touched_;
 };
-// Removes the ends of a way where the gap is too narrow for a bead.
-void dropNarrowEnds(const std::vector<double>& room, std::vector<int>& path) {
-  for (int end = 0; end < 2; ++end) {
-    while (!path.empty() && room[at(path.back())] < kEdge)
-      path.pop_back();
-    std::ranges::reverse(path);
-  }
-}
 
 // Removes the ends of a way that leave the middle of the gap: the vertex that is farthest away is
 // in a corner of it.
@@ -193,11 +188,19 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
   for (std::size_t v = 0; v < n; ++v)
     room[v] = std::min(boundaryMm[v], outsideMm[v]) / hatchMm[v];
 
+  // In a wall and in the tip of a wedge, the boundary is as near as the bead.
+  const auto isBetweenBeads = [&](std::size_t v) {
+    return boundaryMm[v] > (room[v] + 0.5) * hatchMm[v];
+  };
   const std::vector<double> wholeRoom = room;
   std::vector<SurfaceCurve> spines;
   std::vector<double> cost(n);
   for (int round = 0; round < kRounds; ++round) {
-    const Regions regions = regionsAbove(s, room, kLinked);
+    std::vector<double> linked = room;
+    for (std::size_t v = 0; v < n; ++v)
+      if (room[v] >= kLinked && isBetweenBeads(v))
+        linked[v] = std::max(room[v], kEdge);
+    const Regions regions = regionsAbove(s, linked, kEdge);
     std::vector<int> widest(at(regions.count), -1);
     for (std::size_t v = 0; v < n; ++v) {
       const int r = regions.ofVertex[v];
@@ -208,19 +211,17 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
       const double r = std::max(0.05, room[v]);
       cost[v] = 1 / (r * r * r);
     }
-    Ways ways(s, regions, cost);
+    Ways ways(s, regions, room, cost);
     std::vector<SurfaceCurve> fresh;
     for (int r = 0; r < regions.count; ++r) {
       const int middle = widest[at(r)];
       const double half = room[at(middle)];
-      const bool isWall = outsideMm[at(middle)] > boundaryMm[at(middle)]; // no bead beside it
-      if (half < (isWall ? kWorthwhile : worthwhile))
+      if (half < (isBetweenBeads(at(middle)) ? worthwhile : kWorthwhile))
         continue;
       const int a = ways.furthest(middle, false);
       const int b = ways.furthest(a, false);
       ways.furthest(a, true);
       std::vector<int> path = ways.pathTo(b);
-      dropNarrowEnds(room, path);
       const double hatch = hatchMm[at(middle)];
       dropCorners(s, room, kCornerReach * hatch, path);
       SurfaceCurve c;
