@@ -4,8 +4,8 @@
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
+#include "layers/region_fill.h"
 #include "planar/nudged.h"
-#include "planar/region_fill.h"
 
 #include <algorithm>
 #include <array>
@@ -254,7 +254,7 @@ private:
     std::vector<std::array<int, 2>> edges;
     for (const auto& e : rim)
       edges.push_back({localOf(e[0]), localOf(e[1])});
-    auto filled = fillRegion(points, edges);
+    auto filled = layers::fillRegion(points, edges);
     if (!filled)
       return std::nullopt;
     for (auto& t : *filled)

@@ -1,7 +1,7 @@
 #include "planar/slicing/region_mesh.h"
 
 #include "base/index.h"
-#include "planar/constrained_triangulation.h"
+#include "layers/constrained_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +122,7 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
   RegionMesh mesh;
   mesh.points = points;
   std::vector<std::array<int, 2>> pieces;
-  for (const auto& e : oddEdges(byPlace(points, edges))) {
+  for (const auto& e : layers::oddEdges(byPlace(points, edges))) {
     const Vector2d a = points[at(e[0])], b = points[at(e[1])];
     const int n = std::max(1, static_cast<int>(std::ceil((b - a).norm() / edgeMm)));
     int from = e[0];
@@ -143,14 +143,15 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
   const std::size_t boundary = mesh.points.size();
   addInside(mesh, pieces, edgeMm);
 
-  Triangulation t;
-  std::vector<Triangulation::Vertex_handle> vertex(boundary);
-  Triangulation::Vertex_handle last; // the next point is near it
+  layers::Triangulation t;
+  std::vector<layers::Triangulation::Vertex_handle> vertex(boundary);
+  layers::Triangulation::Vertex_handle last; // the next point is near it
   const auto insert = [&](int i) {
     const Vector2d& p = mesh.points[at(i)];
     const std::size_t before = t.number_of_vertices();
-    const auto inserted = t.insert(Kernel::Point_2(p.x(), p.y()),
-                                   last == nullptr ? Triangulation::Face_handle() : last->face());
+    const auto inserted =
+        t.insert(layers::Kernel::Point_2(p.x(), p.y()),
+                 last == nullptr ? layers::Triangulation::Face_handle() : last->face());
     if (t.number_of_vertices() > before)
       inserted->info() = i;
     last = inserted;
@@ -169,12 +170,12 @@ std::optional<RegionMesh> meshRegion(const std::vector<Vector2d>& points,
         return std::nullopt;
       t.insert_constraint(a, b);
     }
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+  } catch (const layers::Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;
   }
   for (std::size_t i = boundary; i < mesh.points.size(); ++i)
     insert(static_cast<int>(i));
-  mesh.triangles = insideTriangles(t);
+  mesh.triangles = layers::insideTriangles(t);
   return mesh;
 }
 

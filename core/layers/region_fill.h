@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace voluta::planar {
+namespace voluta::layers {
 
 // Returns a constrained Delaunay triangulation of the region inside the `edges` (index pairs into
 // `points`, in any direction and order). A triangle is inside if a path to it from infinity crosses
@@ -17,4 +17,4 @@ std::optional<std::vector<std::array<int, 3>>>
 fillRegion(const std::vector<Eigen::Vector2d>& points,
            const std::vector<std::array<int, 2>>& edges);
 
-} // namespace voluta::planar
+} // namespace voluta::layers

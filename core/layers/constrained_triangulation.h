@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace voluta::planar {
+namespace voluta::layers {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
@@ -71,4 +71,4 @@ inline std::vector<std::array<int, 3>> insideTriangles(Triangulation& t) {
   return triangles;
 }
 
-} // namespace voluta::planar
+} // namespace voluta::layers

@@ -1,8 +1,8 @@
-#include "planar/region_fill.h"
+#include "layers/region_fill.h"
 
-#include "planar/constrained_triangulation.h"
+#include "layers/constrained_triangulation.h"
 
-namespace voluta::planar {
+namespace voluta::layers {
 
 std::optional<std::vector<std::array<int, 3>>>
 fillRegion(const std::vector<Eigen::Vector2d>& points,
@@ -35,4 +35,4 @@ fillRegion(const std::vector<Eigen::Vector2d>& points,
   return insideTriangles(t);
 }
 
-} // namespace voluta::planar
+} // namespace voluta::layers
