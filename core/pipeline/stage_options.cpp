@@ -430,6 +430,7 @@ toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
   options.stepMm = process.stepMm;
   options.edgeMm = std::max(options.edgeMm, 0.5 * process.beadWidthMm);
   options.cooling.minLayerTimeS = motion::layerTimes(values).minS;
+  options.bridgesMaySag = thresholdsOf(qualityOf(values)).bridgesMaySag;
   return options;
 }
 

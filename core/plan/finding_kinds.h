@@ -45,7 +45,7 @@ enum class FindingKind : std::uint8_t {
   PartsBlock,
   GivenAmountDiffers,
   GivenOddSize,
-  GivenThin,
+  GivenThinPart,
   GivenTooLarge,
   // decompose
   PlatformAdrift,
@@ -94,6 +94,7 @@ enum class FindingKind : std::uint8_t {
   ThinWallsWidened,
   ThinWallsLeftOut,
   HollowSkin,
+  SparseShare,
   SpiralEnds,
   SpiralInterrupted,
   RimSupports,

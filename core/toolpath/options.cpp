@@ -206,15 +206,16 @@ std::string optionsKey(const ToolpathOptions& options) {
   // The structured binding forces every new option to be considered here; add it with changedKey().
   const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
                winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
-               spiral, spiralOuter, tilts, cooling, fibre, stitches, infillTool, platform] = options;
+               spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches, infillTool, platform] =
+      options;
   static_cast<void>(platform);
   const std::string noPlatform;
   return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
                        infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
                        primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
                        noPlatform) +
-         (tilts ? "" : "upright\n") + changedKey(stitches, StitchOptions{}) +
-         (spiralOuter ? "outer\n" : "");
+         (tilts ? "" : "upright\n") + (maySag && density < 1.0 ? "sag\n" : "") +
+         changedKey(stitches, StitchOptions{}) + (spiralOuter ? "outer\n" : "");
 }
 
 } // namespace voluta::toolpath

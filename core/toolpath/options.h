@@ -65,6 +65,8 @@ struct ToolpathOptions {
   // Cell and programs can state nozzle directions other than the plate's normal. Otherwise beads
   // keep the directions of their layers, and supports under rims are printed upright.
   bool canTilt = true;
+  // Skins may sag a little between lines of sparse infill (process::saggingBridgeMm).
+  bool bridgesMaySag = false;
   CoolingOptions cooling;
   FibreOptions fibre;
   StitchOptions stitches;

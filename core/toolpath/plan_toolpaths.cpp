@@ -24,6 +24,7 @@
 #include "toolpath/unsupported/passes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -63,6 +64,20 @@ std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
   if (!first)
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::HollowSkin, {{"paths", paths}}, *first, paths);
+}
+
+// Returns the finding about sparse infill that fills another share of the interior than asked.
+std::optional<plan::Finding> sparseShare(const LayerCovers& made, double asked) {
+  constexpr double kApart = 0.03;
+  const double found = made.sparseMm3 > 0.0 ? made.sparseBeadMm3 / made.sparseMm3 : asked;
+  if (asked <= 0.0 || std::abs(found - asked) <= kApart)
+    return std::nullopt;
+  const base::Text reason =
+      found > asked ? "its lines branch below skins that would sag between them"_text
+                    : "the interior is too small for its lines, or they cannot lie any closer"_text;
+  return plan::makeFinding(plan::FindingKind::SparseShare, {{"found", base::percent(100.0 * found)},
+                                                            {"asked", base::percent(100.0 * asked)},
+                                                            {"reason", base::Message(reason)}});
 }
 
 // Returns the finding about walls that are narrower than the narrowest bead.
@@ -170,6 +185,9 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     orderToCool(assembled, seamKind(options.seam).place == nullptr, options.cooling.minLayerTimeS);
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
+  if (items == 1)
+    if (auto share = sparseShare(made, options.infillDensity))
+      r.findings.push_back(std::move(*share));
   if (options.spiral)
     if (auto ends = joinSpiral(assembled, options.bottomLayers))
       r.findings.push_back(std::move(*ends));

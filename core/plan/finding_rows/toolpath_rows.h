@@ -36,6 +36,10 @@ inline constexpr FindingRow kToolpathRows[] = {
         "the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on"_plural,
         "set `infillDensity` to 0.1 or more; for a part that is open at the top, set `topLayers` to 0"_text),
     info(
+        SparseShare, "sparseShare",
+        "sparse infill fills {found:.0f} of the interior instead of {asked:.0f}: {reason}"_text,
+        "choose another pattern or another share, or a quality that accepts longer bridges"_text),
+    info(
         SpiralEnds, "spiralEnds",
         "the spiral ends below layer {layer} of {layers}: its {beads} bead is not a closed loop|the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop"_plural,
         "print towers as separate items, or cut off the part there; layers of several beads are printed as usual"_text),

@@ -6,9 +6,13 @@
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 #include "toolpath/infill/infill.h"
-#include "toolpath/sparse/layer_count.h"
+#include "toolpath/plane/contours.h"
+#include "toolpath/sparse/branches.h"
+#include "toolpath/sparse/patterns.h"
+#include "toolpath/sparse/plane_sparse_lines.h"
 #include "toolpath/sparse/sparse_lines.h"
 #include "toolpath/sparse/split_layers.h"
+#include "toolpath/sparse/stack_layers.h"
 #include "toolpath/unsupported/bead_tip.h"
 #include "toolpath/unsupported/bridge_direction.h"
 #include "toolpath/unsupported/supported_walls.h"
@@ -66,20 +70,90 @@ double volumeOf(const layers::Patch& patch) {
   return mm3;
 }
 
-// Marks solid infill over sparse infill: the layer below is there, but not its solid part.
-void markBridges(std::size_t patch, const LayerCount& whole, const LayerCount& solid,
-                 std::vector<Bead>& beads) {
+// Marks solid infill over sparse infill as bridges.
+template <typename IsOverSparse>
+void markBridges(std::vector<Bead>& beads, const IsOverSparse& isOverSparse) {
   for (Bead& bead : beads) {
     if (bead.kind != PathKind::Infill && bead.kind != PathKind::GapFill)
       continue;
-    const auto overSparse = std::ranges::count_if(bead.points, [&](const BeadPoint& p) {
-      return whole.patchBelow(patch, p.middle, p.direction, p.heightMm) >= 0 &&
-             solid.patchBelow(patch, p.middle, p.direction, p.heightMm) < 0;
-    });
+    const auto overSparse = std::ranges::count_if(bead.points, isOverSparse);
     if (static_cast<double>(overSparse) > kBridgeShare * static_cast<double>(bead.points.size()))
       bead.kind = PathKind::Bridge;
   }
 }
+
+// The sparse parts of a stack and their beads.
+class SparseInfill {
+public:
+  SparseInfill(const layers::LayerStack& stack, const StackLayers& layers, const SplitLayers& split,
+               const process::Tooling& tooling, const ToolpathOptions& options,
+               const base::RunContext& ctx)
+      : stack_(stack), layers_(layers), split_(split), tooling_(tooling), options_(options),
+        ctx_(ctx), frames_(patternFrames(stack, options)) {
+    if (layers.count)
+      solid_.emplace(split.solid, ctx);
+  }
+
+  void markBridgesOf(std::size_t i, std::vector<Bead>& beads) const {
+    if (layers_.levels.isEven(i)) {
+      const PlanePatch& plane = *layers_.levels.patch(i);
+      const auto below = sparseFrom(i, -1, 1);
+      if (below.empty() || below.front().empty())
+        return;
+      const Contours sparse(below.front());
+      markBridges(beads, [&](const BeadPoint& p) {
+        return sparse.contains((plane.plane_R_work * p.middle).head<2>());
+      });
+    } else if (layers_.count) {
+      // The layer below is there, but not its solid part.
+      markBridges(beads, [&](const BeadPoint& p) {
+        return layers_.count->patchBelow(i, p.middle, p.direction, p.heightMm) >= 0 &&
+               solid_->patchBelow(i, p.middle, p.direction, p.heightMm) < 0;
+      });
+    }
+  }
+
+  // Precondition: split.sparse[i].
+  std::vector<Bead> beads(std::size_t i) const {
+    const int tool = options_.infillTool < 0 ? stack_.patches[i].tool : options_.infillTool;
+    const process::Process& process = tooling_.at(tool).process;
+    std::vector<Bead> made;
+    if (layers_.levels.isEven(i) && !sparsePattern(options_.sparsePattern).followsWalls)
+      made = planeSparseBeads(*layers_.levels.patch(i), split_.sparseAreas[i], frames_[i],
+                              sparseFrom(i, 1, branchLayers(process)), process, options_, ctx_);
+    else
+      made = sparseBeads(*split_.sparse[i], {stack_, i, *layers_.count, frames_[i]}, process,
+                         options_, ctx_);
+    for (Bead& bead : made)
+      bead.tool = tool;
+    return made;
+  }
+
+private:
+  int branchLayers(const process::Process& process) const {
+    return options_.topLayers == 0 ? 0 : branchesOf(process, options_).layers();
+  }
+
+  // Returns the sparse parts of the levels that follow a patch.
+  std::vector<ClipperLib::Paths> sparseFrom(std::size_t i, int sign, int count) const {
+    std::vector<ClipperLib::Paths> areas;
+    for (const PlaneLevels::Level* level : layers_.levels.from(i, sign, count)) {
+      areas.emplace_back();
+      for (const std::size_t patch : level->patches)
+        std::ranges::copy(split_.sparseAreas[patch], std::back_inserter(areas.back()));
+    }
+    return areas;
+  }
+
+  const layers::LayerStack& stack_;
+  const StackLayers& layers_;
+  const SplitLayers& split_;
+  const process::Tooling& tooling_;
+  const ToolpathOptions& options_;
+  const base::RunContext& ctx_;
+  std::vector<PatternFrame> frames_;
+  std::optional<LayerCount> solid_;
+};
 
 // Returns the distance from the surface up to which all places are in walls or skins.
 double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
@@ -87,7 +161,8 @@ double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
   for (const process::Tool& tool : tooling.tools()) {
     const process::Process& p = tool.process;
     const double hatch = process::hatchOf(p.beadWidthMm, p.layerHeightMm);
-    const double skin = std::max(o.skinMm, std::min(o.topLayers, o.bottomLayers) * p.layerHeightMm);
+    const int layers = std::min(o.topLayers, o.bottomLayers); // 0: no skin, however thick
+    const double skin = layers == 0 ? 0.0 : std::max(o.skinMm, layers * p.layerHeightMm);
     shell = std::min({shell, o.walls * hatch - kRoundSide * p.beadWidthMm, skin});
   }
   return std::max(0.0, shell);
@@ -111,7 +186,8 @@ std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack,
                                        const base::RunContext& ctx) {
   constexpr double kSkinShare = 0.5; // of the progress
   const base::RunContext silent = ctx.quiet();
-  SplitLayers split = splitLayers(stack, LayerCount(stack, silent), tooling, options, silent);
+  SplitLayers split =
+      splitLayers(stack, StackLayers(stack, false, silent), tooling, options, silent);
   std::vector<PatchCover> all =
       coverSolid(split.solid, stack, tooling, options, kSkinShare * share, ctx);
   layers::LayerStack core;
@@ -144,21 +220,15 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
     return out;
   }
   const base::RunContext silent = ctx.quiet();
-  const LayerCount whole(stack, silent);
-  const SplitLayers split = splitLayers(stack, whole, tooling, options, silent);
+  const StackLayers layers(stack, sparsePattern(options.sparsePattern).followsWalls, silent);
+  const SplitLayers split = splitLayers(stack, layers, tooling, options, silent);
   out.covers = coverSolid(split.solid, stack, tooling, options, share, ctx);
-  const LayerCount solid(split.solid, silent);
-  const std::vector<PatternFrame> frames = patternFrames(stack, options);
+  const SparseInfill infill(stack, layers, split, tooling, options, silent);
   std::vector<std::vector<Bead>> sparse(stack.patches.size());
   base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
-    markBridges(i, whole, solid, out.covers[i].beads);
-    if (!split.sparse[i])
-      return;
-    const int tool = options.infillTool < 0 ? stack.patches[i].tool : options.infillTool;
-    sparse[i] = sparseBeads(*split.sparse[i], {stack, i, whole, frames[i]},
-                            tooling.at(tool).process, options, silent);
-    for (Bead& bead : sparse[i])
-      bead.tool = tool;
+    infill.markBridgesOf(i, out.covers[i].beads);
+    if (split.sparse[i])
+      sparse[i] = infill.beads(i);
   });
   for (std::size_t i = 0; i < sparse.size(); ++i) {
     if (split.sparse[i])

@@ -9,6 +9,7 @@
 #include "toolpath/coverage/line_cover.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/patch_surface.h"
+#include "toolpath/sparse/branches.h"
 #include "toolpath/sparse/patterns.h"
 #include "toolpath/sparse/pith_grading.h"
 #include "toolpath/surface_fields.h"
@@ -19,7 +20,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -97,55 +97,6 @@ layers::Patch withoutSeam(const layers::Patch& patch) {
   return open;
 }
 
-// How the lines of a pattern branch towards a skin above, so that it finds spans that its beads can
-// bridge. In each layer the branches are a little farther apart.
-class Branches {
-public:
-  Branches(const SparsePattern& pattern, double periodMm, const process::Process& process)
-      : beadMm_(process.beadWidthMm) {
-    double spacing = pattern.spacing * periodMm, span = pattern.span * periodMm;
-    while (span - beadMm_ > kBridgeShare * process.bridgeMm && spacing > 4.0 * beadMm_ &&
-           layers_.size() < kMaxBranchings) {
-      apart_.push_back(0.25 * spacing);
-      layers_.push_back(
-          1 + std::max(0, static_cast<int>(
-                              std::ceil((0.25 * spacing - 0.5 * beadMm_) / (kLean * beadMm_)))));
-      spacing *= 0.5;
-      span *= 0.5;
-    }
-  }
-
-  int layers() const { return std::accumulate(layers_.begin(), layers_.end(), 0); }
-  int stages() const { return static_cast<int>(layers_.size()) + 1; }
-
-  // Stages: 0 has no branches; in stage k the k-th branching is going on. `left`: layers to the
-  // skin.
-  int stageOf(int left) const {
-    int done = layers() - left, stage = 0;
-    while (done > 0)
-      done -= layers_[at(stage++)];
-    return stage;
-  }
-  // Returns the branching at a place, as seen from a stage that may be another than its own.
-  Branching of(int left, int stage) const {
-    if (stage == 0)
-      return {};
-    int done = layers() - left;
-    for (int k = 0; k + 1 < stage; ++k)
-      done -= layers_[at(k)];
-    const int step = std::clamp(done, 1, layers_[at(stage - 1)]) - 1;
-    return {stage - 1, std::min(apart_[at(stage - 1)], (0.5 + kLean * step) * beadMm_)};
-  }
-
-private:
-  static constexpr double kBridgeShare = 0.85;
-  static constexpr double kLean = 0.4; // [beads] per layer
-  static constexpr std::size_t kMaxBranchings = 3;
-  double beadMm_;
-  std::vector<int> layers_;   // Per branching
-  std::vector<double> apart_; // Per branching, its end [mm]
-};
-
 // Returns per vertex the number of layers to the skin above, at most `maximum`.
 std::vector<int> layersToSkin(const PatchSurface& s, std::size_t patch, const LayerCount& count,
                               const ToolpathOptions& o, int maximum) {
@@ -194,7 +145,7 @@ std::vector<SurfaceCurve> patternCurves(const InfillRegion& region, const Sparse
     for (std::size_t v = 0; v < where.size(); ++v)
       where[v] = {0.0, grading.evenMm(mm[v]), 0.0};
   }
-  const Branches branches(pattern, period, process);
+  const Branches branches = branchesOf(process, o);
   const std::vector<int> left = layersToSkin(s, place.patch, place.layers, o, branches.layers());
   std::vector<SurfaceCurve> curves;
   for (int stage = 0; stage < branches.stages(); ++stage) {

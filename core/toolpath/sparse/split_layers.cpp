@@ -6,6 +6,7 @@
 #include "process/bead_model.h"
 #include "toolpath/infill/regions.h"
 #include "toolpath/patch_surface.h"
+#include "toolpath/sparse/plane_split.h"
 #include "toolpath/surface_fields.h"
 
 #include <algorithm>
@@ -18,10 +19,6 @@ namespace {
 using Eigen::Vector3d;
 
 using base::at;
-
-// [hatches]: the skin's edge rests on lines of the sparse infill below; narrower sparse parts are
-// not worth their own lines.
-constexpr double kSkinExtension = 1.5, kMinSparse = 3.0;
 
 double hatchOf(const process::Process& process) {
   return process::hatchOf(process.beadWidthMm, process.layerHeightMm);
@@ -36,8 +33,7 @@ std::vector<char> skinVertices(const PatchSurface& s, std::size_t patch, const L
     if (wanted == 0)
       return false;
     // Thin layers: more of them make up the thickness.
-    const int enough =
-        std::max(wanted, static_cast<int>(std::ceil(o.skinMm / s.thicknessMm[v] - 1e-6)));
+    const int enough = skinLayers(wanted, o.skinMm, s.thicknessMm[v]);
     const LayerCount::Layers found =
         layers.along(patch, s.position[v], sign * s.direction[v], s.thicknessMm[v], enough);
     return found.count < wanted || (found.count < enough && found.mm < o.skinMm);
@@ -119,26 +115,77 @@ layers::Patch cutOut(const PatchSurface& s, const std::vector<double>& values,
   part.tool = patch.tool;
   return part;
 }
+
+void splitSurface(std::size_t i, const layers::Patch& patch, const LayerCount& count,
+                  const process::Process& process, const ToolpathOptions& options,
+                  SplitLayers& split) {
+  const PatchSurface s = PatchSurface::refine(patch, options.edgeMm);
+  std::vector<double> depth = sparseDepth(s, i, count, process, options);
+  if (!dropNarrow(s, kMinSparse * hatchOf(process), depth))
+    return;
+  split.sparse[i] = cutOut(s, depth, patch);
+  for (double& d : depth)
+    d = -d;
+  split.solid.patches[i] = cutOut(s, depth, patch);
+}
+
+// Returns the outline of a part of an uneven plane layer.
+ClipperLib::Paths outlineOf(const layers::Patch& patch) {
+  const auto plane = planePatch(patch);
+  if (!plane)
+    return {};
+  ClipperLib::Paths outline = plane->outline;
+  outline.insert(outline.end(), plane->seams.begin(), plane->seams.end());
+  return outline;
+}
+
+// Returns the contours of a plane layer's solid part.
+ClipperLib::Paths solidAround(const ClipperLib::Paths& area, const PlanePatch& plane,
+                              const ToolpathOptions& options) {
+  if (options.walls == 0)
+    return geometry::combined(plane.outline, area, ClipperLib::ctDifference);
+  // Inside the walls. All points of the outline stay, since widths of walls are found there.
+  ClipperLib::Paths contours = plane.outline;
+  contours.insert(contours.end(), area.begin(), area.end());
+  return contours;
+}
+
+// A layer whose parts cannot be triangulated stays solid.
+void splitPlane(std::size_t i, const layers::Patch& patch, const PlaneLevels& levels,
+                const process::Process& process, const ToolpathOptions& options,
+                SplitLayers& split) {
+  const PlanePatch& plane = *levels.patch(i);
+  ClipperLib::Paths area = sparseArea(levels, i, process, options);
+  if (area.empty())
+    return;
+  auto sparse = patchOver(area, plane, patch);
+  auto solid = patchOver(solidAround(area, plane, options), plane, patch);
+  if (!sparse || !solid)
+    return;
+  split.sparse[i] = std::move(*sparse);
+  split.solid.patches[i] = std::move(*solid);
+  split.sparseAreas[i] = std::move(area);
+}
 } // namespace
 
-SplitLayers splitLayers(const layers::LayerStack& stack, const LayerCount& count,
+SplitLayers splitLayers(const layers::LayerStack& stack, const StackLayers& layers,
                         const process::Tooling& tooling, const ToolpathOptions& options,
                         const base::RunContext& ctx) {
-  SplitLayers split{stack, {}};
+  SplitLayers split{stack, {}, {}};
   split.sparse.resize(stack.patches.size());
+  split.sparseAreas.resize(stack.patches.size());
   base::parallelChunks(ctx, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
     const layers::Patch& patch = stack.patches[i];
     if (patch.surface.empty() || patch.group == layers::kSupportGroup)
       return;
     const process::Process& process = tooling.at(patch.tool).process;
-    const PatchSurface s = PatchSurface::refine(patch, options.edgeMm);
-    std::vector<double> depth = sparseDepth(s, i, count, process, options);
-    if (!dropNarrow(s, kMinSparse * hatchOf(process), depth))
-      return;
-    split.sparse[i] = cutOut(s, depth, patch);
-    for (double& d : depth)
-      d = -d;
-    split.solid.patches[i] = cutOut(s, depth, patch);
+    if (layers.levels.isEven(i))
+      splitPlane(i, patch, layers.levels, process, options, split);
+    else {
+      splitSurface(i, patch, *layers.count, process, options, split);
+      if (layers.levels.patch(i) && split.sparse[i])
+        split.sparseAreas[i] = outlineOf(*split.sparse[i]);
+    }
   });
   return split;
 }

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "geometry/polygon_paths.h"
 #include "layers/layer_stack.h"
 #include "process/tooling.h"
 #include "toolpath/options.h"
-#include "toolpath/sparse/layer_count.h"
+#include "toolpath/sparse/stack_layers.h"
 
 #include <optional>
 #include <vector>
@@ -17,13 +18,16 @@ namespace voluta::toolpath {
 struct SplitLayers {
   layers::LayerStack solid;                         // Same patches, in the same order
   std::vector<std::optional<layers::Patch>> sparse; // Per patch; nullopt: all of it is solid
+  // Per patch of a plane layer: the sparse part in the frame of its PlanePatch.
+  std::vector<ClipperLib::Paths> sparseAreas;
 };
 
 // A place is sparse if it is inside the walls and not skin: at least topLayers and bottomLayers
 // other layers, at least skinMm thick, are between it and the part's surface along the build
 // direction. Skins extend by kSkinExtension beads into the sparse part. Sparse parts narrower than
-// kMinSparse beads become solid, and so do supports. `count`: of the same stack. Throws Cancelled.
-SplitLayers splitLayers(const layers::LayerStack& stack, const LayerCount& count,
+// kMinSparse beads become solid, and so do supports. Plane layers are split as polygons
+// (plane_split.h). `layers`: of the same stack. Throws Cancelled.
+SplitLayers splitLayers(const layers::LayerStack& stack, const StackLayers& layers,
                         const process::Tooling& tooling, const ToolpathOptions& options,
                         const base::RunContext& ctx);
 
