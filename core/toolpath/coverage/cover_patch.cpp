@@ -3,11 +3,13 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "geometry/boundary.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/coverage/bead_volume.h"
 #include "toolpath/coverage/bend_middle.h"
 #include "toolpath/coverage/coverage.h"
+#include "toolpath/coverage/plane_walls.h"
 #include "toolpath/coverage/refined_patch.h"
 #include "toolpath/coverage/smooth_values.h"
 #include "toolpath/coverage/strand_room.h"
@@ -26,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -520,23 +523,12 @@ PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::P
   cover.overlapMm2 = c.overlapMm2;
   return cover;
 }
-} // namespace
 
-PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
-                      const ToolpathOptions& o, const base::RunContext& ctx,
-                      const std::vector<double>& wallWidthMm, std::optional<double> directionRad) {
-  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
-  const InfillKind& kind = infillKind(o.infill);
-  if (kind.needsChart && patch.chart.empty())
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("infill '{infill}' needs an axis to wind around, but layer {layer} "
-                      "has none"_text,
-                      o.infill, patch.layer),
-        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+PatchCover coverSurface(const layers::Patch& patch, const process::Process& process,
+                        const ToolpathOptions& o, const InfillKind& kind,
+                        const std::vector<double>& wallWidthMm, std::optional<double> directionRad,
+                        const base::RunContext& ctx) {
   PatchCover cover;
-  if (patch.surface.empty())
-    return cover;
   const PatchSurface s = refinedPatch(patch, process, o, kind.isStraightInside);
   const Centrelines lines =
       centrelines(s, process, o, kind, patch.layer, wallWidthMm, directionRad, ctx);
@@ -553,6 +545,46 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
   cover.thinWalls = lines.thinWalls;
+  return cover;
+}
+
+// Adds the walls around a cover of the area inside them.
+void addWalls(PlaneWalls walls, bool isOneLoop, PatchCover& inside) {
+  const double height = walls.beads.front().points.front().heightMm;
+  inside.areaMm2 += walls.bandMm2;
+  inside.coveredMm2 += walls.bandMm2;
+  inside.volumeMm3 += height * walls.bandMm2;
+  inside.beadVolumeMm3 += volumeOf(walls.beads);
+  inside.simple = isOneLoop;
+  inside.beads.insert(inside.beads.begin(), std::make_move_iterator(walls.beads.begin()),
+                      std::make_move_iterator(walls.beads.end()));
+}
+} // namespace
+
+PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
+                      const ToolpathOptions& o, const base::RunContext& ctx,
+                      const std::vector<double>& wallWidthMm, std::optional<double> directionRad) {
+  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
+  const InfillKind& kind = infillKind(o.infill);
+  if (kind.needsChart && patch.chart.empty())
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("infill '{infill}' needs an axis to wind around, but layer {layer} "
+                      "has none"_text,
+                      o.infill, patch.layer),
+        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+  if (patch.surface.empty())
+    return {};
+  auto walls = planeWalls(patch, process, o, wallWidthMm);
+  if (!walls)
+    return coverSurface(patch, process, o, kind, wallWidthMm, directionRad, ctx);
+  PatchCover cover;
+  if (walls->rest) {
+    ToolpathOptions inside = o;
+    inside.walls = 0;
+    cover = coverSurface(*walls->rest, process, inside, kind, {}, directionRad, ctx);
+  }
+  addWalls(std::move(*walls), geometry::boundaryLoops(patch.surface).size() == 1, cover);
   return cover;
 }
 

@@ -19,7 +19,7 @@ using base::at;
 
 constexpr double kOpenEnd = 0.08; // [hatches] from the region's edge to an unjoined end
 // [hatches] from the region's edge to the bead that joins two lines
-constexpr double kJoinedEnd = 0.5;
+constexpr double kJoinedEnd = 0.45;
 // [spacings] between the ends of joined lines: where lines run at a small angle to the edge, ends
 // of neighbours are far apart along it
 constexpr double kFarthestJoin = 8.0;
