@@ -31,6 +31,7 @@ public:
   ProgramsOutcome run() {
     constexpr int kRounds = 6; // of planning the motion again
     Avoided avoided;
+    result_.checked.clear();
     for (int round = 0;; ++round) {
       const bool mayPlanAgain = hooks_.planWithout && round < kRounds;
       write(mayPlanAgain);
@@ -52,6 +53,8 @@ private:
     const platform::PlatformSolid platform = project::platformOf(job);
     const ProgramStageInput in =
         programStageInput(job, *printed, platform, *result_.cell, result_.resolved());
+    for (const auto& before : result_.checked)
+      replaced_ += before->timings;
     result_.checked.clear();
     SharedRuns shared;
     const double count = static_cast<double>(formats_.size());
@@ -69,6 +72,7 @@ private:
 
   ProgramsOutcome report() {
     ProgramsOutcome out;
+    out.timings = replaced_;
     bool hasVerdict = false;
     for (const auto& checked : result_.checked) {
       out.timings += checked->timings;
@@ -118,6 +122,7 @@ private:
   PlanResult& result_;
   const ProgramHooks& hooks_;
   const base::RunContext& ctx_;
+  project::Timings replaced_; // of programs written before the motion was planned again
   const std::vector<std::string> formats_;
 };
 

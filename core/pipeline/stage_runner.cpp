@@ -319,15 +319,17 @@ private:
         *result_.job.toolPlan, project::platformOf(result_.job), *result_.cell, resolved_.tooling,
         motionOptionsOf(resolved_.values, resolved_.choices.seed), std::exchange(grown_, {}), ctx);
   }
-  // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
-  // of some paths. Its state is as large as the trajectory.
+  // Replay may require replanning of some paths. The planner's state is as large as the trajectory:
+  // keep it of large plans only if motion skipped waypoints, when that is likely.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
     std::shared_ptr<const MotionStage> stage =
         moving->plan(ctx.sub(0.05, 1.0), context_.isTrial() ? plan::kBlockingShare : 1.0);
     if (!stage->trajectory && context_.reject(project::Stage::Motion, stage->findings))
       return stage;
-    if (stage->report.unreachable + stage->report.collisions > 0)
+    constexpr std::size_t kSmallPlan = 300'000; // waypoints
+    if (stage->report.unreachable + stage->report.collisions > 0 ||
+        result_.job.toolPlan->waypointCount() <= kSmallPlan)
       moving_ = std::move(moving);
     return stage;
   }
@@ -354,7 +356,8 @@ private:
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
     if (!moving_) {
       moving_ = partMotion(ctx);
-      moving_->plan(ctx); // Again, or for the first time if the motion came from the cache
+      // Again, or for the first time if the motion came from the cache
+      report().timings += moving_->plan(ctx)->timings;
     }
     motion_ = moving_->planWithout(met, ctx);
     fresh_ = true;
