@@ -15,7 +15,8 @@ constexpr double kCellMm = 2.0; // or the mean width of wider beads
 double pointDistance(const Disc& disc, const Vector3d& point) {
   const Vector3d r = point - disc.centre;
   const double up = r.dot(disc.normal);
-  return std::hypot(up, std::max(0.0, (r - up * disc.normal).norm() - disc.radius));
+  const double out = std::max(0.0, (r - up * disc.normal).norm() - disc.radius);
+  return std::sqrt(up * up + out * out); // hypot() is ten times as slow
 }
 
 // Returns the minimum of a convex function over [low, high], or the first value found at or below
@@ -44,11 +45,24 @@ Eigen::AlignedBox3d boxOf(const BeadSection& bead) {
   return {bead.start.cwiseMin(end) - reach, bead.start.cwiseMax(end) + reach};
 }
 
-bool isBeneath(const BeadSection& bead, const Disc& disc) {
-  const double start = (bead.start - disc.centre).dot(disc.normal);
-  return std::max(start, start + bead.along.dot(disc.normal)) +
+// Returns whether the whole bead is on one side of the disc's plane: beneath it for side = 1, above
+// it for -1.
+bool isBeside(const BeadSection& bead, const Disc& disc, double side) {
+  const double start = side * (bead.start - disc.centre).dot(disc.normal);
+  return std::max(start, start + side * bead.along.dot(disc.normal)) +
              bead.halfFlat * std::abs(bead.side.dot(disc.normal)) <
          -bead.radius;
+}
+
+// Returns whether discDistance() is not positive. Few pairs need its search.
+bool isReached(const BeadSection& bead, const Disc& disc) {
+  const Vector3d toCentre = disc.centre - bead.start;
+  const double share =
+      std::clamp(toCentre.dot(bead.along) / std::max(1e-12, bead.along.squaredNorm()), 0.0, 1.0);
+  const Vector3d nearest = bead.start + share * bead.along;
+  if ((disc.centre - nearest).norm() > disc.radius + bead.radius + bead.halfFlat)
+    return false;
+  return pointDistance(disc, nearest) <= bead.radius || discDistance(disc, bead) <= 0.0;
 }
 } // namespace
 
@@ -116,8 +130,9 @@ bool BeadSections::isSoft(std::size_t waypoint, std::size_t printing) const {
 
 bool BeadSections::reachedBy(const Disc& disc, std::size_t printing) const {
   return near_.any(boxOf(disc), [&](std::uint32_t b) {
-    return printedAt_[b] < printing && !isBeneath(beads_[b], disc) &&
-           !isSoft(printedAt_[b], printing) && discDistance(disc, beads_[b]) <= 0.0;
+    return printedAt_[b] < printing && !isBeside(beads_[b], disc, 1.0) &&
+           !isBeside(beads_[b], disc, -1.0) && !isSoft(printedAt_[b], printing) &&
+           isReached(beads_[b], disc);
   });
 }
 

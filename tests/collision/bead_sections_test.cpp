@@ -5,7 +5,11 @@
 #include "collision/growing_part.h"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <numeric>
+#include <random>
+#include <vector>
 
 using namespace voluta;
 using Eigen::Vector3d;
@@ -86,4 +90,29 @@ TEST(BeadSections, FindsContactsThatTheCellGridMisses) {
   pose.translation() = Vector3d(9.5, 0.0, kHeight - 0.5);
   EXPECT_FALSE(part.headTouches(head, pose, 0.0, 11));
   EXPECT_TRUE(part.headTouches(head, pose, 0.0, 16));
+}
+
+// Bounds spare most searches; the answer is that of the search over every bead.
+TEST(BeadSections, AreReachedWhereADistanceIsNotPositive) {
+  const plan::ToolPlan plan = beadAlongX();
+  std::vector<std::uint32_t> segments(20);
+  std::iota(segments.begin(), segments.end(), 0U);
+  const collision::BeadSections beads(plan, segments);
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::size_t reached = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const collision::Disc disc{
+        {10.0 + 12.0 * unit(random), 1.5 * unit(random), 0.4 + 1.2 * unit(random)},
+        Vector3d(unit(random), unit(random), 1.2 + unit(random)).normalized(),
+        0.6 + 0.5 * unit(random)};
+    bool isNear = false;
+    for (const std::uint32_t segment : segments)
+      isNear =
+          isNear || collision::discDistance(disc, collision::beadSection(plan, segment)) <= 0.0;
+    EXPECT_EQ(beads.reachedBy(disc, 1000), isNear) << trial;
+    reached += isNear;
+  }
+  EXPECT_GT(reached, 400U);
+  EXPECT_LT(reached, 1600U);
 }
