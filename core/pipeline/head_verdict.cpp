@@ -58,7 +58,8 @@ std::string pointsOf(const plan::Findings& findings) {
 }
 } // namespace
 
-std::string headVerdict(const replay::Verification& verdict, const plan::Findings& blockers) {
+std::string headVerdict(const replay::Verification& verdict, const plan::Findings& blockers,
+                        const std::string& accepted) {
   if (!verdict.safeToRun) {
     std::vector<std::string> failed;
     for (const base::Message& one : failedThresholds(verdict))
@@ -71,8 +72,10 @@ std::string headVerdict(const replay::Verification& verdict, const plan::Finding
   std::ranges::copy_if(all, std::back_inserter(safety), plan::blocksRunning);
   if (!safety.empty())
     return "NOT approved, the plan is not safe: " + pointsOf(safety);
-  return all.empty() && verdict.passed ? std::string(kPassedVerdict)
-                                       : "safe to run; differs from the part: " + pointsOf(all);
+  if (!all.empty() || !verdict.passed)
+    return "safe to run; differs from the part: " + pointsOf(all);
+  return accepted.empty() ? std::string(kPassedVerdict)
+                          : "safe to run; prints the part with accepted differences: " + accepted;
 }
 
 } // namespace voluta::pipeline

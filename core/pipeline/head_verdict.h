@@ -19,7 +19,9 @@ inline constexpr std::string_view kPassedVerdict =
 
 // Returns the verdict in English, with each point's amount and place, e.g. "safe to run; differs
 // from the part: 4.6 % not covered at (7.0 -3.0 4.5)". `blockers`: findings that block the plan,
-// apart from those of its programs.
-std::string headVerdict(const replay::Verification& verdict, const plan::Findings& blockers);
+// apart from those of its programs. `accepted`: differences that the user accepts beyond the
+// quality's limits, as textOf(Quality::accepted).
+std::string headVerdict(const replay::Verification& verdict, const plan::Findings& blockers,
+                        const std::string& accepted = {});
 
 } // namespace voluta::pipeline

@@ -253,7 +253,8 @@ namespace {
 // comments change, which is checked: the text that is released is read as the replayed one was.
 void putVerdict(CheckedProgram& checked, const program::Dialect& dialect, const ReadBack& back,
                 const ProgramStageInput& in, const base::RunContext& ctx) {
-  const std::string verdict = headVerdict(back.verdict, in.blockers);
+  const std::string verdict =
+      headVerdict(back.verdict, in.blockers, textOf(beyondLevel(in.quality)));
   std::vector<plan::ProgramFile>& files = checked.program.files;
   if (verdict == kPassedVerdict || !program::replaceVerdict(files, verdict, dialect.longestLine))
     return;

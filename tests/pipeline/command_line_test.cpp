@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "helpers/shapes.h"
+#include "helpers/sharp_prism.h"
 
 #include <algorithm>
 #include <chrono>
@@ -222,13 +223,9 @@ TEST_F(CommandLine, AProgramOfAnEarlierPlanIsNamed) {
 // A part whose program is safe to run ends with 4 and a line of its own; so do its verification and
 // the rest of the print.
 TEST_F(CommandLine, APartThatDiffersIsAmberInEveryCommand) {
-  geometry::TriangleMesh prism = test::box({-7, -3, 0}, {7, 3.5, 6}); // its back edge is sharp
-  for (Eigen::Vector3d& v : prism.vertices)
-    if (v.y() > 0.0)
-      v.x() *= 1e-3;
   const std::string out = (folder_ / "out").string(), job = out + "/job.voluta";
-  const Ended plan = run({"plan", stl("prism.stl", prism), "-o", out, "--mode", "flat", "--format",
-                          "urscript", "--set", "quality=strict"});
+  const Ended plan = run({"plan", stl("prism.stl", test::sharpPrism()), "-o", out, "--mode", "flat",
+                          "--format", "urscript", "--set", "quality=strict"});
   expectOneLine(plan, 4, {"not as asked: replay: ", "not covered by beads"});
   EXPECT_NE(plan.out.find("replay safe to run, NOT as asked: "), std::string::npos) << plan.out;
   const auto json = nlohmann::json::parse(base::readFile(fs::path(out) / "report.json"));
