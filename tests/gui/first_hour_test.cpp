@@ -3,6 +3,7 @@
 #include "forms/parameter_row.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "helpers/sharp_prism.h"
 #include "panels/findings_panel.h"
 #include "panels/format_list.h"
 #include "panels/verdict_table.h"
@@ -37,7 +38,6 @@ using window::PageState;
 class FirstHourTest : public WindowTest {
 protected:
   QString plinth() { return writePart("plinth.stl", box({0, 0, 0}, {9.0, 9.0, 5.0})); }
-  // Too small for its beads: its programs are safe to run, but do not print it as asked.
   QString small() { return writePart("small.stl", box({0, 0, 0}, {5.0, 5.0, 5.0})); }
   void planAll() {
     clickToolBar("plan");
@@ -316,7 +316,7 @@ TEST_F(FirstHourTest, WithoutAnyFormatNothingIsExported) {
 }
 
 TEST_F(FirstHourTest, ExportConfirmsReplacementAndWritesAReport) {
-  openPart(small());
+  openPart(writePart("prism.stl", sharpPrism()));
   document().setParameter("quality", "strict");
   planAll();
   QDir().mkpath(path("out"));

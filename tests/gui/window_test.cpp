@@ -2,6 +2,7 @@
 #include "document/mode_switch.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "helpers/sharp_prism.h"
 #include "panels/findings_panel.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
@@ -190,9 +191,8 @@ TEST_F(WindowTest, AFindingTakesCameraSlidersAndRobotThere) {
   EXPECT_NE(page(), Page::Prepare);
 }
 
-// Too small for its beads: safe to run, but not as asked.
 TEST_F(WindowTest, ProgramsOfAnotherPartThanAskedAreWrittenOnlyOnTheUsersWord) {
-  openPart(writePart("small.stl", smallBox(5.0)));
+  openPart(writePart("prism.stl", sharpPrism()));
   document().setParameter("quality", "strict");
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
@@ -220,9 +220,9 @@ TEST_F(WindowTest, ProgramsOfAnotherPartThanAskedAreWrittenOnlyOnTheUsersWord) {
   }));
   const QStringList names = QDir(path("out")).entryList(QDir::Files);
   for (const QString& name : names)
-    EXPECT_TRUE(name.startsWith("small") || name.startsWith("pedestal.") || name == "report.json")
+    EXPECT_TRUE(name.startsWith("prism") || name.startsWith("pedestal.") || name == "report.json")
         << name.toStdString();
-  EXPECT_FALSE(names.filter("small").isEmpty());
+  EXPECT_FALSE(names.filter("prism").isEmpty());
 }
 
 TEST_F(WindowTest, ClosingOffersToSaveUnsavedChanges) {

@@ -251,21 +251,21 @@ TEST(VerdictMeasures, EveryMeasureIsHeldToItsLimit) {
   r.thresholds.flowError = 0.01;
   r.controllerDurationS = 125.0;
   const auto timed = panels::verdictMeasures(r);
-  ASSERT_EQ(timed.size(), 12u);
-  EXPECT_FALSE(timed[10].passed) << "flow";
-  EXPECT_EQ(timed[11].value, "2 min 5 s");
-  EXPECT_TRUE(timed[11].limit.isEmpty()) << "only told";
+  ASSERT_EQ(timed.size(), 13u);
+  EXPECT_FALSE(timed[11].passed) << "flow";
+  EXPECT_EQ(timed[12].value, "2 min 5 s");
+  EXPECT_TRUE(timed[12].limit.isEmpty()) << "only told";
   EXPECT_TRUE(measures[0].passed);
-  EXPECT_TRUE(measures[2].limit.isEmpty()) << "only told";
-  EXPECT_FALSE(measures[5].passed);
-  EXPECT_EQ(measures[5].value, "4.00 %");
+  EXPECT_TRUE(measures[3].limit.isEmpty()) << "only told";
+  EXPECT_FALSE(measures[6].passed);
+  EXPECT_EQ(measures[6].value, "4.00 %");
 }
 
 // The bridging limit depends on the mode.
 TEST(VerdictMeasures, ALongUnsupportedRunIsBesideItsLimit) {
   project::ReplayReport r;
   r.longestUnsupportedMm = 13.4;
-  const panels::VerdictMeasure run = panels::verdictMeasures(r, {.bridgeMm = 6.0})[3];
+  const panels::VerdictMeasure run = panels::verdictMeasures(r, {.bridgeMm = 6.0})[4];
   EXPECT_EQ(run.value, "13.400 mm");
   EXPECT_EQ(run.limit, QString::fromUtf8("≤ 6 mm"));
   EXPECT_FALSE(run.passed);
@@ -282,11 +282,11 @@ TEST(VerdictMeasures, RefusedFigureIsNotRoundedToItsLimit) {
   const auto measures = panels::verdictMeasures(r, {.deviations = 2});
   const auto valueOf = [&](std::size_t row) { return measures[row].value; };
   EXPECT_EQ(valueOf(0), "96.99 %");
-  EXPECT_EQ(valueOf(1), "0.51 %");
-  EXPECT_EQ(valueOf(5), "3.01 %");
-  EXPECT_EQ(valueOf(8), "0.051 mm");
-  EXPECT_EQ(valueOf(9), "2");
-  for (const std::size_t row : {0u, 1u, 5u, 8u, 9u})
+  EXPECT_EQ(valueOf(2), "0.51 %");
+  EXPECT_EQ(valueOf(6), "3.01 %");
+  EXPECT_EQ(valueOf(9), "0.051 mm");
+  EXPECT_EQ(valueOf(10), "2");
+  for (const std::size_t row : {0u, 2u, 6u, 9u, 10u})
     EXPECT_FALSE(measures[row].passed) << row;
 }
 
@@ -299,6 +299,6 @@ TEST(VerdictMeasures, AreThoseOfTheWorstPart) {
   r.thresholds = {0.97, 0.005, 0.03, 0.03, 0.05, 0, 0};
   const auto measures = panels::verdictMeasures(r);
   EXPECT_EQ(measures[0].value, "95.00 %");
-  EXPECT_EQ(measures[1].value, "2.00 %");
-  EXPECT_EQ(measures[5].value, "5.00 %");
+  EXPECT_EQ(measures[2].value, "2.00 %");
+  EXPECT_EQ(measures[6].value, "5.00 %");
 }
