@@ -7122,10 +7122,6 @@ previsto</translation>
         <translation>Il doppio della distanza fra i punti</translation>
     </message>
     <message>
-        <source>How a part whose surface has wide openings or no thickness is handled: refuse it, close the openings with patches, thicken the surface to a wall two beads wide, or print it as one wall, one bead wide.</source>
-        <translation>Come trattare un pezzo la cui superficie ha grandi aperture o nessuno spessore: rifiutarlo, chiudere le aperture con toppe, ispessire la superficie a una parete larga due cordoni o stamparla come una sola parete, larga un cordone.</translation>
-    </message>
-    <message>
         <source>Checks, with the closest approach to each limit</source>
         <translation>Verifiche, con il punto più vicino a ciascun limite</translation>
     </message>
@@ -9704,10 +9700,6 @@ facce %</translation>
         <translation>le quantità sono lette come volumi, come dice l&apos;impostazione use_volumetric_e del file</translation>
     </message>
     <message>
-        <source>the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}</source>
-        <translation>il file estrude {stated:.0f} secondo le sue parole E, i suoi cordoni e ciò che è omesso hanno {read:.0f}</translation>
-    </message>
-    <message>
         <source>the negative volume &apos;{negative}&apos; cannot be cut out of &apos;{part}&apos;: their meshes are not closed or intersect themselves</source>
         <translation>il volume negativo «{negative}» non può essere tagliato da «{part}»: le loro mesh non sono chiuse o si intersecano</translation>
     </message>
@@ -10471,10 +10463,6 @@ facce %</translation>
         <translation>Sicuro da eseguire, ma non stampa il pezzo come richiesto.</translation>
     </message>
     <message>
-        <source>Shares that are accepted in this job beyond the quality&apos;s limits: uncovered, unsupported, overfill and mass, such as uncovered=0.05, mass=0.04. Verification reports list them.</source>
-        <translation>Quote accettate in questo lavoro oltre i limiti della qualità: uncovered, unsupported, overfill e mass, per esempio uncovered=0.05, mass=0.04. I rapporti di verifica le elencano.</translation>
-    </message>
-    <message>
         <source>Span that a bead of 0.45 mm bridges with a sag of up to 0.2 mm; less for wider beads. Quality usual and draft accept it.</source>
         <translation>Luce che un cordone di 0,45 mm supera con un cedimento fino a 0,2 mm; meno per cordoni più larghi. Le qualità normale e bozza la accettano.</translation>
     </message>
@@ -10525,6 +10513,129 @@ facce %</translation>
     <message>
         <source>{quality}; accepted: {shares}</source>
         <translation>{quality}; accettato: {shares}</translation>
+    </message>
+    <message>
+        <source>How a part whose surface has wide openings or no thickness is handled: close openings that are flat or small and refuse others, refuse it, close the openings with patches, thicken the surface to a wall two beads wide, or print it as one wall, one bead wide.</source>
+        <translation>Come trattare un pezzo la cui superficie ha ampie aperture o nessuno spessore: chiudere le aperture piane o piccole e rifiutare le altre, rifiutarlo, chiudere le aperture con toppe, ispessire la superficie a una parete larga due cordoni, o stamparla come una sola parete larga un cordone.</translation>
+    </message>
+    <message>
+        <source>Shares that are accepted in this job beyond the quality&apos;s limits: uncovered, unsupported, overfill, mass and thin, such as uncovered=0.05, mass=0.04. Verification reports list them.</source>
+        <translation>Quote accettate in questo lavoro oltre i limiti della qualità: uncovered, unsupported, overfill, mass e thin, per esempio uncovered=0.05, mass=0.04. I rapporti di verifica le elencano.</translation>
+    </message>
+    <message>
+        <source>The spiral follows the largest contour of each layer; holes and other contours are left out.</source>
+        <translation>La spirale segue il contorno più grande di ogni strato; fori e altri contorni sono tralasciati.</translation>
+    </message>
+    <message>
+        <source>Thin: {share:.1f} of the part is narrower than the narrowest bead and stays open; at most {limit:.4g} allowed.</source>
+        <translation>Sottile: {share:.1f} del pezzo è più stretto del cordone più stretto e resta aperto; ammesso al massimo {limit:.4g}.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <source>check these places in the view; move the part on the plate if they matter</source>
+        <translation>controlla questi punti nella vista; sposta il pezzo sul piatto se contano</translation>
+    </message>
+    <message>
+        <source>choose a process with narrower beads, or slice the part again with wider ones</source>
+        <translation>scegli un processo con cordoni più stretti, o affetta di nuovo il pezzo con cordoni più larghi</translation>
+    </message>
+    <message>
+        <source>choose the process that the file was sliced for; the tool-paths are printed as they are</source>
+        <translation>scegli il processo per cui il file è stato affettato; i percorsi utensile si stampano così come sono</translation>
+    </message>
+    <message>
+        <source>export the file again in millimetres, at the size to be printed</source>
+        <translation>esporta di nuovo il file in millimetri, nella dimensione da stampare</translation>
+    </message>
+    <message>
+        <source>in line {line} first</source>
+        <translation>per la prima volta alla riga {line}</translation>
+    </message>
+    <message>
+        <source>in no single line</source>
+        <translation>in nessuna riga in particolare</translation>
+    </message>
+    <message>
+        <source>look at that line: export the file again without it, with straight lines or arcs (G1, G2, G3)</source>
+        <translation>guarda quella riga: esporta di nuovo il file senza di essa, con linee rette o archi (G1, G2, G3)</translation>
+    </message>
+    <message>
+        <source>machine {machine} is safe to run, but does not print its part as asked: {reason}</source>
+        <translation>la macchina {machine} è sicura da eseguire, ma non stampa il suo pezzo come richiesto: {reason}</translation>
+    </message>
+    <message>
+        <source>move the part on the plate, or slice it again for a lower speed there</source>
+        <translation>sposta il pezzo sul piatto, o affettalo di nuovo con una velocità minore in quel punto</translation>
+    </message>
+    <message>
+        <source>move the part on the plate, or use another cell; its tool-paths are printed as they are</source>
+        <translation>sposta il pezzo sul piatto, o usa un&apos;altra cella; i suoi percorsi utensile si stampano così come sono</translation>
+    </message>
+    <message>
+        <source>move the part on the plate, use a slimmer print head, or allow less clearance</source>
+        <translation>sposta il pezzo sul piatto, usa una testa di stampa più snella, o ammetti una distanza minore</translation>
+    </message>
+    <message>
+        <source>outer contour alone</source>
+        <translation>solo il contorno esterno</translation>
+    </message>
+    <message>
+        <source>plan again with more clearance, or move the part on the plate</source>
+        <translation>pianifica di nuovo con più distanza, o sposta il pezzo sul piatto</translation>
+    </message>
+    <message>
+        <source>see its report</source>
+        <translation>vedi il suo rapporto</translation>
+    </message>
+    <message>
+        <source>see the remedies in the job of that machine</source>
+        <translation>vedi i rimedi nel lavoro di quella macchina</translation>
+    </message>
+    <message>
+        <source>the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}; they part {line}</source>
+        <translation>il file estrude {stated:.0f} secondo le sue parole E, i suoi cordoni e ciò che è tralasciato ne hanno {read:.0f}; divergono {line}</translation>
+    </message>
+    <message>
+        <source>the file extrudes {stated:.0f} by its E words, the tool-paths taken from it have {read:.0f}; they part {line}</source>
+        <translation>il file estrude {stated:.0f} secondo le sue parole E, i percorsi utensile presi da esso ne hanno {read:.0f}; divergono {line}</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>sottile</translation>
+    </message>
+    <message>
+        <source>use a cell whose arm can tilt the nozzle, or print the paths on the plate</source>
+        <translation>usa una cella il cui braccio può inclinare l&apos;ugello, o stampa i percorsi sul piatto</translation>
+    </message>
+    <message>
+        <source>use a cell with a larger plate, or slice the part again at a smaller size</source>
+        <translation>usa una cella con un piatto più grande, o affetta di nuovo il pezzo in dimensione minore</translation>
+    </message>
+    <message numerus="yes">
+        <source>{share:.2f} of the part ({volume:.3g}) is narrower than the narrowest bead ({bead:.3g}) and stays open, at {places} places, mostly around this point</source>
+        <translation>
+            <numerusform>{share:.2f} del pezzo ({volume:.3g}) è più stretto del cordone più stretto ({bead:.3g}) e resta aperto, in {places} punto, qui</numerusform>
+            <numerusform>{share:.2f} del pezzo ({volume:.3g}) è più stretto del cordone più stretto ({bead:.3g}) e resta aperto, in {places} punti, soprattutto attorno a questo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>choose another pattern or another share, or a quality that accepts longer bridges</source>
+        <translation>scegli un altro motivo o un&apos;altra quota, o una qualità che ammette ponti più lunghi</translation>
+    </message>
+    <message>
+        <source>its lines branch below skins that would sag between them</source>
+        <translation>le sue linee si ramificano sotto le pelli, che altrimenti cederebbero fra di esse</translation>
+    </message>
+    <message>
+        <source>sparse infill fills {found:.0f} of the interior instead of {asked:.0f}: {reason}</source>
+        <translation>il riempimento rado occupa {found:.0f} dell&apos;interno invece di {asked:.0f}: {reason}</translation>
+    </message>
+    <message>
+        <source>the interior is too small for its lines, or they cannot lie any closer</source>
+        <translation>l&apos;interno è troppo piccolo per le sue linee, oppure esse non possono stare più vicine</translation>
     </message>
 </context>
 <context>
@@ -11246,6 +11357,10 @@ Fai clic per sceglierne un altro</translation>
         <source>before the change</source>
         <translation>prima della modifica</translation>
     </message>
+    <message>
+        <source>Not as asked: %1</source>
+        <translation>Non come richiesto: %1</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsPanel</name>
@@ -11282,10 +11397,6 @@ Fai clic per sceglierne un altro</translation>
         <translation>Ancora nessuna segnalazione.</translation>
     </message>
     <message>
-        <source>Show only blocking findings</source>
-        <translation>Mostra solo le segnalazioni bloccanti</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Mostra</translation>
     </message>
@@ -11300,6 +11411,22 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>No problems found so far.</source>
         <translation>Finora nessun problema.</translation>
+    </message>
+    <message>
+        <source>%1 blocking, %2 not as asked, %3 for information</source>
+        <translation>%1 bloccanti, %2 non come richiesto, %3 informative</translation>
+    </message>
+    <message>
+        <source>Not as asked (%1)</source>
+        <translation>Non come richiesto (%1)</translation>
+    </message>
+    <message>
+        <source>Blocked (%1), not as asked (%2)</source>
+        <translation>Bloccato (%1), non come richiesto (%2)</translation>
+    </message>
+    <message>
+        <source>Show only findings that block, or by which the part differs</source>
+        <translation>Mostra solo le segnalazioni che bloccano o per cui il pezzo è diverso</translation>
     </message>
 </context>
 <context>
@@ -11969,6 +12096,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Outside limit, not refused</source>
         <translation>Fuori limite, non rifiutato</translation>
+    </message>
+    <message>
+        <source>Thin and open</source>
+        <translation>Sottile e aperto</translation>
     </message>
 </context>
 <context>
@@ -13800,6 +13931,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>safe to run, not as asked</source>
         <translation>sicuro da eseguire, non come richiesto</translation>
+    </message>
+    <message>
+        <source>Done. Safe to run, not as asked: %1.</source>
+        <translation>Fatto. Sicuro da eseguire, non come richiesto: %1.</translation>
     </message>
 </context>
 <context>
