@@ -1,6 +1,7 @@
 #include "collision/bead_sections.h"
 
 #include "geometry/golden_section.h"
+#include "geometry/nearest_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +57,9 @@ bool isBeside(const BeadSection& bead, const Disc& disc, double side) {
 
 // Returns whether discDistance() is not positive. Few pairs need its search.
 bool isReached(const BeadSection& bead, const Disc& disc) {
-  const Vector3d toCentre = disc.centre - bead.start;
-  const double share =
-      std::clamp(toCentre.dot(bead.along) / std::max(1e-12, bead.along.squaredNorm()), 0.0, 1.0);
-  const Vector3d nearest = bead.start + share * bead.along;
+  const Vector3d end = bead.start + bead.along;
+  const Vector3d nearest =
+      bead.start + geometry::nearestShare(disc.centre, bead.start, end) * bead.along;
   if ((disc.centre - nearest).norm() > disc.radius + bead.radius + bead.halfFlat)
     return false;
   return pointDistance(disc, nearest) <= bead.radius || discDistance(disc, bead) <= 0.0;

@@ -118,11 +118,9 @@ std::optional<plan::Finding> machineFinding(std::size_t k, PlanVerdict verdict,
         first == own.end() ? base::Message("see its report"_text) : plan::reasonOf(*first);
     return makeFinding(FindingKind::MachineDiffers, {{"machine", k + 1}, {"reason", reason}});
   }
-  auto first = std::ranges::find_if(own, plan::blocksRunning);
-  if (first == own.end())
-    first = std::ranges::find_if(own, &plan::Finding::blocking);
-  return machineFinding(k, first == own.end() ? base::Message("the program is refused"_text)
-                                              : plan::reasonOf(*first));
+  const plan::Finding* first = firstBlocking(own);
+  return machineFinding(k, first ? plan::reasonOf(*first)
+                                 : base::Message("the program is refused"_text));
 }
 
 bool isOfPlaces(const plan::Finding& finding) {

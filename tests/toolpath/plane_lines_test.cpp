@@ -100,7 +100,7 @@ TEST(Contours, CrossingsSeparateInsideFromOutside) {
 
 TEST(Contours, BetweenRunsAroundTheFirstPoint) {
   const Contours contours({rectangle(10, 10)}); // begins at (-5, -5), counter-clockwise
-  EXPECT_DOUBLE_EQ(contours.lengthMm(), 40.0);
+  EXPECT_DOUBLE_EQ(contours.lengthMm(0), 40.0);
   const std::vector<Vector2d> around = contours.between(0, 38.0, 3.0);
   ASSERT_EQ(around.size(), 3U);
   EXPECT_LT((around[0] - Vector2d(-5, -3)).norm(), 1e-9);

@@ -363,11 +363,10 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   for (int i = 0; i < o.walls && !isThinRing; ++i) {
     std::vector<SurfaceCurve> walls =
         wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5);
-    if (i == 0)
+    if (i == 0) {
       dropDashes(s, depth, kOneBead * widest / usual, walls);
-    if (i == 0)
-      dropJunctionRings(s, depth, process::hatchOf(process.beadWidthMm, process.layerHeightMm),
-                        walls);
+      dropJunctionRings(s, depth, usual, walls);
+    }
     lines.add(std::move(walls), PathKind::Wall, i);
   }
   ctx.checkpoint();

@@ -1,6 +1,5 @@
 #include "toolpath/coverage/plane_walls.h"
 
-#include "base/index.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/infill/curve_tools.h"
@@ -36,7 +35,7 @@ Paths moved(const Paths& paths, double hatches, double hatchMm) {
 
 // Returns the region that the wall at `level` hatches encloses, opened as by openedAt().
 Paths wallRegion(const Paths& outline, double level, double hatchMm) {
-  const double closing = std::min(1.0, std::max(0.1, level - 0.05));
+  const double closing = wallClosing(level);
   const Paths inner = moved(outline, -(level + kWallInwards), hatchMm);
   return moved(moved(inner, kWallInwards + closing, hatchMm), -closing, hatchMm);
 }
@@ -107,9 +106,7 @@ std::optional<PlaneWalls> planeWalls(const layers::Patch& patch, const process::
   const double hatch = process::hatchOf(process.beadWidthMm, height);
   // No bead is narrower than high.
   const double narrowest = process::hatchOf(std::max(process.beadWidthMinMm, height), height);
-  Paths contours = plane->outline;
-  contours.insert(contours.end(), plane->seams.begin(), plane->seams.end());
-  const Paths solid = geometry::united(contours);
+  const Paths solid = geometry::united(plane->contours());
   std::vector<Paths> walls;
   Paths bands;
   for (int i = 0; i < o.walls; ++i) {

@@ -35,6 +35,10 @@ std::vector<double> signedDistance(const PatchSurface& s, const std::vector<Surf
 }
 } // namespace
 
+double wallClosing(double level) {
+  return std::min(kMaxClosing, std::max(0.1, level - 0.05));
+}
+
 LevelSet openedAt(const PatchSurface& s, const std::vector<double>& depth,
                   const std::vector<double>& hatchMm, double beadScale, double level,
                   double inwards) {
@@ -46,8 +50,7 @@ LevelSet openedAt(const PatchSurface& s, const std::vector<double>& depth,
                      [&](std::size_t v) { return depth[v] >= level + inwards; });
   // Where the region is hardly deep enough, the inner region is fragmented: close the gaps before
   // offsetting back outwards.
-  const double closing = std::min(kMaxClosing, std::max(0.1, level - 0.05)),
-               out = -(inwards + closing);
+  const double closing = wallClosing(level), out = -(inwards + closing);
   const auto outer = isolines(s, fromInner, out);
   if (outer.empty())
     return {};

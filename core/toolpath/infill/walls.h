@@ -10,6 +10,9 @@ namespace voluta::toolpath {
 // [hatches] that a region has to extend inwards of a wall.
 inline constexpr double kWallInwards = 0.4;
 
+// Returns by how many hatches the region of the wall at `level` is closed.
+double wallClosing(double level);
+
 // Where `value`, per vertex, is at least `level`; without values: nowhere.
 struct LevelSet {
   std::vector<double> value;

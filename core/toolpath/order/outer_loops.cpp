@@ -1,6 +1,7 @@
 #include "toolpath/order/outer_loops.h"
 
 #include "geometry/edges.h"
+#include "geometry/nearest_share.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -19,11 +20,7 @@ using Eigen::Vector3d;
 constexpr double kContactMm = 0.05, kContactWidths = 2.2;
 
 double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d along = b - a;
-  const double share = along.squaredNorm() > 0.0
-                           ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0)
-                           : 0.0;
-  return (a + share * along - p).norm();
+  return (a + geometry::nearestShare(p, a, b) * (b - a) - p).norm();
 }
 
 double distanceToRim(const Vector3d& p, const layers::Patch& patch) {
@@ -50,12 +47,10 @@ struct Contact {
 void findContact(const Bead& a, const Bead& b, bool swapped, Contact& best) {
   for (std::size_t i = 0; i + 1 < a.points.size(); ++i)
     for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
-      const Vector3d &p = a.points[i].middle, &q = b.points[j].middle;
-      const Vector3d along = b.points[j + 1].middle - q;
-      const double share = along.squaredNorm() > 0.0
-                               ? std::clamp((p - q).dot(along) / along.squaredNorm(), 0.0, 1.0)
-                               : 0.0;
-      const double d = (q + share * along - p).norm();
+      const Vector3d &p = a.points[i].middle, &q = b.points[j].middle,
+                     &next = b.points[j + 1].middle;
+      const double share = geometry::nearestShare(p, q, next);
+      const double d = (q + share * (next - q) - p).norm();
       if (d < best.distanceMm)
         best = swapped ? Contact{j, i, share, 0.0, d} : Contact{i, j, 0.0, share, d};
     }

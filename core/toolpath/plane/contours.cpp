@@ -121,11 +121,4 @@ std::vector<Vector2d> Contours::between(std::size_t c, double fromMm, double toM
   return points;
 }
 
-double Contours::lengthMm() const {
-  double sum = 0.0;
-  for (const Contour& contour : contours_)
-    sum += contour.arc.back();
-  return sum;
-}
-
 } // namespace voluta::toolpath

@@ -33,8 +33,6 @@ public:
   double lengthMm(std::size_t contour) const { return contours_[contour].arc.back(); }
   // Returns the points of a contour between two arc lengths, in its direction, with both ends.
   std::vector<Eigen::Vector2d> between(std::size_t contour, double fromMm, double toMm) const;
-  // Total length of all contours.
-  double lengthMm() const;
 
 private:
   struct Contour {

@@ -45,6 +45,12 @@ bool areAll(const std::vector<double>& values, double wanted, double within) {
 }
 } // namespace
 
+ClipperLib::Paths PlanePatch::contours() const {
+  ClipperLib::Paths all = outline;
+  all.insert(all.end(), seams.begin(), seams.end());
+  return all;
+}
+
 std::optional<PlanePatch> planePatch(const layers::Patch& patch) {
   const std::vector<Vector3d>& vertices = patch.surface.vertices;
   if (patch.surface.empty() || !patch.chart.empty() || !areEqual(patch.direction) ||

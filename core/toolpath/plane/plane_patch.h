@@ -23,6 +23,8 @@ struct PlanePatch {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // build direction, work frame
   Eigen::Vector3d clearDirection = Eigen::Vector3d::UnitZ();
 
+  // Returns the outline and the seams: together they bound the patch.
+  ClipperLib::Paths contours() const;
   // Returns the place in the work frame [mm] of a point of the plane's frame.
   Eigen::Vector3d place(const Eigen::Vector2d& mm) const {
     return plane_R_work.transpose() * Eigen::Vector3d(mm.x(), mm.y(), heightMm);

@@ -10,13 +10,9 @@ namespace voluta::toolpath {
 
 namespace {
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (p - a - share * along).norm();
+  return (p - a - geometry::nearestShare(p, a, b) * (b - a)).norm();
 }
 
 // Returns the points to keep, by their numbers, ascending.

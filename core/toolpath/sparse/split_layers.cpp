@@ -129,16 +129,6 @@ void splitSurface(std::size_t i, const layers::Patch& patch, const LayerCount& c
   split.solid.patches[i] = cutOut(s, depth, patch);
 }
 
-// Returns the outline of a part of an uneven plane layer.
-ClipperLib::Paths outlineOf(const layers::Patch& patch) {
-  const auto plane = planePatch(patch);
-  if (!plane)
-    return {};
-  ClipperLib::Paths outline = plane->outline;
-  outline.insert(outline.end(), plane->seams.begin(), plane->seams.end());
-  return outline;
-}
-
 // Returns the contours of a plane layer's solid part.
 ClipperLib::Paths solidAround(const ClipperLib::Paths& area, const PlanePatch& plane,
                               const ToolpathOptions& options) {
@@ -184,7 +174,8 @@ SplitLayers splitLayers(const layers::LayerStack& stack, const StackLayers& laye
     else {
       splitSurface(i, patch, *layers.count, process, options, split);
       if (layers.levels.patch(i) && split.sparse[i])
-        split.sparseAreas[i] = outlineOf(*split.sparse[i]);
+        if (const auto plane = planePatch(*split.sparse[i]))
+          split.sparseAreas[i] = plane->contours();
     }
   });
   return split;
