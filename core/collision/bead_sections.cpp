@@ -46,6 +46,11 @@ Eigen::AlignedBox3d boxOf(const BeadSection& bead) {
   return {bead.start.cwiseMin(end) - reach, bead.start.cwiseMax(end) + reach};
 }
 
+double topOf(const BeadSection& bead) {
+  return bead.start.z() + std::max(0.0, bead.along.z()) +
+         bead.halfFlat * std::abs(bead.side.z()) + bead.radius;
+}
+
 // Returns whether the whole bead is on one side of the disc's plane: beneath it for side = 1, above
 // it for -1.
 bool isBeside(const BeadSection& bead, const Disc& disc, double side) {
@@ -112,6 +117,7 @@ BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::ui
   for (std::uint32_t& segment : printedAt_) {
     beads_.push_back(beadSection(plan, segment));
     boxes.push_back(boxOf(beads_.back()));
+    topMm_.push_back(std::max(topMm_.empty() ? -INFINITY : topMm_.back(), topOf(beads_.back())));
     ++segment;
   }
   double widths = 0.0;
@@ -129,7 +135,12 @@ bool BeadSections::isSoft(std::size_t waypoint, std::size_t printing) const {
 }
 
 bool BeadSections::reachedBy(const Disc& disc, std::size_t printing) const {
-  return near_.any(boxOf(disc), [&](std::uint32_t b) {
+  const Eigen::AlignedBox3d box = boxOf(disc);
+  // Most heads are above all that is printed.
+  const auto printed = std::ranges::lower_bound(printedAt_, printing) - printedAt_.begin();
+  if (printed == 0 || box.min().z() > topMm_[static_cast<std::size_t>(printed - 1)])
+    return false;
+  return near_.any(box, [&](std::uint32_t b) {
     return printedAt_[b] < printing && !isBeside(beads_[b], disc, 1.0) &&
            !isBeside(beads_[b], disc, -1.0) && !isSoft(printedAt_[b], printing) &&
            isReached(beads_[b], disc);

@@ -46,6 +46,7 @@ private:
 
   std::vector<BeadSection> beads_;
   std::vector<std::uint32_t> printedAt_; // per bead: its end waypoint
+  std::vector<double> topMm_;            // per bead: the greatest z of it and all earlier ones
   std::vector<Place> places_;            // per waypoint
   geometry::BoxGrid near_;
 };

@@ -29,8 +29,11 @@ constexpr double kLargestDash = 0.3;  // [hatches squared]: what stays open besi
 constexpr double kSmallestRing = 6.5; // [hatches] length of a wall that is no mere blob
 constexpr double kCorrection = 0.04;  // of widths, at most
 
+// Drops the points that round corners do not need: repeated offsets would double them each time.
 Paths moved(const Paths& paths, double hatches, double hatchMm) {
-  return geometry::offsetPaths(paths, hatches * hatchMm, {kArc * hatchMm});
+  Paths out = geometry::offsetPaths(paths, hatches * hatchMm, {kArc * hatchMm});
+  ClipperLib::CleanPolygons(out, 0.5 * kArc * hatchMm * geometry::kPathUnits);
+  return out;
 }
 
 // Returns the region that the wall at `level` hatches encloses, opened as by openedAt().
