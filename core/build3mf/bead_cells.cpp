@@ -1,6 +1,7 @@
 #include "build3mf/bead_cells.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/run_context.h"
 #include "process/bead_model.h"
 #include "voxel/voxel_object.h"
@@ -17,6 +18,7 @@ using Eigen::Vector3i;
 namespace {
 
 constexpr double kMaxCells = 1 << 27;
+constexpr std::size_t kSlabs = 16; // of levels that are filled at the same time
 
 bool isOfPart(const plan::ToolPath& path) {
   return path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Tape &&
@@ -95,18 +97,28 @@ geometry::TriangleMesh solidOfBeads(const plan::ToolPlan& plan, double pitchMm,
   voxel::VoxelObject object;
   object.size = grid.size;
   object.solid.assign(grid.cellCount(), 0);
-  std::size_t rooms = 0;
-  eachRoom(plan, [&](const Room& room) {
-    if (++rooms % 1024 == 0)
-      ctx.checkpoint();
-    const Vector3i low = grid.cellOf(room.box().min()).cwiseMax(0);
-    const Vector3i high = grid.cellOf(room.box().max()).cwiseMin(grid.size - Vector3i::Ones());
-    for (int k = low.z(); k <= high.z(); ++k)
-      for (int j = low.y(); j <= high.y(); ++j)
-        for (int i = low.x(); i <= high.x(); ++i)
-          if (room.holds(grid.centre(i, j, k)))
-            object.solid[grid.index(i, j, k)] = 1;
-  });
+  const auto levels = static_cast<std::size_t>(grid.size.z());
+  base::parallelChunks(
+      ctx, levels, (levels + kSlabs - 1) / kSlabs, [&](std::size_t begin, std::size_t end) {
+        std::size_t rooms = 0;
+        bool isCancelled = false;
+        eachRoom(plan, [&](const Room& room) {
+          if (++rooms % 1024 == 0 && ctx.cancelled())
+            isCancelled = true;
+          if (isCancelled)
+            return;
+          const Eigen::AlignedBox3d around = room.box();
+          const Vector3i low = grid.cellOf(around.min()).cwiseMax(0);
+          const Vector3i high = grid.cellOf(around.max()).cwiseMin(grid.size - Vector3i::Ones());
+          for (int k = std::max(low.z(), static_cast<int>(begin));
+               k <= std::min(high.z(), static_cast<int>(end) - 1); ++k)
+            for (int j = low.y(); j <= high.y(); ++j)
+              for (int i = low.x(); i <= high.x(); ++i)
+                if (room.holds(grid.centre(i, j, k)))
+                  object.solid[grid.index(i, j, k)] = 1;
+        });
+      });
+  ctx.checkpoint();
   geometry::TriangleMesh solid = voxel::surfaceOf(object);
   if (solid.empty())
     throw base::Error(base::ErrorCode::UnusableInput,

@@ -4,6 +4,7 @@
 #include "toolpath/brim.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
+#include "toolpath/idle_waypoints.h"
 #include "toolpath/prime_path.h"
 #include "toolpath/slow_to_cool.h"
 
@@ -12,7 +13,9 @@
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "toolpath/coverage/bead_scale.h"
 #include "toolpath/fibre/add_tapes.h"
+#include "toolpath/infill/curve_tools.h"
 #include "toolpath/nozzle_directions.h"
 #include "toolpath/order/assemble.h"
 #include "toolpath/order/order_to_cool.h"
@@ -36,6 +39,8 @@ using Eigen::Vector3d;
 using plan::PathKind;
 
 constexpr double kCoverShare = 0.6; // of the stage's progress
+// Straight beads: of the chord tolerance of curves; bead widths
+constexpr double kIdleChords = 0.25, kLongestSegment = 6.0;
 
 // Puts the brim before all other paths, and the prime before the brim.
 void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
@@ -238,6 +243,13 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   }
   if (!stack.pockets.empty()) {
     addShots(r.plan, stack.pockets, tooling, options.stitches);
+    r.grown.reset(); // waypoints are numbered anew
+  }
+  // Motion leaves out waypoints at which the head is not clear: those are better close together.
+  if (oriented.gouges == 0 && r.plan.waypointCount() > 0 && hasOneDirection(r.plan)) {
+    const ResampleOptions spacing =
+        ResampleOptions().scaled(largeBeadScaleOf(tooling.first().process));
+    r.plan = withoutIdleWaypoints(r.plan, kIdleChords * spacing.chordMm, kLongestSegment);
     r.grown.reset(); // waypoints are numbered anew
   }
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &reported})
