@@ -533,8 +533,8 @@ PatchCover coverSurface(const layers::Patch& patch, const process::Process& proc
       centrelines(s, process, o, kind, patch.layer, wallWidthMm, directionRad, ctx);
   if (!lines.curves.empty()) {
     cover = beadsAlong(s, lines, process, o, kind, false, ctx);
-    // A ring that has the patch for itself, as in a pin
-    if (lines.curves.size() == 1 && lines.curves.front().closed) {
+    // A ring that has a patch without holes for itself, as in a pin
+    if (lines.curves.size() == 1 && lines.curves.front().closed && oneLoop(s)) {
       PatchCover other = beadsAlong(s, lines, process, o, kind, true, ctx);
       if (filledMm2(s, other.beads) > filledMm2(s, cover.beads))
         cover = std::move(other);

@@ -1,12 +1,14 @@
 #include "toolpath/sparse/cover_layers.h"
 
 #include "base/parallel.h"
+#include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_volume.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/plane/contours.h"
+#include "toolpath/plane/same_patches.h"
 #include "toolpath/sparse/branches.h"
 #include "toolpath/sparse/patterns.h"
 #include "toolpath/sparse/plane_sparse_lines.h"
@@ -33,6 +35,22 @@ constexpr double kBridgeShare = 0.05;
 // infill have round sides.
 constexpr double kRoundSide = 0.5;
 
+// Returns what distinguishes wall widths: one if they are all the same, else all of them.
+std::vector<double> distinctOf(const std::vector<double>& widthMm) {
+  const bool isOne =
+      std::ranges::all_of(widthMm, [&](double width) { return width == widthMm.front(); });
+  return isOne && !widthMm.empty() ? std::vector{widthMm.front()} : widthMm;
+}
+
+PatchCover moved(PatchCover cover, const Eigen::Vector3d& byMm) {
+  for (Bead& bead : cover.beads)
+    for (BeadPoint& point : bead.points)
+      point.middle += byMm;
+  for (ThinWall& wall : cover.thinWalls)
+    wall.place += byMm;
+  return cover;
+}
+
 // `whole`: the layers that carry those of `stack`.
 std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers::LayerStack& whole,
                                    const process::Tooling& tooling, const ToolpathOptions& options,
@@ -49,11 +67,30 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     directions = bridgeDirections(
         stack, whole, processAt, {options.infillAngleDeg, options.infillRotationDeg, options.walls},
         silent);
+  std::vector<std::vector<double>> choices(stack.patches.size());
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    choices[i] = distinctOf(wallWidths[i]);
+    const int layer = stack.patches[i].layer;
+    choices[i].insert(choices[i].end(),
+                      {isFirstLayer[i] != 0 ? 1.0 : 0.0, static_cast<double>(layer % 2),
+                       directions[i].value_or(std::remainder(
+                           base::degreesToRadians(layer * options.infillRotationDeg), base::kPi)),
+                       directions[i] ? 1.0 : 0.0});
+  }
+  const std::vector<SameShape> same = sameShapes(stack.patches, choices, silent);
+  std::vector<std::size_t> shapes; // one patch each
+  for (std::size_t i = 0; i < same.size(); ++i)
+    if (same[i].patch == i)
+      shapes.push_back(i);
   std::vector<PatchCover> covers(stack.patches.size());
-  base::parallelWithProgress(ctx, covers.size(), share, "tool-paths"_text, [&](std::size_t i) {
+  base::parallelWithProgress(ctx, shapes.size(), share, "tool-paths"_text, [&](std::size_t s) {
+    const std::size_t i = shapes[s];
     covers[i] =
         coverPatch(stack.patches[i], processAt(i), options, silent, wallWidths[i], directions[i]);
   });
+  for (std::size_t i = 0; i < same.size(); ++i)
+    if (same[i].patch != i)
+      covers[i] = moved(covers[same[i].patch], same[i].shiftMm);
   return covers;
 }
 
