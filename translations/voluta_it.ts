@@ -4531,8 +4531,8 @@ mm³</translation>
         <translation>richiede l&apos;estensione sconosciuta «{name}»</translation>
     </message>
     <message>
-        <source>at the controller&apos;s speeds, {share:.2f} of the bead length gets over 5 % too much or too little material; the first place is here</source>
-        <translation>alle velocità del controllore, il {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno; il primo punto è qui</translation>
+        <source>at the controller&apos;s speeds, {share:.2f} of the bead length gets over 5 % too much or too little material</source>
+        <translation>alle velocità del controllore, il {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno</translation>
     </message>
     <message>
         <source>bead {bead}</source>
@@ -10507,8 +10507,8 @@ facce %</translation>
         <translation>normale</translation>
     </message>
     <message>
-        <source>{length:.1f} of bead ({share:.2f}) is unsupported; the first place is here</source>
-        <translation>{length:.1f} di cordone ({share:.2f}) non è sostenuto; il primo punto è qui</translation>
+        <source>{length:.1f} of bead ({share:.2f}) is unsupported</source>
+        <translation>{length:.1f} di cordone ({share:.2f}) non è sostenuto</translation>
     </message>
     <message>
         <source>{quality}; accepted: {shares}</source>

@@ -25,13 +25,9 @@ void sayBlocker(const plan::Findings& findings,
     return;
   const auto blocking =
       static_cast<std::size_t>(std::ranges::count_if(findings, &plan::Finding::blocking));
-  const std::string where = first->where
-                                ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
-                                              first->where->y(), first->where->z())
-                                : "";
   fmt::print(stderr, "{}{}: {}{}{} ({}){}\n", isReleased ? amberWords(*first) : "",
              plan::stageName(plan::stageOf(*first)), nameOf(*first), plan::englishReason(*first),
-             where, plan::englishRemedy(*first),
+             placeWords(*first), plan::englishRemedy(*first),
              blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
 }
 

@@ -58,12 +58,8 @@ ExitCode concluded(const plan::Findings& findings) {
   const plan::Finding* first = pipeline::firstBlocking(findings);
   if (!first)
     return kDone;
-  const std::string where = first->where
-                                ? fmt::format(" at ({:.0f}, {:.0f}, {:.0f})", first->where->x(),
-                                              first->where->y(), first->where->z())
-                                : "";
-  fmt::print(stderr, "{}{}{} ({})\n", amberWords(*first), plan::englishReason(*first), where,
-             plan::englishRemedy(*first));
+  fmt::print(stderr, "{}{}{} ({})\n", amberWords(*first), plan::englishReason(*first),
+             placeWords(*first), plan::englishRemedy(*first));
   return kNotAll;
 }
 

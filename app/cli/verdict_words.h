@@ -1,8 +1,11 @@
-// A verdict in a few words.
+// A verdict, and the place of a finding, in a few words.
 #pragma once
 
 #include "pipeline/plan_verdict.h"
 #include "plan/finding_kinds.h"
+
+#include <fmt/format.h>
+#include <string>
 
 namespace voluta::cli {
 
@@ -23,6 +26,13 @@ inline const char* verdictWords(pipeline::PlanVerdict verdict) {
 // Begins the line of a finding by which a part differs, beside programs that are safe to run.
 inline const char* amberWords(const plan::Finding& finding) {
   return finding.blocking && !plan::blocksRunning(finding) ? "not as asked: " : "";
+}
+
+// Ends the line of a finding that has a place [mm].
+inline std::string placeWords(const plan::Finding& finding) {
+  return finding.where ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", finding.where->x(),
+                                     finding.where->y(), finding.where->z())
+                       : std::string();
 }
 
 } // namespace voluta::cli

@@ -25,10 +25,11 @@ bool isMillJobFile(const std::filesystem::path& file) {
 // one.
 void sayFindings(const std::filesystem::path& program, const plan::Findings& findings) {
   for (const plan::Finding& f : findings)
-    fmt::print("{}{}: {}\n", amberWords(f), plan::reportId(f), plan::englishReason(f));
+    fmt::print("{}{}: {}{}\n", amberWords(f), plan::reportId(f), plan::englishReason(f),
+               placeWords(f));
   if (const plan::Finding* first = pipeline::firstBlocking(findings))
-    fmt::print(stderr, "{}: {}{}\n", program.string(), amberWords(*first),
-               plan::englishReason(*first));
+    fmt::print(stderr, "{}: {}{}{}\n", program.string(), amberWords(*first),
+               plan::englishReason(*first), placeWords(*first));
 }
 
 ExitCode verifyMilled(const VerifyOptions& options) {

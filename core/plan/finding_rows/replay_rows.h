@@ -15,7 +15,7 @@ inline constexpr base::Text kOverfillShares =
     "{outside:.2f} of the part's volume is deposited outside it, {noRoom:.2f} does not fit"_text;
 inline constexpr base::Text kDepositedShare = "deposited volume: {share:.2f} of the part's"_text;
 inline constexpr base::Text kUnsupportedLength =
-    "{length:.1f} of bead ({share:.2f}) is unsupported; the first place is here"_text;
+    "{length:.1f} of bead ({share:.2f}) is unsupported"_text;
 inline constexpr base::Text kSupportBeads =
     "add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building"_text;
 inline constexpr base::Text kBridgeLength =
@@ -128,7 +128,7 @@ inline constexpr FindingRow kReplayRows[] = {
              "the arm's posture at this target: {found} in the program, {planned} planned"_text),
     error(
         FlowErrors, "flowErrors",
-        "at the controller's speeds, {share:.2f} of the bead length gets over 5 % too much or too little material; the first place is here"_text,
+        "at the controller's speeds, {share:.2f} of the bead length gets over 5 % too much or too little material"_text,
         "write the program again, with times instead of speeds where the format supports them"_text,
         {.remedies = kOffers<LongerMotions>}),
     error(Uncovered, "uncovered", kUncoveredShare,

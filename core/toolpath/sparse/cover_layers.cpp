@@ -1,7 +1,6 @@
 #include "toolpath/sparse/cover_layers.h"
 
 #include "base/parallel.h"
-#include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_volume.h"
 #include "toolpath/feature_speeds.h"
@@ -73,9 +72,8 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     const int layer = stack.patches[i].layer;
     choices[i].insert(choices[i].end(),
                       {isFirstLayer[i] != 0 ? 1.0 : 0.0, static_cast<double>(layer % 2),
-                       directions[i].value_or(std::remainder(
-                           base::degreesToRadians(layer * options.infillRotationDeg), base::kPi)),
-                       directions[i] ? 1.0 : 0.0});
+                       std::fmod(layer * options.infillRotationDeg, 180.0),
+                       directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0)});
   }
   const std::vector<SameShape> same = sameShapes(stack.patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
