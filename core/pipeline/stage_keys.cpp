@@ -33,10 +33,23 @@ struct ProcessKeys {
 
 // Empty for a material that comes with the program: its label and density identify it.
 std::string ownMaterialKey(const process::Material& m) {
-  return m.comesWithProgram
-             ? std::string()
-             : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC, m.bedC.value_or(0),
-                             m.fan, m.bridgeFan.value_or(m.fan), m.bridgeSagMm.value_or(0.0));
+  return m.comesWithProgram ? std::string()
+                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC,
+                                            m.bedC.value_or(0), m.fan, m.bridgeFan.value_or(m.fan));
+}
+
+// Empty for a material that comes with the program.
+std::string ownBridgesKey(const process::Material& m) {
+  std::string key;
+  if (!m.comesWithProgram)
+    for (const process::BridgedLength& one : m.bridges)
+      key += base::keyText(one.widthMm, one.lengthMm);
+  return key;
+}
+
+// Empty without a change of the speed, as in older projects.
+std::string overhangKey(const process::OverhangSpeed& speed) {
+  return speed == process::OverhangSpeed() ? std::string() : base::keyText(speed.shares);
 }
 
 // The same for the limit of the material's flow.
@@ -65,8 +78,8 @@ std::string wordsKey(const std::vector<process::BeadWords>& words) {
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, head, features, tape, lag, overlap, words, scaleX, scaleY,
-               outlineOffset, holeOffset] = process;
+               retract, material, head, features, overhangSpeed, tape, lag, overlap, words, scaleX,
+               scaleY, outlineOffset, holeOffset] = process;
   static_cast<void>(label);   // The label affects no result.
   static_cast<void>(overlap); // Contained in the widths
   // The layers contain the corrected sizes.
@@ -74,10 +87,11 @@ ProcessKeys keysOf(const process::Process& process) {
       static_cast<void>(holeOffset);
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow, features.all()) +
-              ownFlowKey(process) + (tape ? base::keyText(*tape) : std::string()),
+              ownFlowKey(process) + overhangKey(overhangSpeed) +
+              (tape ? base::keyText(*tape) : std::string()),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration) + lagKey(lag),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
-              ownMaterialKey(material) + wordsKey(words)};
+              ownMaterialKey(material) + ownBridgesKey(material) + wordsKey(words)};
 }
 
 // The same of all tools.

@@ -4,6 +4,10 @@
 #include "base/units.h"
 #include "process/feature_flow.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace voluta::process {
 
 namespace {
@@ -36,6 +40,32 @@ double readWidth(const JsonNode& node, double minMm, double maxMm) {
 }
 
 } // namespace
+
+double OverhangSpeed::at(double overhang) const {
+  const double place = std::clamp(overhang, 0.0, 1.0) * static_cast<double>(shares.size());
+  const auto next = std::min(static_cast<std::size_t>(place), shares.size() - 1);
+  return std::lerp(next == 0 ? 1.0 : shares[next - 1], shares[next],
+                   place - static_cast<double>(next));
+}
+
+OverhangSpeed readOverhangSpeed(const JsonNode& node) {
+  constexpr double kSlowest = 0.05;
+  OverhangSpeed speed;
+  const std::vector<JsonNode> items = node.items();
+  if (items.size() != speed.shares.size())
+    node.fail("must have four shares, for 25, 50, 75 and 100 % of the width"_text);
+  double before = 1.0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double share = speed.shares[i] = items[i].number();
+    if (share < kSlowest || share > 1.0)
+      items[i].fail(base::message("must be between {least} and {most}"_text, base::number(kSlowest),
+                                  base::number(1.0)));
+    if (share > before)
+      items[i].fail("is more than with less overhang"_text);
+    before = share;
+  }
+  return speed;
+}
 
 std::span<const FeatureRow> featureRows() {
   return kRows;

@@ -57,6 +57,19 @@ struct WidthRange {
   double minMm = 0.0, usualMm = 0.0, maxMm = 0.0;
 };
 
+// Shares of the speed of a wall that overhangs the layer below by a quarter, a half, three quarters
+// of its width, and altogether. Between them, and from 1 without an overhang, linear.
+struct OverhangSpeed {
+  std::array<double, 4> shares{1.0, 1.0, 1.0, 1.0};
+
+  // `overhang`: share of the width, 0..1.
+  double at(double overhang) const;
+  bool operator==(const OverhangSpeed&) const = default;
+};
+// Returns the shares in [1, 0.8, 0.6, 0.5]. Throws Error{UnusableInput} unless there are four, none
+// below 0.05, above 1 or above the share before it.
+OverhangSpeed readOverhangSpeed(const base::JsonNode& node);
+
 // Returns the settings in {"outerWall": {"speedMmPerS": 15, "flow": 1, "widthMm": 1.4}, ...}; those
 // that are missing keep their defaults. Throws Error{UnusableInput} naming the key for an unknown
 // key, a value that is not positive, a flow outside 0.5 to 2, or a width outside the range. Outer

@@ -5,8 +5,11 @@
 #include "process/process_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <locale>
+#include <sstream>
 
 namespace voluta::process {
 
@@ -93,6 +96,22 @@ LibraryField densityField(base::Text group, Material& (*of)(LibraryItem&)) {
           }};
 }
 
+LibraryField overhangField(std::size_t i) {
+  static constexpr std::array kLabels{
+      "speed of walls, 25 % overhang"_text, "speed of walls, 50 % overhang"_text,
+      "speed of walls, 75 % overhang"_text, "speed of walls, 100 % overhang"_text};
+  return {base::numberParameter("overhangSpeed[" + std::to_string(i) + "]", "", 1.0, 0.0, 1.0,
+                                "Features"_text, kLabels[i],
+                                "Share of the speed of a wall that overhangs the layer below by "
+                                "that share of its width."_text),
+          [i](const LibraryItem& item) {
+            return ParameterValue(processOf(item).overhangSpeed.shares[i]);
+          },
+          [i](LibraryItem& item, const ParameterValue& value) {
+            processOf(item).overhangSpeed.shares[i] = std::get<double>(value);
+          }};
+}
+
 std::vector<LibraryField> processFields(const Process& process) {
   std::vector<LibraryField> fields{labelField()};
   for (const ProcessNumber& row : processNumbers())
@@ -102,6 +121,8 @@ std::vector<LibraryField> processFields(const Process& process) {
       "Material"_text, [](LibraryItem& item) -> Material& { return processOf(item).material; }));
   for (const FeatureNumber& row : featureNumbers())
     fields.push_back(featureField(row));
+  for (std::size_t i = 0; i < OverhangSpeed().shares.size(); ++i)
+    fields.push_back(overhangField(i));
   return fields;
 }
 
@@ -154,6 +175,30 @@ LibraryField materialText(ParameterSpec spec, std::string Material::*value) {
           }};
 }
 
+// "0.45, 20; 1.2, 12"
+std::string bridgesText(const std::vector<BridgedLength>& bridges) {
+  std::string text;
+  for (const BridgedLength& one : bridges)
+    text += fmt::format("{}{:.6g}, {:.6g}", text.empty() ? "" : "; ", one.widthMm, one.lengthMm);
+  return text;
+}
+
+// A pair that cannot be read is no number, which the reader of the file reports.
+std::vector<BridgedLength> bridgesOf(const std::string& text) {
+  std::vector<BridgedLength> bridges;
+  std::istringstream pairs(text);
+  for (std::string pair; std::getline(pairs, pair, ';');) {
+    std::istringstream numbers(pair);
+    numbers.imbue(std::locale::classic());
+    BridgedLength one;
+    char comma = 0, more = 0;
+    if (!(numbers >> one.widthMm >> comma >> one.lengthMm) || comma != ',' || numbers >> more)
+      one.widthMm = one.lengthMm = NAN;
+    bridges.push_back(one);
+  }
+  return bridges;
+}
+
 std::vector<LibraryField> temperatureFields() {
   return {optionalField(base::numberParameter("nozzleC.default", "°C", 0.0, 0.0, kMaxC,
                                               "Temperatures"_text, "nozzle temperature"_text,
@@ -197,12 +242,17 @@ std::vector<LibraryField> materialFields() {
                                                        "Limits"_text, "longest bridge"_text,
                                                        "Whatever the process allows."_text),
                                  &Material::bridgeMm, "any"_text));
-  fields.push_back(optionalField(
-      base::numberParameter("bridgeSagMm", "mm", 0.0, -1.0, kMaxMm, "Limits"_text,
-                            "bridge with a little sag"_text,
-                            "Span that a bead of 0.45 mm bridges with a sag of up to 0.2 mm; less "
-                            "for wider beads. Quality usual and draft accept it."_text),
-      &Material::bridgeSagMm, "unknown"_text));
+  fields.push_back(
+      {base::textParameter("bridges", "Limits"_text, "bridges with a little sag"_text,
+                           "Bead width, length that it bridges with a sag of up to 0.2 mm; and so "
+                           "on, in mm. Quality usual and draft accept it. Those of the program's "
+                           "materials are estimates: replace them by those of a test print."_text),
+       [](const LibraryItem& item) {
+         return ParameterValue(bridgesText(materialOf(item).bridges));
+       },
+       [](LibraryItem& item, const ParameterValue& typed) {
+         materialOf(item).bridges = bridgesOf(std::get<std::string>(typed));
+       }});
   fields.push_back(
       optionalField(base::numberParameter("minLayerTimeS", "s", 0.0, 0.0, 3600.0,
                                           "Layer times"_text, "minimum layer time"_text,
@@ -235,6 +285,8 @@ std::string fieldKey(const LibraryItem& item, std::string key) {
     key.erase(0, kOwnMaterial.size());
   if (key.starts_with("head"))
     return "head";
+  if (key.starts_with("bridges["))
+    return "bridges";
   for (const LibraryField& field : libraryFields(item))
     if (field.spec.key == key || field.spec.key == key + ".default")
       return field.spec.key;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,7 @@ constexpr const char* kFolder = "materials";                // of base::dataFile
 constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
 constexpr double kMinNozzleC = 1.0, kMaxNozzleC = 1000.0;   // Of any material
 constexpr double kHottestBedC = 250.0;
+constexpr double kOldBridgeWidthMm = 0.45; // that older files state a single length for
 constexpr double kLongestMinS = 3600.0, kLongestMaxS = 36000.0; // as the parameters of a job
 
 bool isColour(const std::string& text) {
@@ -66,6 +68,30 @@ void readTemperatures(const JsonNode& top, Material& m) {
   m.bedC = static_cast<int>(bed);
 }
 
+constexpr double kMaxMm = 1000.0; // More is a wrong unit
+
+double readMm(const JsonNode& node) {
+  const double mm = node.notNegative();
+  if (mm > kMaxMm)
+    node.fail("is above 1000 mm: check the unit"_text);
+  return mm;
+}
+
+std::vector<BridgedLength> readBridges(const JsonNode& list) {
+  std::vector<BridgedLength> bridges;
+  for (const JsonNode& item : list.items()) {
+    const std::vector<JsonNode> pair = item.items();
+    if (pair.size() != 2)
+      item.fail("must be a pair of bead width and length"_text);
+    pair[0].positive();
+    const BridgedLength one{readMm(pair[0]), readMm(pair[1])};
+    if (!bridges.empty() && one.widthMm <= bridges.back().widthMm)
+      item.fail("is not wider than the bead before it"_text);
+    bridges.push_back(one);
+  }
+  return bridges;
+}
+
 void readLimits(const JsonNode& top, Material& m) {
   m.fan = top.has("fan") ? readShare(top.at("fan")) : 0.0;
   if (top.has("bridgeFan"))
@@ -76,9 +102,11 @@ void readLimits(const JsonNode& top, Material& m) {
     m.bridgeWidths = top.at("bridgeWidths").notNegative();
   if (top.has("bridgeMm"))
     m.bridgeMm = top.at("bridgeMm").notNegative();
-  m.bridgeSagMm.reset();
-  if (top.has("bridgeSagMm"))
-    m.bridgeSagMm = top.at("bridgeSagMm").notNegative();
+  m.bridges.clear();
+  if (top.has("bridges"))
+    m.bridges = readBridges(top.at("bridges"));
+  else if (top.has("bridgeSagMm")) // of older files
+    m.bridges = {{kOldBridgeWidthMm, readMm(top.at("bridgeSagMm"))}};
 }
 
 double readLayerTime(const JsonNode& node, double longestS) {
@@ -126,14 +154,29 @@ bool prints(const Material& material, double nozzleC) {
   return nozzleC >= material.nozzleMinC && nozzleC <= material.nozzleMaxC;
 }
 
+double bridgedMm(const Material& material, double beadWidthMm) {
+  constexpr double kPower = -0.375;
+  const std::vector<BridgedLength>& rows = material.bridges;
+  if (rows.empty())
+    return 0.0;
+  const auto next = std::ranges::lower_bound(rows, beadWidthMm, {}, &BridgedLength::widthMm);
+  if (next == rows.end())
+    return rows.back().lengthMm * std::pow(beadWidthMm / rows.back().widthMm, kPower);
+  if (next == rows.begin())
+    return next->lengthMm;
+  const BridgedLength& before = *(next - 1);
+  return std::lerp(before.lengthMm, next->lengthMm,
+                   (beadWidthMm - before.widthMm) / (next->widthMm - before.widthMm));
+}
+
 Material readMaterialText(const std::string& text, const std::string& name) {
   return readMaterialNode(JsonNode::parse(text, name));
 }
 
 Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
-                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "bridgeSagMm", "minLayerTimeS",
-                 "maxLayerTimeS", "pricePerKg", "colour", "notes", "basedOn"});
+                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "bridges", "bridgeSagMm",
+                 "minLayerTimeS", "maxLayerTimeS", "pricePerKg", "colour", "notes", "basedOn"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
@@ -163,7 +206,8 @@ std::string materialText(const Material& m) {
   write("maxFlowMm3PerS", m.maxFlowMm3PerS);
   json["bridgeWidths"] = m.bridgeWidths;
   write("bridgeMm", m.bridgeMm);
-  write("bridgeSagMm", m.bridgeSagMm);
+  for (const BridgedLength& one : m.bridges)
+    json["bridges"].push_back({one.widthMm, one.lengthMm});
   write("minLayerTimeS", m.minLayerTimeS);
   write("maxLayerTimeS", m.maxLayerTimeS);
   json["pricePerKg"] = m.pricePerKg;
@@ -191,7 +235,7 @@ Material materialNamed(const std::string& name) {
   unknown.densityGPerCm3 = 0.0;
   forgetTemperatures(unknown);
   unknown.fan = 0.0;
-  unknown.bridgeSagMm.reset();
+  unknown.bridges.clear();
   unknown.pricePerKg = 0.0;
   unknown.comesWithProgram = false;
   return unknown;

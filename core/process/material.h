@@ -7,6 +7,13 @@
 
 namespace voluta::process {
 
+// The length that a bead of a width bridges.
+struct BridgedLength {
+  double widthMm = 0.0, lengthMm = 0.0;
+
+  bool operator==(const BridgedLength&) const = default;
+};
+
 // The default is PLA, as resources/materials/pla.json.
 struct Material {
   std::string id = "pla", label = "PLA";
@@ -19,9 +26,8 @@ struct Material {
   std::optional<double> maxFlowMm3PerS;   // melted at most, whatever the process allows; none: any
   double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
   std::optional<double> bridgeMm; // longest bridge, whatever the process allows; none: any
-  // Span that bridges with a sag of up to 0.2 mm, with a bead of 0.45 mm
-  // (process::saggingBridgeMm); none: unknown
-  std::optional<double> bridgeSagMm = 20.0;
+  // Spans that bridge with a sag of up to 0.2 mm, by ascending bead width; none: unknown
+  std::vector<BridgedLength> bridges = {{0.45, 20.0}, {1.2, 12.0}, {4.8, 8.0}};
   // Age [s] that a bead must, and may at most, have when the next layer covers it; none: any
   std::optional<double> minLayerTimeS, maxLayerTimeS;
   double pricePerKg = 20.0;       // in the user's currency; 0: unknown
@@ -36,6 +42,12 @@ struct Material {
 
 // Returns whether a nozzle at that temperature [°C] prints the material.
 bool prints(const Material& material, double nozzleC);
+
+// Returns the longest span that a bead of that width bridges with a sag of up to 0.2 mm [mm]:
+// between two widths of `bridges` interpolated; narrower beads bridge as the narrowest; wider ones
+// less than the widest, by the power of 3/8 of the widths' ratio. 0: unknown. The law:
+// docs/design.md, Replay.
+double bridgedMm(const Material& material, double beadWidthMm);
 
 // Reads a material from the text of its file; `name` names the file in errors. Required are id,
 // label and density; temperatures that are missing are unknown, the rest is neutral.

@@ -165,12 +165,14 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
   return eroded;
 }
 
-double saggingBridgeMm(const Process& process) {
-  constexpr double kStatedForMm = 0.45;
+double saggingBridgeMm(const Process& process, double beadWidthMm) {
   const Material& m = process.material;
-  const double stated =
-      m.bridgeSagMm.value_or(0.0) * std::min(1.0, kStatedForMm / process.beadWidthMm);
+  const double stated = bridgedMm(m, beadWidthMm);
   return std::max(process.bridgeMm, m.bridgeMm ? std::min(stated, *m.bridgeMm) : stated);
+}
+
+double saggingBridgeMm(const Process& process) {
+  return saggingBridgeMm(process, process.beadWidthMm);
 }
 
 double flowLimit(const Process& process) {
@@ -222,6 +224,7 @@ Process readProcessText(const std::string& text, const std::string& name) {
                  "holeOffsetMm",
                  "head",
                  "features",
+                 "overhangSpeed",
                  "tape",
                  "basedOn"});
   Process p;
@@ -245,6 +248,8 @@ Process readProcessText(const std::string& text, const std::string& name) {
   if (top.has("features"))
     p.features =
         readFeatures(top.at("features"), {p.beadWidthMinMm, p.beadWidthMm, p.beadWidthMaxMm});
+  if (top.has("overhangSpeed"))
+    p.overhangSpeed = readOverhangSpeed(top.at("overhangSpeed"));
   return p;
 }
 

@@ -53,7 +53,8 @@ struct Process {
   double retractMm = 0.0;          // Length of filament, retracted for a travel; 0: none
   Material material;               // With the density that the process's file states, if any
   HeadShape head;
-  FeatureTable features; // Optional in the file
+  FeatureTable features;       // Optional in the file
+  OverhangSpeed overhangSpeed; // Optional
   // Of a tool that lays tape. The section of its paths is then the tape's: bead width and layer
   // height give a bead of width x thickness, and the speed is that of ironing.
   std::optional<Tape> tape;
@@ -76,9 +77,9 @@ struct Process {
 // material.
 double flowLimit(const Process& process);
 
-// Returns the longest span that the material bridges with a sag of up to 0.2 mm [mm]: as the
-// material states it for a bead of 0.45 mm, less in proportion for wider beads, which stay hot
-// longer; at least bridgeMm. Source: rules of thumb for desktop printers (docs/design.md, Replay).
+// Returns the longest span that a bead of that width bridges with a sag of up to 0.2 mm [mm]:
+// bridgedMm() of the material, but at least bridgeMm. The second form: of the usual width.
+double saggingBridgeMm(const Process& process, double beadWidthMm);
 double saggingBridgeMm(const Process& process);
 // Returns the flow with which a nozzle at rest primes or purges [mm3/s]: that of a bead of the
 // default section at the default speed, limited by flowLimit().

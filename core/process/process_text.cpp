@@ -105,12 +105,15 @@ std::string processText(const Process& process) {
     writeMaterial(process.material, json);
   writeMachineLaws(process, json);
   writeFeatures(process.features, json);
+  if (process.overhangSpeed != OverhangSpeed())
+    json["overhangSpeed"] = process.overhangSpeed.shares;
   return dumped(std::move(json), process.head);
 }
 
 bool sameProcess(const Process& a, const Process& b) {
   if (a.id != b.id || a.label != b.label || !(a.material == b.material) || a.tape != b.tape ||
-      a.lag != b.lag || a.overlapFactor != b.overlapFactor || a.beadWords != b.beadWords)
+      a.lag != b.lag || a.overhangSpeed != b.overhangSpeed || a.overlapFactor != b.overlapFactor ||
+      a.beadWords != b.beadWords)
     return false;
   for (const ProcessNumber& row : processNumbers())
     if (a.*row.value != b.*row.value)

@@ -277,7 +277,10 @@ private:
     RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
     Bridging bridging{[this](const BeadPiece& piece) {
-      return limits_.bridgesMaySag ? process::saggingBridgeMm(processOf(piece)) : bridgeMm(piece);
+      return limits_.bridgesMaySag
+                 ? process::saggingBridgeMm(processOf(piece),
+                                            sectionOf(piece, widestOf(piece)).widthMm)
+                 : bridgeMm(piece);
     }};
     if (!in_.plan.isSolid())
       bridging.sparsePart.emplace(in_.part);

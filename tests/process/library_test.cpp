@@ -242,6 +242,10 @@ TEST_F(Library, everyNumberOfAProcessIsChecked) {
     expectProblem(withValue(item, key, -1.0), key, "");
     EXPECT_EQ(problemOf(withValue(item, key, 0.0)).has_value(), row.key == "flow") << key;
   }
+  for (int i = 0; i < 4; ++i) {
+    const std::string key = "overhangSpeed[" + std::to_string(i) + "]";
+    expectProblem(withValue(item, key, 0.0), key, "between");
+  }
   expectProblem(withValue(item, "densityGPerCm3", 1240.0), "densityGPerCm3", "check the unit");
   expectProblem(withValue(item, "densityGPerCm3", 0.0), "densityGPerCm3", "greater than 0");
   expectProblem(withValue(item, "label", std::string()), "label", "empty");
@@ -283,6 +287,11 @@ TEST_F(Library, everyNumberOfAMaterialIsChecked) {
       {"bridgeFan", 1.5, "above 1"},
       {"bridgeWidths", -1.0, "negative"},
       {"pricePerKg", -1.0, "negative"}};
+  expectProblem(withValue(item, "bridges", std::string("0.4, 20; 0.4, 8")), "bridges", "wider");
+  expectProblem(withValue(item, "bridges", std::string("0.4; 20")), "bridges", "number");
+  expectProblem(withValue(item, "bridges", std::string("0.4, -1")), "bridges", "negative");
+  EXPECT_FALSE(problemOf(withValue(item, "bridges", std::string("0.4, 20; 1,8"))));
+  EXPECT_FALSE(problemOf(withValue(item, "bridges", std::string())));
   for (const auto& [key, value, reason] : rows)
     expectProblem(withValue(item, key, value), key, reason);
   expectProblem(withValue(item, "colour", std::string("red")), "colour", "#RRGGBB");

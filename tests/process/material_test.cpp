@@ -83,8 +83,9 @@ Material randomMaterial(std::mt19937_64& random) {
   m.bridgeWidths = 10.0 * share();
   if (chance())
     m.bridgeMm = 10.0 * share();
-  if (chance())
-    m.bridgeSagMm = 30.0 * share();
+  m.bridges.clear();
+  for (double width = 0.1 + share(); chance(); width += 0.1 + share())
+    m.bridges.push_back({width, 30.0 * share()});
   if (chance())
     m.minLayerTimeS = 0.5 + 100.0 * share();
   if (chance())
@@ -126,6 +127,15 @@ TEST_F(Materials, namesFileAndKeyOfABadValue) {
                {"maxFlowMm3PerS", "0"},
                {"bridgeMm", "-1"},
                {"bridgeWidths", "-1"},
+               {"bridgeSagMm", "-1"},
+               {"bridges", "20"},
+               {"bridges", "[20]"},
+               {"bridges", "[[0.4, 20, 1]]"},
+               {"bridges", "[[0, 20]]"},
+               {"bridges", "[[0.4, -20]]"},
+               {"bridges", "[[0.4, 2000]]"},
+               {"bridges", "[[0.4, null]]"},
+               {"bridges", "[[0.4, 20], [0.4, 10]]"},
                {"pricePerKg", "-1"},
                {"colour", "\"red\""},
                {"notes", "3"},
@@ -164,15 +174,41 @@ TEST_F(Materials, bridgeFartherWithALittleSag) {
   Process p = loadProcess("fdm-0.4");
   EXPECT_DOUBLE_EQ(p.bridgeMm, 4.0);
   EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 20.0) << "as PLA states for 0.45 mm";
-  p.beadWidthMm = 0.9;
-  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 10.0) << "half of it for twice the width";
-  p.beadWidthMm = 9.0;
-  EXPECT_DOUBLE_EQ(saggingBridgeMm(p), p.bridgeMm) << "never less than without";
-  p.beadWidthMm = 0.45;
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p, 1.2), 12.0) << "of the bead, not of the process";
+  EXPECT_DOUBLE_EQ(saggingBridgeMm(p, 1e6), p.bridgeMm) << "never less than without";
   p.material.bridgeMm = 7.0;
   EXPECT_DOUBLE_EQ(saggingBridgeMm(p), 7.0) << "whatever the process allows";
-  p.material.bridgeSagMm.reset();
+  p.material.bridges.clear();
   EXPECT_DOUBLE_EQ(saggingBridgeMm(p), p.bridgeMm);
+}
+
+TEST_F(Materials, bridgeAsTheirTableStates) {
+  Material m;
+  m.bridges = {{0.4, 20.0}, {0.8, 12.0}, {1.6, 10.0}};
+  EXPECT_DOUBLE_EQ(bridgedMm(m, 0.2), 20.0) << "no more than the narrowest";
+  EXPECT_DOUBLE_EQ(bridgedMm(m, 0.4), 20.0);
+  EXPECT_DOUBLE_EQ(bridgedMm(m, 0.6), 16.0);
+  EXPECT_DOUBLE_EQ(bridgedMm(m, 0.8), 12.0);
+  EXPECT_DOUBLE_EQ(bridgedMm(m, 1.2), 11.0);
+  EXPECT_NEAR(bridgedMm(m, 256.0 * 1.6), 10.0 / 8.0, 1e-12) << "256^(3/8) = 8";
+  m.bridges.clear();
+  EXPECT_EQ(bridgedMm(m, 0.4), 0.0) << "unknown";
+}
+
+TEST_F(Materials, ofOlderFilesStateOneLength) {
+  const Material m = readMaterialText(
+      R"({"id": "a", "label": "A", "densityGPerCm3": 1, "bridgeSagMm": 12})", "a.json");
+  EXPECT_EQ(m.bridges, (std::vector<BridgedLength>{{0.45, 12.0}}));
+  EXPECT_EQ(readMaterialText(materialText(m), "a.json"), m);
+}
+
+TEST_F(Materials, thatComeWithTheProgramBridgeLessWithWiderBeads) {
+  for (const std::string& id : materialIds()) {
+    const Material m = loadMaterial(id);
+    ASSERT_FALSE(m.bridges.empty()) << id;
+    for (std::size_t i = 0; i + 1 < m.bridges.size(); ++i)
+      EXPECT_GT(m.bridges[i].lengthMm, m.bridges[i + 1].lengthMm) << id;
+  }
 }
 
 TEST_F(Materials, theFanIsOffInTheFirstLayer) {

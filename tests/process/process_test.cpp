@@ -6,8 +6,10 @@
 #include "helpers/temporary_folder.h"
 #include "process/bead_model.h"
 #include "process/feature_parameters.h"
+#include "process/process_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -282,6 +284,18 @@ TEST_F(Processes, machinesMayHaveLawsOfTheirOwn) {
         R"("beadWords": [{"format": "rapid", "start": ["a\nb"]}])",
         R"("beadWords": [{"format": "krl", "end": [" "]}])", R"("beadWords": [{"start": ["a"]}])",
         R"("beadWords": [{"format": "krl", "end": ["a"]}, {"format": "krl", "end": ["b"]}])"})
+    EXPECT_THROW(readProcessText(wireArcWith(bad), "x"), base::Error) << bad;
+}
+
+TEST_F(Processes, stateTheSpeedOfOverhangs) {
+  EXPECT_EQ(readProcessText(wireArcWith(R"("startLagS": 0)"), "x").overhangSpeed, OverhangSpeed());
+  const Process p = readProcessText(wireArcWith(R"("overhangSpeed": [1, 0.8, 0.8, 0.5])"), "x");
+  EXPECT_EQ(p.overhangSpeed.shares, (std::array<double, 4>{1.0, 0.8, 0.8, 0.5}));
+  EXPECT_EQ(readProcessText(processText(p), "x").overhangSpeed, p.overhangSpeed);
+  for (const char* bad :
+       {R"("overhangSpeed": 1)", R"("overhangSpeed": [1, 0.8, 0.6])",
+        R"("overhangSpeed": [1, 0.8, 0.6, 0])", R"("overhangSpeed": [1.1, 0.8, 0.6, 0.5])",
+        R"("overhangSpeed": [1, 0.6, 0.8, 0.5])"})
     EXPECT_THROW(readProcessText(wireArcWith(bad), "x"), base::Error) << bad;
 }
 
