@@ -6,6 +6,7 @@
 #include "toolpath/first_layer.h"
 #include "toolpath/idle_waypoints.h"
 #include "toolpath/prime_path.h"
+#include "toolpath/slow_overhangs.h"
 #include "toolpath/slow_to_cool.h"
 
 #include "base/error.h"
@@ -235,6 +236,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   r.plan = std::move(passed.beads.plan);
   if (!applyFeatures(r.plan, tooling, isFirstLayer, passed.beads.unsupported))
     r.grown = std::move(passed.grown);
+  slowOverhangs(r.plan, stack, tooling, silent);
   slowToCool(r.plan, options.cooling);
   if (options.fibre.everyLayers > 0) {
     std::ranges::move(addTapes(r.plan, stack, tooling, options.fibre, r.statistics, silent),
