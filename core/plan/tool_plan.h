@@ -19,7 +19,7 @@ enum class PathKind : std::uint8_t {
   Support,
   Prime,
   SparseInfill,
-  Bridge, // Solid infill on top of sparse infill
+  Bridge, // Solid infill over gaps or sparse infill
   Tape,   // Continuous fibre, ironed onto a layer
   Shot    // Fills a pocket of the part from one place (ToolPlan::shotMm3)
 };

@@ -62,11 +62,10 @@ std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
   std::size_t paths = 0;
   std::optional<Vector3d> first;
   for (const PatchCover& cover : covers)
-    for (const Bead& bead : cover.beads)
-      if (bead.kind == PathKind::Bridge) {
-        ++paths;
-        first = first.value_or(bead.points.front().middle);
-      }
+    if (cover.overSparse > 0) {
+      paths += cover.overSparse;
+      first = first.value_or(cover.firstOverSparse);
+    }
   if (!first)
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::HollowSkin, {{"paths", paths}}, *first, paths);

@@ -19,7 +19,7 @@ using test::Loop;
 process::Process processThatBridges(double mm) {
   process::Process process;
   process.bridgeMm = mm;
-  process.material.bridgeSagMm.reset();
+  process.material.bridges.clear();
   return process;
 }
 
@@ -36,13 +36,20 @@ layers::Patch levelPatch(const std::vector<Loop>& loops, double z) {
   return test::patchOver(loops, 1.5, [z](const Vector2d& p) { return Vector3d(p.x(), p.y(), z); });
 }
 
+std::vector<const layers::Patch*> patchesOf(const layers::LayerStack& stack) {
+  std::vector<const layers::Patch*> patches;
+  for (const layers::Patch& patch : stack.patches)
+    patches.push_back(&patch);
+  return patches;
+}
+
 // Of `above` over other patches; two walls are around its infill.
 std::optional<double> directionOver(const std::vector<layers::Patch>& below, layers::Patch above,
                                     double bridgeMm, double usualDeg) {
   layers::LayerStack stack{below, 2};
   stack.patches.push_back(std::move(above));
   return toolpath::bridgeDirections(
-             stack, stack, [&](std::size_t) { return processThatBridges(bridgeMm); },
+             patchesOf(stack), stack, [&](std::size_t) { return processThatBridges(bridgeMm); },
              {usualDeg, 0.0, 2}, base::RunContext())
       .back();
 }
@@ -107,8 +114,8 @@ TEST(BridgeDirection, ConcernsTheLayerOverTheGapOnly) {
   for (int layer = 3; layer < 5; ++layer)
     add(levelPatch({turned(-20, -8, 20, 8, 0)}, 0.4 + 0.8 * layer), layer);
   const auto directions = toolpath::bridgeDirections(
-      stack, stack, [](std::size_t) { return processThatBridges(7.0); }, {135.0, 90.0, 2},
-      base::RunContext());
+      patchesOf(stack), stack, [](std::size_t) { return processThatBridges(7.0); },
+      {135.0, 90.0, 2}, base::RunContext());
   ASSERT_EQ(directions.size(), 8u);
   for (std::size_t i = 0; i < directions.size(); ++i)
     EXPECT_EQ(directions[i].has_value(), i == 6) << i;

@@ -44,7 +44,10 @@ layers::Patch layerAt(int layer, const test::Loop& loop, unsigned seed, double h
 std::vector<SameShape> sameOf(const std::vector<layers::Patch>& patches,
                               std::vector<std::vector<double>> choices = {}) {
   choices.resize(patches.size());
-  return sameShapes(patches, choices, base::RunContext());
+  std::vector<const layers::Patch*> all;
+  for (const layers::Patch& patch : patches)
+    all.push_back(&patch);
+  return sameShapes(all, choices, base::RunContext());
 }
 
 TEST(SamePatches, LayersOfAPrismAreMovedCopies) {

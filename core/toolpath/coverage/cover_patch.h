@@ -7,6 +7,8 @@
 #include "toolpath/infill/thin_walls.h"
 #include "toolpath/options.h"
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct PatchCover {
   double coveredMm2 = 0.0, overlapMm2 = 0.0; // See coverage.h
   bool simple = false;                       // The patch has one boundary loop
   std::vector<ThinWall> thinWalls;           // Printed wider, or left out (options)
+  // Beads of skins over sparse infill, and the place of the first one
+  std::size_t overSparse = 0;
+  Eigen::Vector3d firstOverSparse = Eigen::Vector3d::Zero();
 };
 
 // Covers the patch in three steps:

@@ -72,14 +72,14 @@ std::optional<Shape> shapeOf(const layers::Patch& patch, const std::vector<doubl
 }
 } // namespace
 
-std::vector<SameShape> sameShapes(const std::vector<layers::Patch>& patches,
+std::vector<SameShape> sameShapes(const std::vector<const layers::Patch*>& patches,
                                   const std::vector<std::vector<double>>& choices,
                                   const base::RunContext& ctx) {
   base::require(choices.size() == patches.size(), "choices per patch");
   std::vector<std::optional<Shape>> shapes(patches.size());
   base::parallelChunks(ctx, patches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      shapes[i] = shapeOf(patches[i], choices[i]);
+      shapes[i] = shapeOf(*patches[i], choices[i]);
   });
   std::map<std::vector<double>, std::size_t> firsts;
   std::vector<SameShape> same(patches.size());
@@ -92,7 +92,7 @@ std::vector<SameShape> sameShapes(const std::vector<layers::Patch>& patches,
       continue;
     same[i].patch = first->second;
     same[i].shiftMm =
-        (shapes[i]->heightMm - shapes[first->second]->heightMm) * patches[i].direction.front();
+        (shapes[i]->heightMm - shapes[first->second]->heightMm) * patches[i]->direction.front();
   }
   return same;
 }

@@ -19,7 +19,7 @@ struct SameShape {
 // Returns for each patch the first one that is the same region of another plane (within 0.2 um),
 // with the same thickness, directions, group and tool, and the same `choices[i]`. Patches that are
 // not even planes (PlanePatch::isEven) are like no other. Precondition: choices per patch.
-std::vector<SameShape> sameShapes(const std::vector<layers::Patch>& patches,
+std::vector<SameShape> sameShapes(const std::vector<const layers::Patch*>& patches,
                                   const std::vector<std::vector<double>>& choices,
                                   const base::RunContext& ctx);
 

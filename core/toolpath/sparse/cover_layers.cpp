@@ -16,6 +16,7 @@
 #include "toolpath/sparse/stack_layers.h"
 #include "toolpath/unsupported/bead_tip.h"
 #include "toolpath/unsupported/bridge_direction.h"
+#include "toolpath/unsupported/bridged_layers.h"
 #include "toolpath/unsupported/supported_walls.h"
 
 #include <algorithm>
@@ -50,6 +51,26 @@ PatchCover moved(PatchCover cover, const Eigen::Vector3d& byMm) {
   return cover;
 }
 
+void append(PatchCover& to, PatchCover more) {
+  std::ranges::move(more.beads, std::back_inserter(to.beads));
+  std::ranges::move(more.thinWalls, std::back_inserter(to.thinWalls));
+  to.areaMm2 += more.areaMm2;
+  to.volumeMm3 += more.volumeMm3;
+  to.beadVolumeMm3 += more.beadVolumeMm3;
+  to.coveredMm2 += more.coveredMm2;
+  to.overlapMm2 += more.overlapMm2;
+}
+
+// Returns the cover of a layer's bridges, whose lines fill them.
+PatchCover coverOf(BridgedLayer layer) {
+  PatchCover cover;
+  cover.areaMm2 = cover.coveredMm2 = layer.areaMm2;
+  cover.volumeMm3 = layer.volumeMm3;
+  cover.beadVolumeMm3 = volumeOf(layer.beads);
+  cover.beads = std::move(layer.beads);
+  return cover;
+}
+
 // `whole`: the layers that carry those of `stack`.
 std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers::LayerStack& whole,
                                    const process::Tooling& tooling, const ToolpathOptions& options,
@@ -61,11 +82,21 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
   const auto processAt = [&](std::size_t i) {
     return processOf(stack.patches[i], tooling, isFirstLayer[i] != 0);
   };
+  std::vector<std::optional<BridgedLayer>> bridged(stack.patches.size());
+  if (!infillKind(options.infill).needsChart)
+    bridged = bridgedLayers(stack, whole, processAt, wallWidths, options, silent);
+  std::vector<const layers::Patch*> patches; // without bridges
+  for (std::size_t i = 0; i < bridged.size(); ++i) {
+    patches.push_back(bridged[i] ? &bridged[i]->rest : &stack.patches[i]);
+    if (bridged[i])
+      wallWidths[i] =
+          wallWidthsOf(bridged[i]->rest, stack.patches[i], wallWidths[i], processAt(i).beadWidthMm);
+  }
   std::vector<std::optional<double>> directions(stack.patches.size());
   if (infillKind(options.infill).isStraightInside)
     directions = bridgeDirections(
-        stack, whole, processAt, {options.infillAngleDeg, options.infillRotationDeg, options.walls},
-        silent);
+        patches, whole, processAt,
+        {options.infillAngleDeg, options.infillRotationDeg, options.walls}, silent);
   std::vector<std::vector<double>> choices(stack.patches.size());
   for (std::size_t i = 0; i < choices.size(); ++i) {
     choices[i] = distinctOf(wallWidths[i]);
@@ -75,7 +106,7 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
                        std::fmod(layer * options.infillRotationDeg, 180.0),
                        directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0)});
   }
-  const std::vector<SameShape> same = sameShapes(stack.patches, choices, silent);
+  const std::vector<SameShape> same = sameShapes(patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
   for (std::size_t i = 0; i < same.size(); ++i)
     if (same[i].patch == i)
@@ -84,11 +115,14 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
   base::parallelWithProgress(ctx, shapes.size(), share, "tool-paths"_text, [&](std::size_t s) {
     const std::size_t i = shapes[s];
     covers[i] =
-        coverPatch(stack.patches[i], processAt(i), options, silent, wallWidths[i], directions[i]);
+        coverPatch(*patches[i], processAt(i), options, silent, wallWidths[i], directions[i]);
   });
   for (std::size_t i = 0; i < same.size(); ++i)
     if (same[i].patch != i)
       covers[i] = moved(covers[same[i].patch], same[i].shiftMm);
+  for (std::size_t i = 0; i < bridged.size(); ++i)
+    if (bridged[i])
+      append(covers[i], coverOf(std::move(*bridged[i])));
   return covers;
 }
 
@@ -107,13 +141,16 @@ double volumeOf(const layers::Patch& patch) {
 
 // Marks solid infill over sparse infill as bridges.
 template <typename IsOverSparse>
-void markBridges(std::vector<Bead>& beads, const IsOverSparse& isOverSparse) {
-  for (Bead& bead : beads) {
+void markBridges(PatchCover& cover, const IsOverSparse& isOverSparse) {
+  for (Bead& bead : cover.beads) {
     if (bead.kind != PathKind::Infill && bead.kind != PathKind::GapFill)
       continue;
     const auto overSparse = std::ranges::count_if(bead.points, isOverSparse);
-    if (static_cast<double>(overSparse) > kBridgeShare * static_cast<double>(bead.points.size()))
-      bead.kind = PathKind::Bridge;
+    if (static_cast<double>(overSparse) <= kBridgeShare * static_cast<double>(bead.points.size()))
+      continue;
+    bead.kind = PathKind::Bridge;
+    if (cover.overSparse++ == 0)
+      cover.firstOverSparse = bead.points.front().middle;
   }
 }
 
@@ -129,19 +166,19 @@ public:
       solid_.emplace(split.solid, ctx);
   }
 
-  void markBridgesOf(std::size_t i, std::vector<Bead>& beads) const {
+  void markBridgesOf(std::size_t i, PatchCover& cover) const {
     if (layers_.levels.isEven(i)) {
       const PlanePatch& plane = *layers_.levels.patch(i);
       const auto below = sparseFrom(i, -1, 1);
       if (below.empty() || below.front().empty())
         return;
       const Contours sparse(below.front());
-      markBridges(beads, [&](const BeadPoint& p) {
+      markBridges(cover, [&](const BeadPoint& p) {
         return sparse.contains((plane.plane_R_work * p.middle).head<2>());
       });
     } else if (layers_.count) {
       // The layer below is there, but not its solid part.
-      markBridges(beads, [&](const BeadPoint& p) {
+      markBridges(cover, [&](const BeadPoint& p) {
         return layers_.count->patchBelow(i, p.middle, p.direction, p.heightMm) >= 0 &&
                solid_->patchBelow(i, p.middle, p.direction, p.heightMm) < 0;
       });
@@ -203,16 +240,6 @@ double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
   return std::max(0.0, shell);
 }
 
-void append(PatchCover& to, PatchCover more) {
-  std::ranges::move(more.beads, std::back_inserter(to.beads));
-  std::ranges::move(more.thinWalls, std::back_inserter(to.thinWalls));
-  to.areaMm2 += more.areaMm2;
-  to.volumeMm3 += more.volumeMm3;
-  to.beadVolumeMm3 += more.beadVolumeMm3;
-  to.coveredMm2 += more.coveredMm2;
-  to.overlapMm2 += more.overlapMm2;
-}
-
 // Covers solid layers whose interior another tool fills: its beads follow those of the skin in the
 // cover of the patch.
 std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack,
@@ -261,7 +288,7 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
   const SparseInfill infill(stack, layers, split, tooling, options, silent);
   std::vector<std::vector<Bead>> sparse(stack.patches.size());
   base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
-    infill.markBridgesOf(i, out.covers[i].beads);
+    infill.markBridgesOf(i, out.covers[i]);
     if (split.sparse[i])
       sparse[i] = infill.beads(i);
   });

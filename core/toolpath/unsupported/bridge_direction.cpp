@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "geometry/boundary.h"
 #include "process/bead_model.h"
+#include "toolpath/plane/scan_lines.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -26,12 +27,8 @@ constexpr double kWorthwhile = 0.1;
 // [thicknesses] between two layers that follow each other
 constexpr double kNearest = 0.3, kGap = 1.7;
 
-struct Edge {
-  Vector2d from, to;
-};
-
-std::vector<Edge> outlineOf(const layers::Patch& patch) {
-  std::vector<Edge> edges;
+std::vector<ContourEdge> outlineOf(const layers::Patch& patch) {
+  std::vector<ContourEdge> edges;
   const auto at = [&](int v) -> Vector2d {
     return patch.surface.vertices[static_cast<std::size_t>(v)].head<2>();
   };
@@ -41,57 +38,9 @@ std::vector<Edge> outlineOf(const layers::Patch& patch) {
   return edges;
 }
 
-using Interval = std::pair<double, double>;
-
-// Where parallel lines cross outlines.
-class Scan {
-public:
-  Scan(double angleRad, double from, double spacing, std::size_t count)
-      : along_(std::cos(angleRad), std::sin(angleRad)), across_(-along_.y(), along_.x()),
-        from_(from), spacing_(spacing), count_(count) {}
-
-  // Returns the stretches of each line inside an outline, ascending.
-  std::vector<std::vector<Interval>> inside(const std::vector<Edge>& outline) const {
-    std::vector<std::vector<double>> crossings(count_);
-    for (const Edge& edge : outline) {
-      const double a = (across_.dot(edge.from) - from_) / spacing_,
-                   b = (across_.dot(edge.to) - from_) / spacing_;
-      const double low = std::ceil(std::max(0.0, std::min(a, b))),
-                   high = std::min(std::max(a, b), static_cast<double>(count_));
-      for (double line = low; line < high; line += 1.0)
-        crossings[static_cast<std::size_t>(line)].push_back(
-            along_.dot(edge.from + (line - a) / (b - a) * (edge.to - edge.from)));
-    }
-    std::vector<std::vector<Interval>> stretches(count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      std::ranges::sort(crossings[i]);
-      for (std::size_t k = 0; k + 1 < crossings[i].size(); k += 2)
-        stretches[i].emplace_back(crossings[i][k], crossings[i][k + 1]);
-    }
-    return stretches;
-  }
-
-private:
-  Vector2d along_, across_;
-  double from_, spacing_;
-  std::size_t count_;
-};
-
-// Returns the union of the stretches of one line.
-std::vector<Interval> merged(std::vector<Interval> stretches) {
-  std::ranges::sort(stretches);
-  std::vector<Interval> all;
-  for (const Interval& one : stretches)
-    if (all.empty() || one.first > all.back().second)
-      all.push_back(one);
-    else
-      all.back().second = std::max(all.back().second, one.second);
-  return all;
-}
-
 class Gaps {
 public:
-  Gaps(const std::vector<Edge>& patch, std::vector<const std::vector<Edge>*> below,
+  Gaps(const std::vector<ContourEdge>& patch, std::vector<const std::vector<ContourEdge>*> below,
        const process::Process& process, double insetMm)
       : patch_(patch), below_(std::move(below)), process_(process), insetMm_(insetMm),
         spacing_(process::hatchOf(process.beadWidthMm, process.layerHeightMm)) {}
@@ -100,22 +49,22 @@ public:
   double cost(double angleRad) const {
     const Vector2d across(-std::sin(angleRad), std::cos(angleRad));
     double low = INFINITY, high = -INFINITY;
-    for (const Edge& edge : patch_) {
+    for (const ContourEdge& edge : patch_) {
       low = std::min(low, across.dot(edge.from));
       high = std::max(high, across.dot(edge.from));
     }
     const auto count = static_cast<std::size_t>(std::max(0.0, (high - low) / spacing_));
-    const Scan scan(angleRad, low + 0.5 * spacing_, spacing_, count);
+    const ScanLines scan(angleRad, low + 0.5 * spacing_, spacing_, count);
     const auto inside = scan.inside(patch_);
     std::vector<std::vector<Interval>> held(count);
-    for (const std::vector<Edge>* outline : below_) {
+    for (const std::vector<ContourEdge>* outline : below_) {
       const auto more = scan.inside(*outline);
       for (std::size_t i = 0; i < count; ++i)
         held[i].insert(held[i].end(), more[i].begin(), more[i].end());
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<Interval> holds = merged(std::move(held[i]));
+      const std::vector<Interval> holds = mergedIntervals(std::move(held[i]));
       for (const auto& [from, to] : inside[i])
         sum += costOf(from + insetMm_, to - insetMm_, holds);
     }
@@ -144,8 +93,8 @@ private:
                                                                     : lengthMm;
   }
 
-  const std::vector<Edge>& patch_;
-  const std::vector<const std::vector<Edge>*> below_;
+  const std::vector<ContourEdge>& patch_;
+  const std::vector<const std::vector<ContourEdge>*> below_;
   const process::Process& process_;
   double insetMm_, spacing_;
 };
@@ -170,7 +119,7 @@ std::optional<double> directionOver(const Gaps& gaps, const process::Process& pr
 // A patch of a plane layer that is parallel to the plate.
 struct Level {
   double z = 0.0, thicknessMm = 0.0;
-  std::vector<Edge> outline;
+  std::vector<ContourEdge> outline;
 };
 
 std::optional<Level> levelOf(const layers::Patch& patch) {
@@ -184,12 +133,13 @@ std::optional<Level> levelOf(const layers::Patch& patch) {
   return Level{z, patch.thicknessMm.front(), outlineOf(patch)};
 }
 
-std::vector<std::optional<Level>> levelsOf(const layers::LayerStack& stack,
-                                           const base::RunContext& ctx) {
-  std::vector<std::optional<Level>> levels(stack.patches.size());
+std::vector<std::optional<Level>>
+levelsOf(std::size_t count, const std::function<const layers::Patch&(std::size_t)>& patch,
+         const base::RunContext& ctx) {
+  std::vector<std::optional<Level>> levels(count);
   base::parallelChunks(ctx, levels.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      levels[i] = levelOf(stack.patches[i]);
+      levels[i] = levelOf(patch(i));
   });
   return levels;
 }
@@ -197,22 +147,26 @@ std::vector<std::optional<Level>> levelsOf(const layers::LayerStack& stack,
 } // namespace
 
 std::vector<std::optional<double>>
-bridgeDirections(const layers::LayerStack& stack, const layers::LayerStack& whole,
+bridgeDirections(std::span<const layers::Patch* const> patches, const layers::LayerStack& whole,
                  const std::function<process::Process(std::size_t)>& processOf,
                  const UsualLines& usual, const base::RunContext& ctx) {
-  const std::vector<std::optional<Level>> own = levelsOf(stack, ctx), all = levelsOf(whole, ctx);
+  const std::vector<std::optional<Level>> own = levelsOf(
+      patches.size(), [&](std::size_t i) -> const layers::Patch& { return *patches[i]; }, ctx);
+  const std::vector<std::optional<Level>> all = levelsOf(
+      whole.patches.size(), [&](std::size_t i) -> const layers::Patch& { return whole.patches[i]; },
+      ctx);
   std::vector<std::size_t> byHeight;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i])
       byHeight.push_back(i);
   std::ranges::sort(byHeight, {}, [&](std::size_t i) { return all[i]->z; });
-  std::vector<std::optional<double>> directions(stack.patches.size());
+  std::vector<std::optional<double>> directions(patches.size());
   base::parallelChunks(ctx, directions.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!own[i])
         continue;
       const Level& level = *own[i];
-      std::vector<const std::vector<Edge>*> below;
+      std::vector<const std::vector<ContourEdge>*> below;
       auto at = std::ranges::lower_bound(byHeight, level.z - kGap * level.thicknessMm, {},
                                          [&](std::size_t k) { return all[k]->z; });
       for (; at != byHeight.end() && all[*at]->z < level.z - kNearest * level.thicknessMm; ++at)
@@ -222,7 +176,7 @@ bridgeDirections(const layers::LayerStack& stack, const layers::LayerStack& whol
       const process::Process process = processOf(i);
       const double inset =
           usual.walls * process::hatchOf(process.beadWidthMm, process.layerHeightMm);
-      const double degrees = usual.angleDeg + stack.patches[i].layer * usual.rotationDeg;
+      const double degrees = usual.angleDeg + patches[i]->layer * usual.rotationDeg;
       directions[i] = directionOver(Gaps(level.outline, std::move(below), process, inset), process,
                                     base::degreesToRadians(std::remainder(degrees, 180.0)));
     }

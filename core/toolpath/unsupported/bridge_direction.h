@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace voluta::base {
@@ -22,15 +23,14 @@ struct UsualLines {
   int walls = 0;
 };
 
-// Returns for each level patch of `stack` the direction [rad, from x towards y] of straight lines
+// Returns for each level one of the patches the direction [rad, from x towards y] of straight lines
 // in its infill that leaves least of their length without a hold: a line that crosses a gap of the
 // layer below in `whole`, and ends on it on both sides, is held, and better by a shorter gap; where
 // a line ends in the air it is not held at all. nullopt for patches that are not level, without a
 // layer below or a gap wider than a bead, and where the usual direction is as good. `processOf`: of
-// a patch of `stack`; thread-safe. Precondition: `whole` has the patches of `stack`, or larger
-// ones. Throws Cancelled.
+// a patch; thread-safe. Precondition: `whole` has these patches, or larger ones. Throws Cancelled.
 std::vector<std::optional<double>>
-bridgeDirections(const layers::LayerStack& stack, const layers::LayerStack& whole,
+bridgeDirections(std::span<const layers::Patch* const> patches, const layers::LayerStack& whole,
                  const std::function<process::Process(std::size_t)>& processOf,
                  const UsualLines& usual, const base::RunContext& ctx);
 
