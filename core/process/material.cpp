@@ -154,6 +154,10 @@ bool prints(const Material& material, double nozzleC) {
   return nozzleC >= material.nozzleMinC && nozzleC <= material.nozzleMaxC;
 }
 
+std::vector<BridgedLength> bridgesOfPla() {
+  return {{0.45, 20.0}, {1.2, 12.0}, {4.8, 8.0}};
+}
+
 double bridgedMm(const Material& material, double beadWidthMm) {
   constexpr double kPower = -0.375;
   const std::vector<BridgedLength>& rows = material.bridges;

@@ -14,6 +14,9 @@ struct BridgedLength {
   bool operator==(const BridgedLength&) const = default;
 };
 
+// Those of PLA.
+std::vector<BridgedLength> bridgesOfPla();
+
 // The default is PLA, as resources/materials/pla.json.
 struct Material {
   std::string id = "pla", label = "PLA";
@@ -27,7 +30,7 @@ struct Material {
   double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
   std::optional<double> bridgeMm; // longest bridge, whatever the process allows; none: any
   // Spans that bridge with a sag of up to 0.2 mm, by ascending bead width; none: unknown
-  std::vector<BridgedLength> bridges = {{0.45, 20.0}, {1.2, 12.0}, {4.8, 8.0}};
+  std::vector<BridgedLength> bridges = bridgesOfPla();
   // Age [s] that a bead must, and may at most, have when the next layer covers it; none: any
   std::optional<double> minLayerTimeS, maxLayerTimeS;
   double pricePerKg = 20.0;       // in the user's currency; 0: unknown
