@@ -5,6 +5,7 @@
 #include "patch_shapes.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_volume.h"
+#include "toolpath/plane/level_patches.h"
 #include "toolpath/sparse/cover_layers.h"
 #include "toolpath/unsupported/bridge_beads.h"
 #include "toolpath/unsupported/bridge_regions.h"
@@ -291,6 +292,24 @@ TEST(BridgeRegions, HoldRandomSpans) {
     EXPECT_NEAR(raster.bridgedMm * hatchMm(), shorter * longer, hatchMm() * shorter + 0.1);
   }
   EXPECT_EQ(found, expected);
+}
+
+// Two towers beside each other: each layer rests on that of its own, and the lowest on none.
+TEST(LevelPatches, FindTheLayerBelow) {
+  layers::LayerStack stack;
+  for (int layer = 0; layer < 3; ++layer)
+    for (const double x : {0.0, 30.0}) {
+      PlanePatch plane = planeAt((layer + 0.5) * kHeight);
+      plane.outline = Shape{{{x, 0, x + 10.0 - layer, 10}}}.paths();
+      stack.patches.push_back(patchOver(plane.outline, plane, {}).value());
+    }
+  const LevelPatches levels(stack, base::RunContext());
+  for (std::size_t i = 0; i < 6; ++i) {
+    ASSERT_NE(levels.patch(i), nullptr);
+    const Paths below = levels.below(*levels.patch(i));
+    const double expected = i < 2 ? 0.0 : i < 4 ? 100.0 : 90.0;
+    EXPECT_NEAR(geometry::areaMm2(below), expected, 1e-3) << i;
+  }
 }
 
 // Layers of a stack: a floor with two windows, and a lid over it.

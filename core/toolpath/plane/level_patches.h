@@ -22,12 +22,19 @@ public:
 
   // Returns a patch of the stack; nullptr if it is not level.
   const PlanePatch* patch(std::size_t index) const;
-  // Returns the area of the layer that a level one rests on, supports included; empty on the first
-  // layer, and where a part begins in the air.
+  // Returns the area of the layer that a level one rests on, supports included, at least within its
+  // bounding box; empty on the first layer, and where a part begins in the air.
   ClipperLib::Paths below(const PlanePatch& layer) const;
 
 private:
+  struct Box {
+    ClipperLib::IntPoint low, high;
+    bool touches(const Box& other) const;
+  };
+  static Box boxOf(const PlanePatch& plane);
+
   std::vector<std::optional<PlanePatch>> planes_;
+  std::vector<Box> boxes_; // per patch
   std::vector<std::size_t> byHeight_;
 };
 

@@ -60,6 +60,10 @@ std::optional<BridgedLayer> bridgedLayer(const layers::Patch& patch, const Level
   const Paths below = levels.below(*plane);
   if (below.empty())
     return std::nullopt;
+  // Most layers have no gap.
+  const Paths air = combined(geometry::united(plane->contours()), below, ClipperLib::ctDifference);
+  if (geometry::offsetPaths(air, -0.5 * process.beadWidthMm, {0.01}).empty())
+    return std::nullopt;
   process.layerHeightMm = std::min(plane->thicknessMm, process.beadWidthMm);
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double widest = wallWidthMm.empty() ? 0.0 : std::ranges::max(wallWidthMm);
