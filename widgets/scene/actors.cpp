@@ -1,10 +1,13 @@
 #include "scene/actors.h"
 
+#include <cstring>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 namespace voluta::scene {
 
@@ -43,6 +46,15 @@ RangeActor RangeActor::halo(vtkRenderer* renderer) {
 
 void RangeActor::setData(vtkPolyData* data) {
   mapper->SetInputData(shellOf(data));
+}
+
+void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(rgb.size() / 3));
+  if (!rgb.empty())
+    std::memcpy(colours->GetPointer(0), rgb.data(), rgb.size());
+  shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
 }
 
 vtkSmartPointer<vtkActor> addSolid(vtkRenderer* renderer) {

@@ -4,6 +4,8 @@
 #include "scene/range_mapper.h"
 
 #include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
 #include <vtkActor.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -28,6 +30,8 @@ vtkSmartPointer<vtkActor> addSolid(vtkRenderer* renderer);
 vtkSmartPointer<vtkActor> addLines(vtkRenderer* renderer);
 void setData(vtkActor* actor, vtkPolyData* data);
 void setColour(vtkActor* actor, const Colour& colour);
+// Gives each point of the actor's data a colour, three bytes each.
+void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb);
 void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model);
 void giveSolidLook(vtkActor* actor);
 

@@ -8,6 +8,7 @@ namespace voluta::scene {
 namespace {
 constexpr double kSolidsOpacity = 0.28;
 constexpr double kFromBelow = 0.25;
+constexpr double kDimmed = 0.13;
 } // namespace
 
 void CellActors::setDrawing(const CellDrawing* drawing) {
@@ -87,6 +88,7 @@ bool CellActors::shows(const ViewState& view, std::size_t body, bool byPlatform)
 }
 
 void CellActors::show(const ViewState& view, bool byPlatform) {
+  dimmed_ = view.cellDimmed;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     pieces_[i]->SetVisibility(shows(view, drawing_->pieces[i].body, byPlatform));
   // Obstacles are drawn as their collision solids.
@@ -94,21 +96,24 @@ void CellActors::show(const ViewState& view, bool byPlatform) {
     solids_[i]->SetVisibility(view.collisionSolids && shows(view, i, byPlatform) &&
                               drawing_->cell.bodies()[i].role != robot::BodyRole::Obstacle);
   if (purgePlace_)
-    purgePlace_->SetVisibility(view.cell);
+    purgePlace_->SetVisibility(view.cell && !view.cellDimmed);
 }
 
 void CellActors::setSeenThrough(bool on) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const robot::BodyRole role = drawing_->cell.bodies()[drawing_->pieces[i].body].role;
     const bool beneath = role == robot::BodyRole::Platform || role == robot::BodyRole::Obstacle;
-    pieces_[i]->GetProperty()->SetOpacity(on && beneath ? kFromBelow : 1.0);
+    const bool faint = dimmed_ && role != robot::BodyRole::Platform;
+    pieces_[i]->GetProperty()->SetOpacity(faint ? kDimmed : on && beneath ? kFromBelow : 1.0);
+    pieces_[i]->GetProperty()->SetBackfaceCulling(faint);
   }
 }
 
 Eigen::AlignedBox3d CellActors::box() const {
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
-    if (drawing_->cell.bodies()[drawing_->pieces[i].body].role != robot::BodyRole::Obstacle) {
+    if (pieces_[i]->GetVisibility() &&
+        drawing_->cell.bodies()[drawing_->pieces[i].body].role != robot::BodyRole::Obstacle) {
       const double* b = pieces_[i]->GetBounds();
       box.extend(Eigen::Vector3d(b[0], b[2], b[4]));
       box.extend(Eigen::Vector3d(b[1], b[3], b[5]));

@@ -25,7 +25,7 @@ public:
   // Makes the part's base and obstacles transparent for views from below.
   void setSeenThrough(bool on);
 
-  // Returns the box of all bodies except obstacles, in world coordinates.
+  // Returns the box of the visible bodies except obstacles, in world coordinates.
   Eigen::AlignedBox3d box() const;
 
 private:
@@ -36,6 +36,7 @@ private:
   vtkRenderer* renderer_;
   Theme theme_;
   const CellDrawing* drawing_ = nullptr;
+  bool dimmed_ = false;
   std::vector<vtkSmartPointer<vtkActor>> pieces_;
   std::vector<vtkSmartPointer<vtkActor>> solids_; // one per body
   vtkSmartPointer<vtkActor> purgePlace_;          // null: none

@@ -72,7 +72,9 @@ std::vector<Eigen::Isometry3d> Drawn::framesInWork() const {
 }
 
 bool Drawn::isBodyShown(std::size_t body) const {
-  return view.roles[static_cast<std::size_t>(cell->cell.bodies()[body].role)];
+  const robot::BodyRole role = cell->cell.bodies()[body].role;
+  return view.roles[static_cast<std::size_t>(role)] &&
+         (!view.cellDimmed || role == robot::BodyRole::Platform);
 }
 
 std::optional<RayHit> Drawn::nearest(const Ray& ray) const {
@@ -100,7 +102,7 @@ Between Drawn::between(const Ray& ray, double lengthMm, bool printed) const {
   const auto& bodies = cell->cell.bodies();
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     const auto role = static_cast<std::size_t>(bodies[body].role);
-    if (view.roles[role] && !between.roles[role])
+    if (isBodyShown(body) && !between.roles[role])
       between.roles[role] = isBetween(pickBody(*cell, body, work_T_frame, ray));
   }
   return between;

@@ -11,12 +11,18 @@ constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platfor
 // length of rod to include on either side, relative to the printed length
 constexpr double kRodBesideShare = 0.25;
 constexpr double kPlateFromBelow = 0.25;
+constexpr double kRulingOpacity = 0.45;
+constexpr float kAxisPixels = 2.5F;
 constexpr double kReachOpacity = 0.5;
 } // namespace
 
 PlatformActors::PlatformActors(vtkRenderer* renderer)
     : plate_(addSolid(renderer)), rod_(addSolid(renderer)), base_(addSolid(renderer)),
-      grid_(addLines(renderer)), outline_(addLines(renderer)), reach_(addSolid(renderer)) {
+      grid_(addLines(renderer)), outline_(addLines(renderer)), ruling_(addLines(renderer)),
+      axisX_(addLines(renderer)), axisY_(addLines(renderer)), reach_(addSolid(renderer)) {
+  for (vtkActor* axis : {axisX_.Get(), axisY_.Get()})
+    axis->GetProperty()->SetLineWidth(kAxisPixels);
+  ruling_->GetProperty()->SetOpacity(kRulingOpacity);
   reach_->GetProperty()->SetOpacity(kReachOpacity);
   reach_->GetProperty()->LightingOff();
   reach_->GetMapper()->ScalarVisibilityOn();
@@ -27,6 +33,9 @@ void PlatformActors::setDrawing(const PlatformDrawing* drawing) {
   setData(rod_, drawing && drawing->rod ? drawing->rod->surface.Get() : nullptr);
   setData(base_, drawing && drawing->body ? drawing->body->surface.Get() : nullptr);
   setData(outline_, drawing ? drawing->outline.Get() : nullptr);
+  setData(ruling_, drawing ? drawing->ruling.Get() : nullptr);
+  setData(axisX_, drawing ? drawing->axisX.Get() : nullptr);
+  setData(axisY_, drawing ? drawing->axisY.Get() : nullptr);
   setData(grid_, drawing ? drawing->grid.Get() : nullptr);
   drawing_ = drawing;
 }
@@ -41,10 +50,14 @@ void PlatformActors::setTheme(const Theme& theme) {
     setColour(actor, theme.platform);
   setColour(outline_, theme.platformEdges);
   setColour(grid_, theme.grid);
+  setColour(ruling_, theme.platformEdges);
+  setColour(axisX_, theme.axisX);
+  setColour(axisY_, theme.axisY);
 }
 
 void PlatformActors::pose(const Eigen::Isometry3d& world_T_work) {
-  for (vtkActor* actor : {plate_.Get(), rod_.Get(), outline_.Get(), grid_.Get(), reach_.Get()})
+  for (vtkActor* actor : {plate_.Get(), rod_.Get(), outline_.Get(), grid_.Get(), reach_.Get(),
+                          ruling_.Get(), axisX_.Get(), axisY_.Get()})
     setPose(actor, world_T_work);
   setPose(base_, world_T_work * Eigen::Translation3d(0.0, 0.0, kPlateTopMm));
 }
@@ -56,6 +69,8 @@ void PlatformActors::show(const ViewState& view, bool byCell) {
   base_->SetVisibility(on);
   outline_->SetVisibility(on && (!drawing_->rod || showsRod()));
   grid_->SetVisibility(on && !byCell);
+  for (vtkActor* ruled : {ruling_.Get(), axisX_.Get(), axisY_.Get()})
+    ruled->SetVisibility(on && view.plateRuled);
   reach_->SetVisibility(view.reach && reachDrawing_);
 }
 

@@ -33,7 +33,7 @@ public:
 private:
   const PlatformDrawing* drawing_ = nullptr;
   const ReachDrawing* reachDrawing_ = nullptr;
-  vtkSmartPointer<vtkActor> plate_, rod_, base_, grid_, outline_, reach_;
+  vtkSmartPointer<vtkActor> plate_, rod_, base_, grid_, outline_, ruling_, axisX_, axisY_, reach_;
 };
 
 } // namespace voluta::scene

@@ -15,22 +15,20 @@
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
 #include "scene/platform_actors.h"
+#include "scene/size_marks.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
 #include "scene/vtk_modules.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
-#include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace voluta::scene {
 
@@ -48,15 +46,6 @@ struct ColourState {
   ColourBy colourBy = ColourBy::Layer;
   bool operator==(const ColourState&) const = default;
 };
-
-void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(static_cast<vtkIdType>(rgb.size() / 3));
-  if (!rgb.empty())
-    std::memcpy(colours->GetPointer(0), rgb.data(), rgb.size());
-  shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
-}
 
 // Returns a flat ring about z, through which the marked place stays visible.
 vtkSmartPointer<vtkPolyData> ring(double inner, double outer) {
@@ -81,6 +70,7 @@ struct Scene::Impl : Drawn {
   vtkSmartPointer<vtkRenderer> renderer;
   Theme theme;
   std::unique_ptr<Overlay> overlay;
+  std::unique_ptr<SizeMarks> sizeMarks;
   vtkNew<vtkCallbackCommand> beforeFrame;
   vtkNew<vtkPlane> section;
 
@@ -138,6 +128,7 @@ struct Scene::Impl : Drawn {
       shown->actor->GetProperty()->LightingOff();
     }
     pieceLabels = std::make_unique<PieceLabels>(renderer);
+    sizeMarks = std::make_unique<SizeMarks>(renderer);
     overlay = std::make_unique<Overlay>(renderer);
     applyTheme();
     beforeFrame->SetClientData(this);
@@ -174,6 +165,7 @@ struct Scene::Impl : Drawn {
     setColour(markerRim.actor, theme.backgroundTop);
     beads.mapper->setPlainColour(theme.material);
     overlay->setTheme(theme);
+    sizeMarks->setTheme(theme);
   }
 
   void poseAll() {
@@ -291,6 +283,23 @@ struct Scene::Impl : Drawn {
     markerRim.actor->SetVisibility(view.marker.has_value());
   }
 
+  // A box that is being turned would be that of another orientation.
+  void showSizes() {
+    Eigen::AlignedBox3d box;
+    const Eigen::Matrix3d moved = moved_T_part.linear();
+    const bool turned = !moved.isDiagonal(1e-9);
+    if (view.partSize && part && !part->box.isEmpty() && !turned) {
+      box.extend(moved_T_part * part->box.min());
+      box.extend(moved_T_part * part->box.max());
+    }
+    // A plate that is made for the part has no size of its own to show.
+    constexpr double kSameMm = 2.0;
+    const bool plate =
+        view.plateRuled && shows(view.platform, platform.get()) && !platform->rod &&
+        (!part || ((platform->box.sizes() - part->box.sizes()).head<2>().array() > kSameMm).any());
+    sizeMarks->show(box, plate ? platform->polygon : std::vector<Eigen::Vector2d>{}, world_T_work);
+  }
+
   void showPieces() {
     if (shows(view.pieces, pieces.get()))
       pieceActors->show(view, world_T_work);
@@ -332,6 +341,7 @@ struct Scene::Impl : Drawn {
     showChosenPath();
     showMarker();
     cut();
+    showSizes();
     overlay->showTriad(view.axes);
     overlay->setLegend(view.legend ? legend() : Legend{});
     renderer->SetUseFXAA(!view.dragging);
@@ -371,11 +381,12 @@ struct Scene::Impl : Drawn {
     cellActors->setSeenThrough(view.world == World::Work && eye.z() < 0.0);
     renderer->ResetCameraClippingRange();
     pieceLabels->update(view, world_T_work);
+    sizeMarks->update();
     overlay->update();
   }
 
   // Box of everything visible except the cell, in the world frame.
-  Eigen::AlignedBox3d printedBox() const {
+  Eigen::AlignedBox3d printedBox(bool withPlatform = true) const {
     Eigen::AlignedBox3d box;
     const auto extend = [&](const Eigen::AlignedBox3d& inWork) {
       for (int corner = 0; corner < 8 && !inWork.isEmpty(); ++corner)
@@ -385,7 +396,7 @@ struct Scene::Impl : Drawn {
     if (shows(view.part, part.get()))
       extend(part->box);
     for (const auto& other : others)
-      if (shows(view.otherParts, other.get()))
+      if (withPlatform && shows(view.otherParts, other.get()))
         extend(other->box);
     if (const VoxelDrawing* drawing = shownVoxels())
       extend(drawing->box);
@@ -398,16 +409,16 @@ struct Scene::Impl : Drawn {
       extend(layers->box);
     if (shows(view.paths, paths.get()))
       extend(paths->box);
-    if (shows(view.platform, platform.get()))
+    if (withPlatform && shows(view.platform, platform.get()))
       extend(platform->box);
-    if (platformActors->showsRod() && !view.cell)
+    if (withPlatform && platformActors->showsRod() && (!view.cell || view.cellDimmed))
       extend(platformActors->rodBeside(box));
     return box;
   }
 
   void frameAll() const {
     const Eigen::AlignedBox3d printed = printedBox();
-    if (!shows(view.cell, cell.get()))
+    if (!shows(view.cell, cell.get()) || view.cellDimmed)
       frameBox(renderer, printed, covered);
     else if (view.cellFramed)
       frameBox(renderer, printed.merged(cellActors->box()), covered);
@@ -519,6 +530,7 @@ const ViewState& Scene::view() const {
 
 void Scene::setPixelRatio(double ratio) {
   impl_->overlay->setPixelRatio(ratio);
+  impl_->sizeMarks->setPixelRatio(ratio);
   impl_->pieceLabels->setPixelRatio(ratio);
 }
 
@@ -532,6 +544,14 @@ void Scene::setCovered(std::vector<Eigen::AlignedBox2d> covered) {
 
 void Scene::frameAll() {
   impl_->frameAll();
+}
+
+void Scene::framePart() {
+  frameBox(impl_->renderer, impl_->printedBox(false), impl_->covered);
+}
+
+std::vector<std::string> Scene::sizeLabels() const {
+  return impl_->sizeMarks->shown();
 }
 
 void Scene::standardView(StandardView view) {

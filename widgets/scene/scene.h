@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkRenderer;
@@ -59,6 +60,9 @@ public:
   // frameAll() avoids them as far as possible.
   void setCovered(std::vector<Eigen::AlignedBox2d> covered);
 
+  // Returns the labels on display: edges of the part's box, size of the plate, its origin.
+  std::vector<std::string> sizeLabels() const;
+
   // Returns the legend for the current view: voxels before pieces before layers before paths,
   // whichever is visible.
   Legend legend() const;
@@ -66,6 +70,8 @@ public:
   // Camera functions. All keep the projection; frameAll and standardView show everything that is
   // visible.
   void frameAll();
+  // Frames the active part, or the print if that is shown.
+  void framePart();
   void standardView(StandardView view);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
   // Returns the unit vector from the focal point to the eye, in the world frame.

@@ -10,8 +10,8 @@ Theme lightTheme() {
   t.axisX = {0.86, 0.52, 0.0};
   t.axisY = {0.0, 0.55, 0.42};
   t.axisZ = {0.0, 0.40, 0.70};
-  t.part = {0.70, 0.77, 0.84};
-  t.partEdges = {0.40, 0.47, 0.54};
+  t.part = {0.25, 0.58, 0.80};
+  t.partEdges = {0.08, 0.27, 0.42};
   t.partInside = {0.86, 0.78, 0.66};
   t.otherPart = {0.87, 0.88, 0.89};
   t.otherPartEdges = {0.60, 0.62, 0.65};
@@ -44,8 +44,8 @@ Theme darkTheme() {
   t.axisX = {0.95, 0.62, 0.20};
   t.axisY = {0.20, 0.75, 0.58};
   t.axisZ = {0.40, 0.70, 0.95};
-  t.part = {0.56, 0.64, 0.72};
-  t.partEdges = {0.24, 0.29, 0.34};
+  t.part = {0.28, 0.60, 0.82};
+  t.partEdges = {0.06, 0.20, 0.32};
   t.partInside = {0.60, 0.53, 0.43};
   t.otherPart = {0.43, 0.45, 0.47};
   t.otherPartEdges = {0.27, 0.29, 0.31};

@@ -25,6 +25,8 @@ struct ViewState {
   bool pieces = false;
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
+  bool plateRuled = false; // grid, size and origin on the plate
+  bool partSize = false;   // the box of the active part, with its edges in mm
   double partOpacity = 1.0;
   bool otherParts = false; // the parts of the job beside the active one
   double otherPartsOpacity = 1.0;
@@ -34,6 +36,8 @@ struct ViewState {
   std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true};
   // frameAll() includes the whole visible cell; otherwise only the bodies around the printed part
   bool cellFramed = true;
+  // draws the cell faintly behind the part; frameAll() and picks leave it out
+  bool cellDimmed = false;
   // draws the solids of the collision check translucently over the cell
   bool collisionSolids = false;
 
