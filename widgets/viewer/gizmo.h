@@ -57,6 +57,10 @@ public:
   // Precondition of begin: hover() returned true. The ray is the cursor's.
   void begin(const QPointF& cursor, const Ray& ray, const Projection& project, double mmPerPixel);
   bool dragging() const { return dragging_; }
+  // Of the handle being dragged; none: there is none, or it has all axes.
+  std::optional<int> draggedAxis() const {
+    return dragging_ && grabbed_ != 3 ? std::optional(axisOf(grabbed_)) : std::nullopt;
+  }
   // snap: whole mm, 15 degrees, 5 %.
   GizmoChange drag(const QPointF& cursor, const Ray& ray, bool snap);
   void end() { dragging_ = false; }

@@ -41,7 +41,7 @@ protected:
     if (viewport_.gizmoText_.isEmpty())
       return;
     const QRectF text = painter.boundingRect(QRectF(), Qt::AlignLeft, viewport_.gizmoText_);
-    const QRectF box = text.translated(viewport_.last_ + QPointF(18, 10) - text.topLeft());
+    const QRectF box = text.translated(viewport_.gizmoTextAt_ + QPointF(18, 10) - text.topLeft());
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().toolTipBase());
     painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 4, 4);
@@ -107,6 +107,10 @@ void Viewport::setDragging(bool on) {
 void Viewport::setTool(Tool tool) {
   if (gizmo_.tool() == tool)
     return;
+  if (typed_.isActive()) {
+    typed_ = {};
+    emit gizmoDragged({}, true);
+  }
   gizmo_.setTool(tool);
   gizmo_.setCentre(gizmoCentre_);
   gizmo_.setAxes(gizmoAxes_);
@@ -132,12 +136,20 @@ void Viewport::setLegendWidget(QWidget* legend) {
   layOut();
 }
 
+void Viewport::setToolsWidget(QWidget* tools) {
+  tools_ = tools;
+  layOut();
+}
+
 void Viewport::layOut() {
   overlay_->setGeometry(rect());
   cube_->move(width() - cube_->width() - kMargin, kMargin);
+  if (tools_)
+    tools_->move(kMargin, kMargin);
   if (legend_) {
     legend_->adjustSize();
-    legend_->move(kMargin, kMargin);
+    legend_->move(kMargin + (tools_ && !tools_->isHidden() ? tools_->width() + kMargin : 0),
+                  kMargin);
   }
 }
 
@@ -167,19 +179,30 @@ void Viewport::turned() {
   emit cameraMoved();
 }
 
-void Viewport::frameAll() {
+std::vector<Eigen::AlignedBox2d> Viewport::coveredByWidgets() const {
   std::vector<Eigen::AlignedBox2d> covered;
   for (const QWidget* over :
-       {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(legend_)})
+       {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(legend_),
+        static_cast<const QWidget*>(tools_)})
     if (over && !over->isHidden()) {
       const QRectF frame = QRectF(over->geometry()).adjusted(-kMargin, -kMargin, kMargin, kMargin);
       const QPointF low = toDisplay(frame.bottomLeft()), high = toDisplay(frame.topRight());
       covered.emplace_back(Eigen::Vector2d(low.x(), low.y()), Eigen::Vector2d(high.x(), high.y()));
     }
-  scene_.setCovered(std::move(covered));
+  return covered;
+}
+
+void Viewport::frameAll() {
+  scene_.setCovered(coveredByWidgets());
   scene_.frameAll();
   turned();
   usersCamera_ = false;
+}
+
+void Viewport::framePart() {
+  scene_.setCovered(coveredByWidgets());
+  scene_.framePart();
+  moved();
 }
 
 void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
@@ -242,7 +265,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (gizmo_.dragging()) {
     const GizmoChange change =
         gizmo_.drag(last_, rayAt(last_), event->modifiers() & Qt::ControlModifier);
+    if (typed_.isActive())
+      return;
     gizmoText_ = change.text;
+    gizmoTextAt_ = last_;
     dragged_ = true;
     overlay_->update();
     emit gizmoDragged(change, false);
@@ -283,6 +309,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const GizmoChange change = gizmo_.drag(event->position(), rayAt(event->position()),
                                            event->modifiers() & Qt::ControlModifier);
     gizmo_.end();
+    if (typed_.isActive())
+      return; // The number goes on being typed
     gizmoText_.clear();
     overlay_->update();
     emit gizmoDragged(dragged_ ? change : GizmoChange{}, true);
@@ -310,7 +338,49 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+// The keys of numbers and axes belong to the handles before they belong to commands.
+bool Viewport::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (typed_.takes(*key, gizmo_.tool(), gizmo_.dragging())) {
+      event->accept();
+      return true;
+    }
+  }
+  return VtkView::event(event);
+}
+
+bool Viewport::type(const QKeyEvent& event) {
+  if (!typed_.takes(event, gizmo_.tool(), gizmo_.dragging()))
+    return false;
+  if (!typed_.isActive()) {
+    gizmoTextAt_ = gizmo_.dragging() ? last_ : projected(gizmoCentre_);
+    if (!gizmo_.dragging())
+      emit gizmoStarted();
+    typed_.begin(gizmo_.draggedAxis());
+  }
+  const TypedChange::Step step = typed_.press(event, gizmo_.tool());
+  const GizmoChange change = step == TypedChange::Step::Cancelled
+                                 ? GizmoChange{}
+                                 : typed_.change(gizmo_.tool(), gizmoAxes_);
+  gizmoText_ = change.text;
+  const bool finished = step != TypedChange::Step::Edited;
+  if (finished) {
+    typed_ = {};
+    gizmo_.end();
+    gizmo_.setCentre(gizmoCentre_);
+    gizmoText_.clear();
+  } else if (gizmo_.tool() == Tool::Move) {
+    gizmo_.setCentre(gizmoCentre_ + change.moveMm);
+  }
+  overlay_->update();
+  emit gizmoDragged(change, finished);
+  return true;
+}
+
 void Viewport::keyPressEvent(QKeyEvent* event) {
+  if (type(*event))
+    return;
   const double step = kKeyOrbitPixels * devicePixelRatioF();
   const QPointF middle = toDisplay(QPointF(0.5 * width(), 0.5 * height()));
   switch (event->key()) {

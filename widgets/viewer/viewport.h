@@ -7,10 +7,12 @@
 #include "scene/sight.h"
 #include "viewer/camera_control.h"
 #include "viewer/gizmo.h"
+#include "viewer/typed_change.h"
 #include "viewer/vtk_view.h"
 
 #include <QTimer>
 #include <optional>
+#include <vector>
 
 namespace voluta::viewer {
 
@@ -37,6 +39,8 @@ public:
 
   // Leaves room for the widgets over the corners.
   void frameAll();
+  // Frames the active part, or the print if that is shown.
+  void framePart();
   void viewFrom(const Eigen::Vector3d& towardsEye);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
   // As lookAt(), from the direction with the best view of the point; returns what still hides it.
@@ -48,6 +52,9 @@ public:
   void setDragging(bool on);
   // A widget laid over the viewport, at its upper left corner.
   void setLegendWidget(QWidget* legend);
+  // One at its left edge, beside which the legend then is. Call again when its size or visibility has
+  // changed.
+  void setToolsWidget(QWidget* tools);
 
 signals:
   void toolChanged(voluta::viewer::Tool tool);
@@ -70,6 +77,7 @@ protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
 private:
@@ -78,6 +86,8 @@ private:
   void moved();  // Moves the camera, so that it no longer frames everything
   void turned(); // Rotates the camera about its focal point
   void layOut();
+  std::vector<Eigen::AlignedBox2d> coveredByWidgets() const;
+  bool type(const QKeyEvent& event); // a number for the handles
   void applyDetail();
   std::optional<scene::Hit> hitAt(const QPointF& place) const;
   QPointF projected(const Eigen::Vector3d& world) const;
@@ -87,12 +97,14 @@ private:
   scene::Scene scene_;
   CameraControl camera_;
   Gizmo gizmo_;
+  TypedChange typed_;
   Eigen::Vector3d gizmoCentre_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d gizmoAxes_ = Eigen::Matrix3d::Identity();
   QString gizmoText_;
+  QPointF gizmoTextAt_;
   Overlay* overlay_;
   ViewCube* cube_;
-  QWidget* legend_ = nullptr;
+  QWidget *legend_ = nullptr, *tools_ = nullptr;
   QTimer settle_, rest_;
   QPointF pressedAt_, last_;
   Qt::MouseButton button_ = Qt::NoButton;
