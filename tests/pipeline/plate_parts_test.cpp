@@ -1,5 +1,7 @@
 // Several parts on a plate: distances, order, arrangement.
+#include "base/error.h"
 #include "geometry/meshes_meet.h"
+#include "helpers/loaded_box.h"
 #include "helpers/shapes.h"
 #include "pipeline/items/part_arrangement.h"
 #include "pipeline/items/plate_parts.h"
@@ -8,7 +10,9 @@
 #include "process/process.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <random>
 
 using namespace voluta;
@@ -182,6 +186,83 @@ TEST(MeshesMeet, FindsCrossingsAndEnclosures) {
   EXPECT_TRUE(geometry::meetingPoint(big, test::box({4, 4, 4}, {5, 5, 5}))) << "swallowed";
   EXPECT_TRUE(geometry::meetingPoint(test::box({4, 4, 4}, {5, 5, 5}), big)) << "swallowing";
   EXPECT_TRUE(geometry::meetingPoint(big, test::box({-5, 4, 4}, {15, 5, 5}))) << "a cross";
+}
+
+std::shared_ptr<const project::LoadedPart> loadedSquare(double side, const char* name = "box.stl") {
+  return test::loadedBox(Eigen::Vector3d::Zero(), {side, side, 4.0}, name);
+}
+
+pipeline::PlanRequest boxOn(const char* platform, double side = 20.0) {
+  pipeline::PlanRequest request;
+  request.item().loaded = loadedSquare(side);
+  request.choices.item().automatic = false;
+  request.choices.item().mode = "flat";
+  request.choices.item().platform = project::Platform(platform);
+  return request;
+}
+
+bool areApart(const pipeline::PlanRequest& request, double side) {
+  for (std::size_t i = 0; i < request.items.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if ((request.choices.item(i).placement.centreMm - request.choices.item(j).placement.centreMm)
+              .cwiseAbs()
+              .maxCoeff() < side)
+        return false;
+  return true;
+}
+
+TEST(Copies, ThereAreAsManyAsAskedFor) {
+  const pipeline::PlanRequest six = pipeline::withCopies(boxOn("fit"), 0, 6, {});
+  ASSERT_EQ(six.items.size(), 6u);
+  ASSERT_EQ(six.choices.items.size(), 6u);
+  EXPECT_TRUE(areApart(six, 20.0));
+  const pipeline::PlanRequest two = pipeline::withCopies(six, 3, 2, {});
+  EXPECT_EQ(two.items.size(), 2u);
+  pipeline::PlanRequest mixed = six;
+  mixed.items.push_back({{}, loadedSquare(10.0, "other.stl")});
+  mixed.choices.items.push_back(mixed.choices.item(0));
+  const pipeline::PlanRequest one = pipeline::withCopies(mixed, 5, 1, {});
+  ASSERT_EQ(one.items.size(), 2u) << "another part is no copy";
+  EXPECT_EQ(one.items[1].loaded->name, "other.stl");
+}
+
+TEST(Copies, ThePlateIsFilledAndOneMoreHasNoRoom) {
+  const pipeline::PlanRequest full =
+      pipeline::withCopies(boxOn("rect:200x200"), 0, std::nullopt, {});
+  EXPECT_GT(full.items.size(), 8u);
+  EXPECT_TRUE(areApart(full, 20.0));
+  for (const project::ItemChoices& item : full.choices.items)
+    EXPECT_LE(item.placement.centreMm.cwiseAbs().maxCoeff(), 90.0);
+  const pipeline::PlanRequest smaller =
+      pipeline::withCopies(boxOn("rect:120x120"), 0, std::nullopt, {});
+  EXPECT_LT(smaller.items.size(), full.items.size());
+  pipeline::PlanRequest byLayer = boxOn("rect:200x200");
+  byLayer.choices.printOrder = layers::PrintOrder::ByLayer;
+  EXPECT_GT(pipeline::withCopies(byLayer, 0, std::nullopt, {}).items.size(), full.items.size())
+      << "the head needs no room between parts that grow together";
+}
+
+TEST(Copies, APlateMadeForThePartsCannotBeFilled) {
+  EXPECT_THROW(pipeline::withCopies(boxOn("fit"), 0, std::nullopt, {}), base::Error);
+}
+
+// The brim of one part is room for one part, however many there are.
+TEST(Copies, TheBrimDoesNotAddUpOverTheParts) {
+  const auto distance = [](std::size_t count) {
+    pipeline::PlanRequest request = boxOn("fit");
+    request.choices.printOrder = layers::PrintOrder::ByLayer;
+    request.choices.parameters["brimWidthMm"] = "5";
+    const pipeline::PlanRequest made =
+        pipeline::withArrangedParts(pipeline::withCopies(request, 0, count, {}), {});
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < made.items.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        nearest = std::min(nearest, (made.choices.item(i).placement.centreMm -
+                                     made.choices.item(j).placement.centreMm)
+                                        .norm());
+    return nearest;
+  };
+  EXPECT_NEAR(distance(2), distance(4), 0.5);
 }
 
 } // namespace

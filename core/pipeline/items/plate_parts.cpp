@@ -36,19 +36,20 @@ Footprint footprintWithWaste(const project::LoadedPart& loaded, const modes::Loa
       all.vertices.push_back(plan.position[i]);
   return footprintOf(all, mayLean(own.choices.item()));
 }
-} // namespace
 
-bool mayLean(const project::ItemChoices& item) {
-  return item.automatic || !modes::findMode(item.mode).upright;
-}
-
-PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) {
-  base::require(request.items.size() == request.choices.items.size(), "choices for each item");
+// The parts on the plate, as they are arranged.
+struct PlateContent {
   std::vector<Footprint> parts;
   std::vector<Eigen::Vector2d> centres;
   process::HeadShape head;
   ArrangeOptions options;
-  options.order = request.choices.printOrder;
+};
+
+// Loads the parts of the request that are not loaded yet.
+PlateContent loadedContent(PlanRequest& request, const base::RunContext& ctx) {
+  base::require(request.items.size() == request.choices.items.size(), "choices for each item");
+  PlateContent content;
+  content.options.order = request.choices.printOrder;
   for (std::size_t i = 0; i < request.items.size(); ++i) {
     RequestedItem& item = request.item(i);
     if (!item.loaded)
@@ -58,22 +59,100 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
     const Resolved own = resolve(isGiven ? choicesForGivenPaths(alone) : strategyOrFirst(alone));
     const auto& [choices, values, process] = own.modeChoices();
     const auto placed = loadStage(*item.loaded, own, ctx);
-    parts.push_back(isGiven ? footprintWithWaste(*item.loaded, *placed, own, ctx)
-                            : footprintOf(*placed->part, mayLean(request.choices.item(i))));
-    centres.push_back(placed->placement.centreMm);
-    options.spareMm = std::max(options.spareMm, 2.0 * process.beadWidthMaxMm) +
-                      2.0 * values.number("brimWidthMm");
-    head = process.head;
+    content.parts.push_back(isGiven ? footprintWithWaste(*item.loaded, *placed, own, ctx)
+                                    : footprintOf(*placed->part, mayLean(request.choices.item(i))));
+    content.centres.push_back(placed->placement.centreMm);
+    ArrangeOptions& options = content.options;
+    const double beadsMm = std::max(ArrangeOptions{}.spareMm, 2.0 * process.beadWidthMaxMm);
+    options.spareMm = std::max(options.spareMm, beadsMm + 2.0 * values.number("brimWidthMm"));
+    content.head = process.head;
     if (options.plate.empty() && isOnCellPlate(request.choices.item(i)))
       options.plate = largestPlate(fittingCell(choices, process));
   }
-  const auto moves = arranged(parts, head, options);
-  if (!moves)
+  return content;
+}
+
+base::Error noRoomFor(std::size_t parts) {
+  return base::Error(base::ErrorCode::UnusableInput,
+                     base::message("the plate has no room for {parts} parts"_text, parts), {},
+                     "print fewer or smaller parts, or use a cell with a larger plate"_text);
+}
+
+void moveParts(PlanRequest& request, const PlateContent& content,
+               const std::vector<Eigen::Vector2d>& moves) {
+  for (std::size_t i = 0; i < request.items.size(); ++i)
+    request.choices.item(i).placement.centreMm = content.centres[i] + moves[i];
+}
+
+std::vector<Eigen::Vector2d> plateWithSize(const project::ItemChoices& item) {
+  if (!item.platform.isFor(project::PlatformUse::Plate) || item.platform.marginMm())
     throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("the plate has no room for {parts} parts"_text, parts.size()),
-                      {}, "print fewer or smaller parts, or use a cell with a larger plate"_text);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    request.choices.item(i).placement.centreMm = centres[i] + (*moves)[i];
+                      "the plate is made as large as the parts need"_text, {},
+                      "choose a plate with a size, or type the number of copies"_text);
+  return item.platform.plateAround({});
+}
+} // namespace
+
+bool mayLean(const project::ItemChoices& item) {
+  return item.automatic || !modes::findMode(item.mode).upright;
+}
+
+PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) {
+  const PlateContent content = loadedContent(request, ctx);
+  const auto moves = arranged(content.parts, content.head, content.options);
+  if (!moves)
+    throw noRoomFor(content.parts.size());
+  moveParts(request, content, *moves);
+  return request;
+}
+
+PlanRequest withCopies(PlanRequest request, std::size_t item, std::optional<std::size_t> count,
+                       const base::RunContext& ctx) {
+  constexpr std::size_t kMaxCopies = 500;
+  base::require(count.value_or(1) > 0, "one copy at least");
+  PlateContent content = loadedContent(request, ctx);
+  const auto part = request.item(item).loaded;
+  const auto isCopy = [&](std::size_t i) { return request.item(i).loaded == part; };
+  std::size_t there = 0;
+  for (std::size_t i = 0; i < request.items.size(); ++i)
+    there += isCopy(i);
+  for (std::size_t i = request.items.size(); i-- > 0 && there > count.value_or(kMaxCopies);)
+    if (i != item && isCopy(i)) {
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      request.items.erase(request.items.begin() + at);
+      request.choices.items.erase(request.choices.items.begin() + at);
+      content.parts.erase(content.parts.begin() + at);
+      content.centres.erase(content.centres.begin() + at);
+      item -= i < item;
+      --there;
+    }
+  if (!count && content.options.plate.empty())
+    content.options.plate = plateWithSize(request.choices.item(item));
+  const auto movesWith = [&](std::size_t added) {
+    std::vector<Footprint> parts = content.parts;
+    parts.insert(parts.end(), added, content.parts[item]);
+    return arranged(parts, content.head, content.options);
+  };
+  std::size_t added = count ? *count - there : 0;
+  if (!count) { // Doubles the number, then halves the step
+    std::size_t step = 1;
+    while (there + added + step <= kMaxCopies && movesWith(added + step)) {
+      added += step;
+      step *= 2;
+    }
+    for (; step > 0; step /= 2)
+      if (there + added + step <= kMaxCopies && movesWith(added + step))
+        added += step;
+  }
+  const auto moves = movesWith(added);
+  if (!moves)
+    throw noRoomFor(content.parts.size() + added);
+  for (std::size_t i = 0; i < added; ++i) {
+    request.items.push_back(request.item(item));
+    request.choices.items.push_back(request.choices.item(item));
+    content.centres.push_back(content.centres[item]);
+  }
+  moveParts(request, content, *moves);
   return request;
 }
 

@@ -7,6 +7,7 @@
 #include "plan/finding.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@ namespace voluta::pipeline {
 // Throws Error{UnusableInput} if the plate has no room for all of them; as planPart for a part that
 // cannot be loaded.
 PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx);
+
+// Returns the request with that many items like `item` in all, added behind the others or taken off
+// from behind, and all parts arranged as above; nullopt: as many as the plate has room for beside
+// the other parts, at most 500. The items are those with the same loaded part. Throws
+// Error{UnusableInput} if the plate has no room for them, or for nullopt if it has no size.
+PlanRequest withCopies(PlanRequest request, std::size_t item, std::optional<std::size_t> count,
+                       const base::RunContext& ctx);
 
 // Returns whether the layers of the item may tilt the head.
 bool mayLean(const project::ItemChoices& item);
