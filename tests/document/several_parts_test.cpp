@@ -56,6 +56,44 @@ TEST(SeveralParts, AddedPartIsActiveAndHasTheSameChoices) {
   EXPECT_DOUBLE_EQ(xOf(document, 1), 4.0 + 10.0 + 3.0);
 }
 
+TEST(SeveralParts, CopiedPartsArePastedAlsoAfterAllWereRemoved) {
+  Document document;
+  openFlat(document);
+  EXPECT_FALSE(document.hasCopiedParts());
+  document.addPart(test::boxPart(6.0, "other.stl"), "/tmp/other.stl", true);
+  document.copyParts({0, 1});
+  EXPECT_EQ(document.partCount(), 2u) << "no edit";
+  document.removeParts({0, 1});
+  EXPECT_EQ(document.partCount(), 0u);
+  EXPECT_EQ(document.source(), nullptr);
+  document.pasteParts();
+  ASSERT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.jobChoices().item(0).mode, "flat");
+  document.pasteParts();
+  ASSERT_EQ(document.partCount(), 4u);
+  EXPECT_NE(xOf(document, 2), xOf(document, 0));
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  EXPECT_EQ(document.partCount(), 0u);
+  document.undoStack()->undo();
+  EXPECT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.source()->name, "other.stl");
+}
+
+TEST(SeveralParts, SomeOfSeveralAreRemoved) {
+  Document document;
+  openFlat(document);
+  for (const char* name : {"b.stl", "c.stl", "d.stl"})
+    document.addPart(test::boxPart(6.0, name), {}, true);
+  document.setActive(2);
+  document.removeParts({3, 0});
+  ASSERT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.source()->name, "c.stl") << "the active part stays active";
+  document.undoStack()->undo();
+  EXPECT_EQ(document.partCount(), 4u);
+  EXPECT_EQ(document.active(), 2u);
+}
+
 TEST(SeveralParts, TheFirstPartAddedIsOpened) {
   Document document;
   document.addPart(test::boxPart(), "/tmp/box.stl", true);

@@ -109,8 +109,21 @@ public:
   void addParts(const std::vector<project::PartInFile>& parts, const QString& path, bool ready);
   // Adds a copy of the active part, with its choices, beside the others and makes it active.
   void duplicatePart();
-  // Removes the active part. Precondition: there are two or more.
-  void removePart();
+  // Remembers the active part, or several, with their choices, for pasteParts().
+  void copyParts(const std::vector<std::size_t>& items);
+  bool hasCopiedParts() const { return !copied_.empty(); }
+  // Adds what copyParts() has remembered beside the others; also after it was removed, or another
+  // project was opened. Precondition: hasCopiedParts().
+  void pasteParts();
+  // Removes the active part. Precondition: there is one.
+  void removePart() { removeParts({active_}); }
+  // Removes several parts; if all, the document has none, as a new one. Precondition: `items` are
+  // indices of parts, one at least.
+  void removeParts(std::vector<std::size_t> items);
+  // Returns how many parts are copies of the active one, with it.
+  std::size_t copiesOfActive() const;
+  // Takes over the parts and places that pipeline::withCopies() has made from request().
+  void setCopies(const pipeline::PlanRequest& made);
   // Moves all parts beside each other (pipeline::withArrangedParts()). Throws Error{UnusableInput}
   // if the plate has no room for them, Error{Usage} for choices that cannot be planned.
   void arrangeParts();
@@ -269,6 +282,11 @@ private:
   std::shared_ptr<Parts> parts_;   // null: no part is open
   std::size_t active_ = 0;
   std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
+  struct CopiedPart {
+    project::ItemChoices choices;
+    std::shared_ptr<Source> source;
+  };
+  std::vector<CopiedPart> copied_;
   std::weak_ptr<Parts> left_;                  // the previous parts, with their results
   QString projectFile_;
   QUndoStack undo_;

@@ -16,6 +16,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace voluta::document {
@@ -234,16 +235,83 @@ void Document::duplicatePart() {
        tr("Duplicate %1").arg(QString::fromStdString(activeSource()->part->name)));
 }
 
-void Document::removePart() {
-  base::require(partCount() > 1, "Document: one of several parts to remove");
-  const auto at = static_cast<std::ptrdiff_t>(active_);
+void Document::copyParts(const std::vector<std::size_t>& items) {
+  copied_.clear();
+  for (const std::size_t item : items)
+    copied_.push_back({choices_.item(item), parts_->items.at(item)});
+}
+
+void Document::pasteParts() {
+  base::require(!copied_.empty(), "Document: copied parts to paste");
   project::Choices choices = choices_;
-  choices.items.erase(choices.items.begin() + at);
+  std::vector<std::shared_ptr<Source>> sources;
+  for (const CopiedPart& copy : copied_)
+    sources.push_back(copy.source);
+  for (const auto& source : sources)
+    sources_.push_back(source);
+  const QString name = copied_.size() > 1
+                           ? tr("Paste %1 parts").arg(copied_.size())
+                           : tr("Paste %1").arg(QString::fromStdString(sources[0]->part->name));
+  if (!parts_) {
+    choices.items.clear();
+    for (const CopiedPart& copy : copied_)
+      choices.items.push_back(copy.choices);
+    const auto parts = std::make_shared<Parts>();
+    parts->items = sources;
+    push({std::move(choices), parts, 0}, name);
+    return;
+  }
+  for (const CopiedPart& copy : copied_)
+    choices.items.push_back(copy.choices);
+  push(withSources(std::move(choices), sources), name);
+}
+
+void Document::removeParts(std::vector<std::size_t> items) {
+  base::require(!items.empty() && std::ranges::max(items) < partCount(),
+                "Document: parts to remove");
+  std::ranges::sort(items, std::greater{});
+  const QString name =
+      items.size() > 1
+          ? tr("Remove %1 parts").arg(items.size())
+          : tr("Remove %1").arg(QString::fromStdString(parts_->items[items.front()]->part->name));
+  if (items.size() == partCount()) {
+    project::Choices choices = choices_;
+    choices.items.resize(1);
+    push({std::move(choices), nullptr, 0}, name);
+    return;
+  }
+  project::Choices choices = choices_;
   const auto parts = std::make_shared<Parts>();
   parts->items = parts_->items;
-  parts->items.erase(parts->items.begin() + at);
-  push({std::move(choices), parts, std::min(active_, parts->items.size() - 1)},
-       tr("Remove %1").arg(QString::fromStdString(activeSource()->part->name)));
+  std::size_t active = active_;
+  for (const std::size_t item : items) {
+    choices.items.erase(choices.items.begin() + static_cast<std::ptrdiff_t>(item));
+    parts->items.erase(parts->items.begin() + static_cast<std::ptrdiff_t>(item));
+    active -= item < active;
+  }
+  push({std::move(choices), parts, std::min(active, parts->items.size() - 1)}, name);
+}
+
+std::size_t Document::copiesOfActive() const {
+  return parts_ ? static_cast<std::size_t>(std::ranges::count(parts_->items, activeSource())) : 0;
+}
+
+void Document::setCopies(const pipeline::PlanRequest& made) {
+  base::require(parts_ && made.items.size() == made.choices.items.size(), "Document: copies");
+  const auto parts = std::make_shared<Parts>();
+  const std::shared_ptr<const project::LoadedPart> active = source();
+  std::size_t activeItem = 0;
+  for (const pipeline::RequestedItem& item : made.items) {
+    const auto source =
+        std::ranges::find(parts_->items, item.loaded, [](const auto& one) { return one->part; });
+    base::require(source != parts_->items.end(), "Document: copies of parts that are open");
+    if (item.loaded == active)
+      activeItem = parts->items.size();
+    parts->items.push_back(*source);
+  }
+  push({made.choices, parts, activeItem}, tr("%1 of %2")
+                                              .arg(std::ranges::count(parts->items, activeSource()))
+                                              .arg(QString::fromStdString(active->name)));
 }
 
 void Document::arrangeParts() {
