@@ -1,3 +1,5 @@
+#include "language/translated.h"
+#include "language/words.h"
 #include "panels/findings_model.h"
 #include "panels/findings_panel.h"
 #include "plan/finding_kinds.h"
@@ -5,6 +7,7 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -61,7 +64,7 @@ TEST(FindingsModel, FindingsThatConcernThePartAreNoBlockers) {
   EXPECT_TRUE(model.index(1)
                   .data(Qt::AccessibleTextRole)
                   .toString()
-                  .startsWith("Not as asked: deposited volume"));
+                  .startsWith("Not as asked: Deposited volume"));
   model.setBlockedOnly(true);
   EXPECT_EQ(model.rowCount(), 2);
   model.setFindings(findings); // without programs
@@ -216,7 +219,7 @@ TEST(FindingsModel, OutOfDateFindingsAreLastAndNotCounted) {
   EXPECT_FALSE(model.isOutOfDate(0));
   const QModelIndex first = model.index(1);
   EXPECT_TRUE(first.data(panels::FindingsModel::OutOfDateRole).toBool());
-  EXPECT_EQ(first.data().toString(), "missed") << "among themselves as ever";
+  EXPECT_EQ(first.data().toString(), "Missed") << "among themselves as ever";
   EXPECT_TRUE(
       first.data(panels::FindingsModel::DetailRole).toString().startsWith("before the change"));
 }
@@ -248,6 +251,56 @@ TEST(ListedFindings, EqualFindingsOfSeveralProgramsShareOneRow) {
   EXPECT_TRUE(model.reason(0).startsWith("5.01")) << qPrintable(model.reason(0));
   EXPECT_EQ(model.index(0).data(panels::FindingsModel::FormatsRole).toStringList(),
             (QStringList{"urscript", "csv"}));
+}
+
+// One fact at several places is one card, which leads from place to place.
+TEST(FindingsPanel, OneFactAtSeveralPlacesIsOneCard) {
+  plan::Findings findings;
+  for (const double x : {1.0, 20.0, 40.0}) {
+    findings.push_back(uncovered("urscript", 5.0 + x));
+    findings.back().where = Eigen::Vector3d(x, 0.0, 2.0);
+  }
+  findings.push_back(finding("load", "hole", false));
+  panels::FindingsPanel panel;
+  panel.resize(320, 500);
+  panel.show();
+  panel.setFindings(findings);
+  auto* list = panel.findChild<QListView*>("list");
+  ASSERT_EQ(list->model()->rowCount(), 2);
+  const QString detail =
+      list->model()->index(0, 0).data(panels::FindingsModel::DetailRole).toString();
+  EXPECT_TRUE(detail.contains("3 place")) << qPrintable(detail);
+  QSignalSpy activated(&panel, &panels::FindingsPanel::activated);
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, middleOf(list, 0));
+  auto* next = panel.findChild<QPushButton*>("show");
+  EXPECT_EQ(next->text(), "Show next");
+  for (int i = 0; i < 3; ++i)
+    QTest::mouseClick(next, Qt::LeftButton);
+  ASSERT_EQ(activated.size(), 4);
+  const auto xAt = [&](int i) { return activated[i][0].value<plan::Finding>().where->x(); };
+  EXPECT_EQ(xAt(0), 1.0);
+  EXPECT_EQ(xAt(1), 20.0);
+  EXPECT_EQ(xAt(2), 40.0);
+  EXPECT_EQ(xAt(3), 1.0) << "and around again";
+}
+
+// No text of the window speaks in keys, and each begins as a sentence does.
+TEST(FindingsModel, TextsAreSentencesWithoutKeys) {
+  for (const plan::FindingRow& row : plan::findingRows())
+    for (const base::Text text : {row.reason, row.remedy, row.whyNoRemedy}) {
+      if (text.empty())
+        continue;
+      const QString shown = language::capitalized(language::words(text));
+      EXPECT_EQ(shown[0], shown[0].toUpper()) << qPrintable(shown);
+      EXPECT_FALSE(shown.contains('`')) << qPrintable(shown);
+      EXPECT_FALSE(shown.contains(QRegularExpression("\\b[a-z]+[A-Za-z]*=[a-z]")))
+          << qPrintable(shown);
+      EXPECT_FALSE(shown.contains(QRegularExpression("(^|[ (])--[a-z]"))) << qPrintable(shown);
+    }
+  plan::Finding one = finding("load", "open edges at `openSurfaces=wall`", true);
+  panels::FindingsModel model;
+  model.setFindings({one});
+  EXPECT_TRUE(model.reason(0).startsWith("Open edges")) << qPrintable(model.reason(0));
 }
 
 TEST(ListedFindings, OtherPlacesAndOtherThingsAreOtherFacts) {

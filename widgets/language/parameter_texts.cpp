@@ -1,6 +1,7 @@
 #include "language/parameter_texts.h"
 
 #include "language/numbers.h"
+#include "language/setting_words.h"
 #include "language/translated.h"
 
 #include <QCoreApplication>
@@ -9,7 +10,9 @@
 namespace voluta::language {
 
 QString unitText(const std::string& unit) {
-  return unit == "deg"     ? QStringLiteral("°")
+  return unit == "mm3"     ? QStringLiteral("mm³")
+         : unit == "mm3/s" ? QStringLiteral("mm³/s")
+         : unit == "deg"   ? QStringLiteral("°")
          : unit == "share" ? QStringLiteral("%")
                            : QString::fromStdString(unit);
 }
@@ -19,6 +22,9 @@ double shownFactor(const base::ParameterSpec& spec) {
 }
 
 QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& value) {
+  if (value == base::ParameterValue(0.0) || value == base::ParameterValue(0LL))
+    if (const QString zero = zeroText(spec.key); !zero.isEmpty())
+      return capitalized(zero);
   const QString unit = unitText(spec.unit);
   const QLocale locale;
   const QString space = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QString(' ');

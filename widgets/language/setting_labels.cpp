@@ -31,7 +31,8 @@ constexpr std::array kOptions{
            QT_TRANSLATE_NOOP("voluta::panels::PlacementPanel", "Fit to reach")},
     Option{"--scale", "voluta::panels::PlacementPanel",
            QT_TRANSLATE_NOOP("voluta::panels::PlacementPanel", "Scale")},
-    Option{"--units", nullptr, nullptr}};
+    Option{"--units", nullptr, nullptr},
+    Option{"--pitch", nullptr, nullptr}};
 
 const base::ParameterTable& parameters() {
   static const base::ParameterTable kTable = pipeline::allParameters();

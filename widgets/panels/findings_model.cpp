@@ -1,6 +1,7 @@
 #include "panels/findings_model.h"
 
 #include "forms/duration_text.h"
+#include "language/translated.h"
 #include "language/words.h"
 #include "plan/finding_kinds.h"
 
@@ -22,7 +23,7 @@ void FindingsModel::setFindings(const plan::Findings& findings, const plan::Find
   beginResetModel();
   hasPrograms_ = hasPrograms;
   const auto inOrder = [this](const plan::Findings& some) {
-    std::vector<ListedFinding> rows = listed(some);
+    std::vector<ListedFinding> rows = byFact(listed(some));
     std::stable_sort(rows.begin(), rows.end(),
                      [this](const ListedFinding& a, const ListedFinding& b) {
                        const Weight first = weightOf(a.finding), second = weightOf(b.finding);
@@ -55,8 +56,8 @@ QStringList FindingsModel::formats(int row) const {
 QString FindingsModel::reason(int row) const {
   // For several programs only the fact is shown, for a single one also its line.
   const ListedFinding& listed = rows_.at(static_cast<std::size_t>(row));
-  return language::words(listed.formats.empty() ? plan::reasonOf(listed.finding)
-                                                : plan::factOf(listed.finding));
+  return language::capitalized(language::words(
+      listed.formats.empty() ? plan::reasonOf(listed.finding) : plan::factOf(listed.finding)));
 }
 
 void FindingsModel::setBlockedOnly(bool only) {
@@ -77,6 +78,10 @@ const plan::Finding& FindingsModel::finding(int row) const {
   return rows_.at(static_cast<std::size_t>(row)).finding;
 }
 
+const plan::Findings& FindingsModel::places(int row) const {
+  return rows_.at(static_cast<std::size_t>(row)).places;
+}
+
 QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount())
     return {};
@@ -85,17 +90,14 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   case Qt::DisplayRole:
     return reason(index.row());
   case Qt::ToolTipRole:
-    return (QStringList{reason(index.row()), language::words(plan::remedyOf(f))})
-        .join(QLatin1Char('\n'))
-        .trimmed();
+    return (QStringList{reason(index.row()), remedyText(f)}).join(QLatin1Char('\n')).trimmed();
   case Qt::AccessibleTextRole:
     return (weightOf(f) == Blocks    ? tr("Blocked: %1")
             : weightOf(f) == Differs ? tr("Not as asked: %1")
                                      : tr("Worth knowing: %1"))
         .arg((QStringList{reason(index.row())} + formats(index.row())).join(QStringLiteral(", ")));
   case DetailRole:
-    return isOutOfDate(index.row()) ? tr("before the change") + QStringLiteral(" · ") + detail(f)
-                                    : detail(f);
+    return rowDetail(index.row());
   case FormatsRole:
     return formats(index.row());
   case OutOfDateRole:
@@ -105,6 +107,26 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   default:
     return {};
   }
+}
+
+QString FindingsModel::rowDetail(int row) const {
+  QStringList parts;
+  if (isOutOfDate(row))
+    parts << tr("before the change");
+  if (const std::size_t places = this->places(row).size(); places > 1) {
+    parts << tr("%n places", nullptr, static_cast<int>(places));
+    plan::Finding all = finding(row); // without one of its places
+    all.where.reset();
+    all.whenS.reset();
+    parts << detail(all);
+  } else {
+    parts << detail(finding(row));
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
+QString FindingsModel::remedyText(const plan::Finding& finding) {
+  return language::capitalized(language::words(plan::remedyOf(finding)));
 }
 
 QString FindingsModel::detail(const plan::Finding& finding) const {

@@ -31,12 +31,18 @@ public:
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  // Precondition: 0 <= row < rowCount().
+  // The first one of a row. Precondition: 0 <= row < rowCount().
   const plan::Finding& finding(int row) const;
-  // Reason of the finding; with the program's line if it concerns a single program.
+  // All findings of a row: of one fact, at several places.
+  const plan::Findings& places(int row) const;
+  // Reason of the finding as a sentence; with the program's line if it concerns a single program.
   QString reason(int row) const;
   // Formats of the programs that a finding concerns.
   QStringList formats(int row) const;
+  // The same for all places of a row, and whether they are from before the change.
+  QString rowDetail(int row) const;
+  // What would help, as a sentence; empty: nothing is known.
+  static QString remedyText(const plan::Finding& finding);
   // Part, stage, count, place and time in one line.
   QString detail(const plan::Finding& finding) const;
 

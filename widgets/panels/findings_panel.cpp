@@ -26,6 +26,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace voluta::panels {
 
@@ -100,6 +101,11 @@ public:
     painter->restore();
   }
 };
+
+// That a program is not released is remedied with the findings that say why.
+bool isRemediedByOthers(const plan::Finding& finding) {
+  return finding.kind == plan::FindingKind::ProgramRefused;
+}
 
 QLabel* wrappedLabel(QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -227,6 +233,9 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   whyNone_->setObjectName(QStringLiteral("whyNoRemedy"));
   whyNone_->setForegroundRole(QPalette::PlaceholderText);
   detailColumn->addWidget(whyNone_);
+  applying_ = wrappedLabel(details_);
+  applying_->setObjectName(QStringLiteral("applying"));
+  detailColumn->addWidget(applying_);
   // On a small screen the text scrolls, but the remedy buttons stay visible.
   detailsArea_ = new FittedArea(this);
   detailsArea_->setWidgetResizable(true);
@@ -307,8 +316,11 @@ void FindingsPanel::setBlockedOnly(bool only) {
 
 void FindingsPanel::activateCurrent() {
   if (const QModelIndex current = list_->currentIndex(); current.isValid()) {
-    // A copy, because a slot may set other findings.
-    const plan::Finding finding = model_->finding(current.row());
+    const plan::Findings& places = model_->places(current.row());
+    if (std::exchange(isPlaceShown_, true)) // The next click goes to the next place
+      place_ = (place_ + 1) % places.size();
+    showPlace(current.row());
+    const plan::Finding finding = places[place_]; // A copy: a slot may set other findings
     emit activated(finding);
   }
 }
@@ -323,21 +335,36 @@ void FindingsPanel::showCurrent() {
   }
   const plan::Finding& finding = model_->finding(current.row());
   reason_->setText(model_->reason(current.row()));
-  where_->setText((QStringList{model_->detail(finding)} + model_->formats(current.row()))
-                      .join(QStringLiteral(" · ")));
-  const QString remedy = language::words(plan::remedyOf(finding));
-  remedy_->setText(tr("What would help: %1").arg(remedy));
-  remedy_->setVisible(!remedy.isEmpty());
+  place_ = 0;
+  isPlaceShown_ = false;
+  showPlace(current.row());
+  const QString remedy = FindingsModel::remedyText(finding);
+  remedy_->setText(tr("What helps: %1").arg(remedy));
   show_->setEnabled(finding.where || finding.whenS);
   showRemedies(finding);
+  remedy_->setVisible(!remedy.isEmpty() && !isRemediedByOthers(finding));
+  applying_->setVisible(!remedyButtons_.empty());
   showWhyNone(finding);
   arrange();
+}
+
+void FindingsPanel::showPlace(int row) {
+  const plan::Findings& places = model_->places(row);
+  QStringList parts;
+  if (places.size() > 1) {
+    const auto shown = [](std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); };
+    parts << tr("Place %1 of %2").arg(shown(place_ + 1), shown(places.size()));
+  }
+  parts << model_->detail(places[place_]);
+  where_->setText((parts + model_->formats(row)).join(QStringLiteral(" · ")));
+  show_->setText(places.size() > 1 ? tr("Show next") : tr("Show"));
 }
 
 // For a blocking finding without a remedy, shows why there is none.
 void FindingsPanel::showWhyNone(const plan::Finding& finding) {
   const base::Text why = plan::rowOf(finding.kind).whyNoRemedy;
-  whyNone_->setVisible(finding.blocking && remedyButtons_.empty() && !why.empty());
+  whyNone_->setVisible(finding.blocking && remedyButtons_.empty() && !why.empty() &&
+                       !isRemediedByOthers(finding));
   whyNone_->setText(language::heading(why) + QLatin1Char('.'));
 }
 
@@ -461,7 +488,7 @@ void FindingsPanel::showState() {
 
 void FindingsPanel::retranslate() {
   blockedOnly_->setToolTip(tr("Show only findings that block, or by which the part differs"));
-  show_->setText(tr("Show"));
+  applying_->setText(tr("Apply and plan:"));
   show_->setToolTip(tr("Move the camera, the sliders and the robot there"));
   list_->setAccessibleName(tr("Findings"));
   model_->retranslate();

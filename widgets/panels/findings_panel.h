@@ -64,6 +64,7 @@ private:
 
   void activateCurrent();
   void showCurrent();
+  void showPlace(int row);
   void showRemedies(const plan::Finding& finding);
   void showWhyNone(const plan::Finding& finding);
   void arrange();
@@ -87,6 +88,7 @@ private:
   QLabel* where_ = nullptr;
   QLabel* remedy_ = nullptr;
   QLabel* whyNone_ = nullptr;
+  QLabel* applying_ = nullptr; // above the buttons of the remedies
   QWidget* actions_ = nullptr;
   QPushButton* show_ = nullptr;
   QGridLayout* buttons_ = nullptr;
@@ -94,6 +96,8 @@ private:
   std::vector<RemedyButton> shownRemedies_;
   RemedySource remedies_;
   std::vector<plan::Stage> unchecked_;
+  std::size_t place_ = 0; // of the selected row
+  bool isPlaceShown_ = false;
   bool planned_ = false;
 };
 

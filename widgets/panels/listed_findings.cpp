@@ -14,6 +14,26 @@ bool isAmount(const base::Value& value) {
          std::holds_alternative<long long>(value.data());
 }
 
+bool isPlace(const base::Value& value) {
+  return std::holds_alternative<base::Point>(value.data());
+}
+
+// Whether two rows state one fact at two places.
+bool sameFactElsewhere(const ListedFinding& a, const ListedFinding& b) {
+  const Finding &one = a.finding, &other = b.finding;
+  if (one.kind != other.kind || one.blocking != other.blocking || one.item != other.item ||
+      a.formats != b.formats || one.values.size() != other.values.size() || !one.where ||
+      !other.where)
+    return false;
+  for (std::size_t i = 0; i < one.values.size(); ++i) {
+    const base::Value &v = one.values[i].value, &w = other.values[i].value;
+    const bool measured = (isAmount(v) && isAmount(w)) || (isPlace(v) && isPlace(w));
+    if (one.values[i].name != other.values[i].name || (!measured && !(v == w)))
+      return false;
+  }
+  return true;
+}
+
 bool sameButForAmounts(const Finding& a, const Finding& b) {
   Finding plain = b;
   if (a.blocking != b.blocking || a.values.size() != b.values.size())
@@ -54,6 +74,21 @@ std::vector<ListedFinding> listed(const plan::Findings& findings) {
       rows.push_back({finding, format.empty() ? std::vector<std::string>{} : std::vector{format}});
   }
   return rows;
+}
+
+std::vector<ListedFinding> byFact(std::vector<ListedFinding> rows) {
+  std::vector<ListedFinding> facts;
+  for (ListedFinding& row : rows) {
+    const auto fact = std::ranges::find_if(
+        facts, [&](const ListedFinding& one) { return sameFactElsewhere(one, row); });
+    if (fact != facts.end()) {
+      fact->places.push_back(row.finding);
+    } else {
+      row.places = {row.finding};
+      facts.push_back(std::move(row));
+    }
+  }
+  return facts;
 }
 
 } // namespace voluta::panels
