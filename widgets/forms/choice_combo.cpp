@@ -2,11 +2,17 @@
 
 #include "base/data_files.h"
 
+#include <QAbstractItemView>
 #include <QColor>
 #include <QComboBox>
 #include <QSignalBlocker>
+#include <algorithm>
 
 namespace voluta::forms {
+
+namespace {
+constexpr int kBesideLabel = 48; // [px] scroll bar, frame and picture
+}
 
 void fillCombo(QComboBox* combo, const std::vector<ChoiceItem>& items) {
   const QSignalBlocker quiet(combo);
@@ -18,13 +24,19 @@ void fillCombo(QComboBox* combo, const std::vector<ChoiceItem>& items) {
   }
   if (const int at = combo->findData(chosen); at >= 0)
     combo->setCurrentIndex(at);
+  // The open list shows whole labels, also below a narrow box.
+  int widest = 0;
+  for (const ChoiceItem& item : items)
+    widest = std::max(widest, combo->fontMetrics().horizontalAdvance(item.label));
+  combo->view()->setMinimumWidth(widest + kBesideLabel);
 }
 
-void chooseId(QComboBox* combo, const QString& id) {
+void chooseId(QComboBox* combo, const QString& id, const QString& label) {
   const QSignalBlocker quiet(combo);
   int at = combo->findData(id);
   if (at < 0 && !id.isEmpty()) {
-    combo->addItem(QString::fromStdString(base::dataName(id.toStdString())), id);
+    combo->addItem(
+        label.isEmpty() ? QString::fromStdString(base::dataName(id.toStdString())) : label, id);
     at = combo->count() - 1;
   }
   combo->setCurrentIndex(at);

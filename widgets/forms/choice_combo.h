@@ -16,8 +16,8 @@ struct ChoiceItem {
 
 // Keeps the selection if the new list contains it. Emits nothing.
 void fillCombo(QComboBox* combo, const std::vector<ChoiceItem>& items);
-// Emits nothing. An id that is not in the list is added to it unchanged.
-void chooseId(QComboBox* combo, const QString& id);
+// Emits nothing. An id that is not in the list is added to it, with its label if that is known.
+void chooseId(QComboBox* combo, const QString& id, const QString& label = {});
 
 // A square of that colour.
 QPixmap swatchOf(const QColor& colour, int sidePx);

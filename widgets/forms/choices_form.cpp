@@ -5,6 +5,7 @@
 #include "forms/icons.h"
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
+#include "language/setting_words.h"
 
 #include <QColor>
 #include <QComboBox>
@@ -18,7 +19,10 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
+#include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 namespace voluta::forms {
 
@@ -28,11 +32,17 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   grid->setColumnStretch(1, 1);
-  addCombo(mode_, QStringLiteral("mode"), 0);
-  addCombo(growth_, QStringLiteral("growth"), 1);
-  addCombo(cell_, QStringLiteral("cell"), 3);
-  addCombo(process_, QStringLiteral("process"), 4);
-  addCombo(material_, QStringLiteral("material"), 5);
+  addCombo(mode_, QStringLiteral("mode"), *grid, 0);
+  addCombo(cell_, QStringLiteral("cell"), *grid, 3);
+  addCombo(process_, QStringLiteral("process"), *grid, 4);
+  addCombo(material_, QStringLiteral("material"), *grid, 5);
+  research_ = new QWidget(this);
+  auto* research = new QGridLayout(research_);
+  research->setContentsMargins(12, 1, 4, 1);
+  research->setHorizontalSpacing(8);
+  research->setVerticalSpacing(4);
+  research->setColumnStretch(1, 1);
+  addCombo(growth_, QStringLiteral("growth"), *research, 0);
   addLibrary(process_, QStringLiteral("process"), 4);
   addLibrary(material_, QStringLiteral("material"), 5);
   materialFacts_ = new QLabel(this);
@@ -60,8 +70,9 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   seedLabel_->setBuddy(seed_);
   tools_ = new ToolRows(this);
   grid->addWidget(tools_, 7, 0, 1, 3);
-  grid->addWidget(seedLabel_, 8, 0);
-  grid->addWidget(seed_, 8, 1, 1, 2);
+  research->addWidget(seedLabel_, 1, 0);
+  research->addWidget(seed_, 1, 1, 1, 2);
+  grid->addWidget(research_, 8, 0, 1, 3);
   connect(seed_, &QSpinBox::valueChanged, this,
           [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
 
@@ -95,6 +106,7 @@ void ChoicesForm::setNotice(const QString& line, const QString& button, bool blo
 }
 
 void ChoicesForm::setGrows(bool grows) {
+  grows_ = grows;
   growth_.label->setVisible(grows);
   growth_.combo->setVisible(grows);
 }
@@ -103,14 +115,54 @@ void ChoicesForm::choosePlatformFile() {
   platform_->chooseFile();
 }
 
-void ChoicesForm::addCombo(Row& row, const QString& field, int at) {
+namespace {
+bool matches(const QLabel* label, const QWidget* field, const char* key, const QStringList& words) {
+  const QString all = label->text() + QChar(' ') + language::synonyms(key) + QChar(' ') +
+                      field->toolTip() + QChar(' ') + QLatin1String(key);
+  return std::ranges::all_of(
+      words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+}
+} // namespace
+
+bool ChoicesForm::showMatching(const QStringList& words) {
+  bool any = false;
+  const auto show = [&](bool on, std::initializer_list<QWidget*> widgets) {
+    for (QWidget* widget : widgets)
+      widget->setVisible(on);
+    any = any || on;
+  };
+  for (const auto& [row, key] : {std::pair(&mode_, "mode"), {&cell_, "cell"}})
+    show(matches(row->label, row->combo, key, words), {row->label, row->combo});
+  show(matches(platformLabel_, platform_, "platform", words), {platformLabel_, platform_});
+  show(matches(process_.label, process_.combo, "process", words),
+       {process_.label, process_.combo, process_.library});
+  const bool material = matches(material_.label, material_.combo, "material", words);
+  show(material, {material_.label, material_.combo, material_.library});
+  materialFacts_->setVisible(material && !materialFacts_->text().isEmpty());
+  show(matches(process_.label, tools_, "tools", words), {tools_});
+  noticeRow_->setVisible(words.isEmpty() && !notice_->text().isEmpty());
+  noticeButton_->setVisible(words.isEmpty() && !noticeButton_->text().isEmpty());
+  return any;
+}
+
+bool ChoicesForm::showMatchingResearch(const QStringList& words) {
+  const bool growth = grows_ && matches(growth_.label, growth_.combo, "growth", words);
+  const bool seed = matches(seedLabel_, seed_, "seed", words);
+  growth_.label->setVisible(growth);
+  growth_.combo->setVisible(growth);
+  seedLabel_->setVisible(seed);
+  seed_->setVisible(seed);
+  research_->setVisible(growth || seed);
+  return growth || seed;
+}
+
+void ChoicesForm::addCombo(Row& row, const QString& field, QGridLayout& grid, int at) {
   row.label = new QLabel(this);
   row.combo = makeCombo(this);
   row.combo->setObjectName(field);
   row.label->setBuddy(row.combo);
-  auto* grid = static_cast<QGridLayout*>(layout());
-  grid->addWidget(row.label, at, 0);
-  grid->addWidget(row.combo, at, 1, 1, 2);
+  grid.addWidget(row.label, at, 0);
+  grid.addWidget(row.combo, at, 1, 1, 2);
   connect(row.combo, &QComboBox::currentIndexChanged, this, [this, field, &row] {
     showTip(row);
     emit changed(field, row.combo->currentData().toString());
@@ -130,7 +182,9 @@ void ChoicesForm::addLibrary(Row& row, const QString& field, int at) {
 
 void ChoicesForm::showTip(const Row& row) {
   const QString help = row.combo->currentData(Qt::ToolTipRole).toString();
-  row.combo->setToolTip(help.isEmpty() ? row.tip : help);
+  row.combo->setToolTip(help.isEmpty()      ? row.tip
+                        : row.tip.isEmpty() ? help
+                                            : help + QChar('\n') + row.tip);
 }
 
 void ChoicesForm::setLists(const ChoiceLists& lists) {
@@ -146,8 +200,8 @@ void ChoicesForm::setLists(const ChoiceLists& lists) {
 void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   chooseId(mode_.combo, texts.mode);
   chooseId(growth_.combo, texts.growth);
-  chooseId(cell_.combo, texts.cell);
-  chooseId(process_.combo, texts.process);
+  chooseId(cell_.combo, texts.cell, texts.cellLabel);
+  chooseId(process_.combo, texts.process, texts.processLabel);
   showMaterial(texts);
   tools_->setTools(texts.moreTools);
   for (const Row* row : {&mode_, &growth_, &cell_, &process_, &material_})
@@ -172,7 +226,7 @@ void ChoicesForm::showMaterial(const ChoiceTexts& texts) {
 
 void ChoicesForm::retranslate() {
   mode_.label->setText(tr("Mode"));
-  growth_.label->setText(tr("Growth"));
+  growth_.label->setText(tr("Growth scheme"));
   platformLabel_->setText(tr("Platform"));
   cell_.label->setText(tr("Cell"));
   process_.label->setText(tr("Process"));
@@ -181,6 +235,7 @@ void ChoicesForm::retranslate() {
     return QDir::toNativeSeparators(
         QString::fromStdString((base::userDataFolder() / folder).string()));
   };
+  mode_.tip = tr("How the part is divided into layers");
   cell_.tip = tr("Your own cells are JSON files in %1").arg(own("cells"));
   process_.tip = tr("Your own processes are JSON files in %1").arg(own("processes"));
   material_.tip = tr("Your own materials are JSON files in %1").arg(own("materials"));

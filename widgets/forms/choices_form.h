@@ -7,11 +7,13 @@
 #include "forms/tool_rows.h"
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <map>
 #include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSpinBox;
@@ -29,8 +31,9 @@ struct ChoiceTexts {
   int seed = 1;
   RodProfile rod = {};
   QString material = {}, materialFacts = {};
-  QString materialColour = {};           // #RRGGBB
-  std::vector<ToolTexts> moreTools = {}; // beside the first, which has the process above
+  QString materialColour = {};               // #RRGGBB
+  QString cellLabel = {}, processLabel = {}; // of those that are in no list
+  std::vector<ToolTexts> moreTools = {};     // beside the first, which has the process above
 };
 
 class ChoicesForm : public QWidget {
@@ -52,6 +55,12 @@ public:
   void setNotice(const QString& line, const QString& button, bool blocking);
   void choosePlatformFile();
   ToolRows* tools() { return tools_; }
+  // Growth scheme and seed: in this form, unless they are placed elsewhere.
+  QWidget* research() { return research_; }
+  // Shows only the fields that have all words in their label, their tool tip or their synonyms; all
+  // fields without a word. Returns whether there is one, without or within research().
+  bool showMatching(const QStringList& words);
+  bool showMatchingResearch(const QStringList& words);
 
 signals:
   void noticePressed();
@@ -72,7 +81,7 @@ private:
     QToolButton* library = nullptr; // Only of processes and materials
     QString tip;                    // Used if the selected entry has none
   };
-  void addCombo(Row& row, const QString& field, int at);
+  void addCombo(Row& row, const QString& field, QGridLayout& grid, int at);
   void addLibrary(Row& row, const QString& field, int at);
   static void showTip(const Row& row);
   void retranslate();
@@ -84,6 +93,8 @@ private:
   ToolRows* tools_ = nullptr;
   QLabel* platformLabel_ = nullptr;
   PlatformEditor* platform_ = nullptr;
+  QWidget* research_ = nullptr;
+  bool grows_ = true;
   QLabel* seedLabel_ = nullptr;
   QSpinBox* seed_ = nullptr;
   QWidget* noticeRow_ = nullptr;

@@ -5,6 +5,7 @@
 #include "forms/icons.h"
 #include "forms/parameter_row.h"
 #include "language/parameter_texts.h"
+#include "language/setting_words.h"
 #include "language/words.h"
 
 #include <QButtonGroup>
@@ -17,6 +18,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace voluta::forms {
 
@@ -64,32 +66,7 @@ void ParameterForm::build() {
   column_ = new QVBoxLayout(content);
   column_->setContentsMargins(0, 0, 4, 4);
   column_->setSpacing(4);
-  for (const base::ParameterSpec& spec : table_.specs()) {
-    auto group = std::find_if(groups_.begin(), groups_.end(),
-                              [&](const Group& g) { return g.name == spec.group; });
-    if (group == groups_.end()) {
-      auto* rows = new QWidget(content);
-      auto* rowColumn = new QVBoxLayout(rows);
-      rowColumn->setContentsMargins(0, 0, 0, 0);
-      rowColumn->setSpacing(2);
-      auto* fold = new Fold(rows, content);
-      fold->setObjectName(QString::fromStdString(base::english(spec.group)));
-      column_->addWidget(fold);
-      groups_.push_back({spec.group, fold, {}});
-      group = std::prev(groups_.end());
-    }
-    auto* row = new ParameterRow(spec, group->fold);
-    group->rows.push_back(row);
-    group->fold->contentLayout()->addWidget(row);
-    connect(row, &ParameterRow::committed, this, [this](const QString& key, const QString& text) {
-      mark();
-      emit changed(key, text);
-    });
-    connect(row, &ParameterRow::resetRequested, this, [this](const QString& key) {
-      mark();
-      emit resetRequested(key);
-    });
-  }
+  addRows();
   nothingFound_ = new QLabel(content);
   nothingFound_->setWordWrap(true);
   nothingFound_->setAlignment(Qt::AlignCenter);
@@ -118,8 +95,70 @@ void ParameterForm::build() {
   setFocusProxy(search_);
 }
 
-void ParameterForm::setHeader(QWidget* header) {
+ParameterForm::Group& ParameterForm::groupOf(Section section, base::Text name, QWidget* content) {
+  const auto group = std::ranges::find_if(groups_, [&](const Group& g) {
+    return g.section == section && (section != Section::Table || g.name == name);
+  });
+  if (group != groups_.end())
+    return *group;
+  auto* rows = new QWidget(content);
+  auto* rowColumn = new QVBoxLayout(rows);
+  rowColumn->setContentsMargins(0, 0, 0, 0);
+  rowColumn->setSpacing(2);
+  auto* fold = new Fold(rows, content);
+  fold->setObjectName(section == Section::First      ? QStringLiteral("firstSettings")
+                      : section == Section::Research ? QStringLiteral("research")
+                                                     : QString::fromStdString(base::english(name)));
+  fold->setOpen(section != Section::Research);
+  column_->addWidget(fold);
+  groups_.push_back({section, name, fold, {}});
+  return groups_.back();
+}
+
+// The first settings in their order, the others in that of the table.
+void ParameterForm::addRows() {
+  QWidget* content = column_->parentWidget();
+  const auto add = [&](const base::ParameterSpec& spec, Section section) {
+    Group& group = groupOf(section, spec.group, content);
+    auto* row = new ParameterRow(spec, group.fold);
+    group.rows.push_back(row);
+    group.fold->contentLayout()->addWidget(row);
+    connect(row, &ParameterRow::committed, this, [this](const QString& key, const QString& text) {
+      mark();
+      emit changed(key, text);
+    });
+    connect(row, &ParameterRow::resetRequested, this, [this](const QString& key) {
+      mark();
+      emit resetRequested(key);
+    });
+  };
+  const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
+    return std::ranges::find(keys, key) != keys.end();
+  };
+  const auto& first = language::firstSettings();
+  const auto& research = language::researchSettings();
+  for (const std::string& key : first)
+    if (const base::ParameterSpec* spec = table_.find(key))
+      add(*spec, Section::First);
+  for (const base::ParameterSpec& spec : table_.specs())
+    if (!has(first, spec.key) && !has(research, spec.key))
+      add(spec, Section::Table);
+  for (const base::ParameterSpec& spec : table_.specs())
+    if (has(research, spec.key))
+      add(spec, Section::Research);
+}
+
+void ParameterForm::setHeader(QWidget* header, Search search) {
   column_->insertWidget(0, header);
+  searchHeader_ = std::move(search);
+}
+
+void ParameterForm::setResearch(QWidget* choices, Search search) {
+  Group& group = groupOf(Section::Research, {}, column_->parentWidget());
+  static_cast<QVBoxLayout*>(group.fold->contentLayout())->insertWidget(0, choices);
+  searchResearch_ = std::move(search);
+  retranslate();
+  filter();
 }
 
 void ParameterForm::setDefaults(const base::ParameterTable& table) {
@@ -185,26 +224,49 @@ void ParameterForm::showSwitch() {
   }
 }
 
+namespace {
+bool anyProblem(const std::vector<ParameterRow*>& rows) {
+  return std::ranges::any_of(rows, [](const ParameterRow* row) { return row->hasProblem(); });
+}
+} // namespace
+
 void ParameterForm::filter() {
   const QStringList words = search_->text().split(QChar(' '), Qt::SkipEmptyParts);
-  bool any = false;
+  bool any = searchHeader_ && searchHeader_(words);
+  const bool ended = std::exchange(isSearching_, !words.isEmpty()) && words.isEmpty();
   for (const Group& group : groups_) {
-    bool anyInGroup = false;
+    const bool isFirst = group.section == Section::First;
+    bool anyInGroup =
+        group.section == Section::Research && searchResearch_ && searchResearch_(words);
     for (ParameterRow* row : group.rows) {
-      const bool wanted =
-          words.isEmpty() ? showsAll_ || row->spec().simple || row->isChanged() || row->hasProblem()
-                          : row->matches(words);
+      const bool wanted = words.isEmpty() ? showsAll_ || isFirst || row->spec().simple ||
+                                                row->isChanged() || row->hasProblem()
+                                          : row->matches(words);
       const bool shown = wanted && applies(row->spec().key);
       row->setVisible(shown);
       row->highlight(words);
       anyInGroup = anyInGroup || shown;
     }
     group.fold->setVisible(anyInGroup);
-    if (anyInGroup && !words.isEmpty())
+    if (anyInGroup && (!words.isEmpty() || anyProblem(group.rows)))
       group.fold->setOpen(true);
+    else if (ended && group.section == Section::Research)
+      group.fold->setOpen(false);
     any = any || anyInGroup;
   }
   nothingFound_->setVisible(!any);
+}
+
+QString ParameterForm::titleOf(const Group& group) const {
+  switch (group.section) {
+  case Section::First:
+    return tr("Print");
+  case Section::Research:
+    return tr("Research");
+  case Section::Table:
+    break;
+  }
+  return language::heading(group.name);
 }
 
 void ParameterForm::mark() {
@@ -221,7 +283,7 @@ void ParameterForm::mark() {
 }
 
 void ParameterForm::retranslate() {
-  search_->setPlaceholderText(tr("Search parameters"));
+  search_->setPlaceholderText(tr("Search settings"));
   simple_->setText(tr("Simple"));
   simple_->setToolTip(tr("Show the most important and the changed parameters"));
   all_->setText(tr("All"));
@@ -230,7 +292,7 @@ void ParameterForm::retranslate() {
   resetAll_->setToolTip(tr("Reset every parameter to its default"));
   nothingFound_->setText(tr("No matching parameter."));
   for (const Group& group : groups_) {
-    group.fold->setTitle(language::heading(group.name));
+    group.fold->setTitle(titleOf(group));
     for (ParameterRow* row : group.rows)
       row->retranslate();
   }

@@ -5,7 +5,9 @@
 
 #include "base/parameters.h"
 
+#include <QStringList>
 #include <QWidget>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,8 +32,13 @@ public:
   explicit ParameterForm(base::ParameterTable table, QWidget* parent = nullptr);
   ~ParameterForm() override;
 
-  // Puts a widget above the groups, inside the scrolled area; the form takes ownership.
-  void setHeader(QWidget* header);
+  // Puts a widget above the groups, inside the scrolled area; the form takes ownership. `search`
+  // shows only those of its fields that have all words (all fields without any), and returns
+  // whether there is one.
+  using Search = std::function<bool(const QStringList& words)>;
+  void setHeader(QWidget* header, Search search = {});
+  // Puts a widget into the group of the settings for research, which is closed at first; the same.
+  void setResearch(QWidget* choices, Search search = {});
 
   // Sets other defaults for the same parameters; setValues must follow. Emits nothing.
   void setDefaults(const base::ParameterTable& table);
@@ -60,12 +67,18 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  // The first settings and those for research have a group each, beside those of the table.
+  enum class Section { First, Table, Research };
   struct Group {
+    Section section = Section::Table;
     base::Text name;
     Fold* fold = nullptr;
     std::vector<ParameterRow*> rows;
   };
   void build();
+  void addRows();
+  Group& groupOf(Section section, base::Text name, QWidget* content);
+  QString titleOf(const Group& group) const;
   void filter();
   void mark();
   void showSwitch();
@@ -76,6 +89,8 @@ private:
   base::ParameterTable table_;
   std::optional<std::set<std::string>> applying_; // None: all
   std::vector<Group> groups_;
+  Search searchHeader_, searchResearch_;
+  bool isSearching_ = false;
   QLineEdit* search_ = nullptr;
   QToolButton* simple_ = nullptr;
   QToolButton* all_ = nullptr;

@@ -5,6 +5,8 @@
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
 #include "language/parameter_texts.h"
+#include "language/setting_words.h"
+#include "language/translated.h"
 #include "language/words.h"
 
 #include <QCheckBox>
@@ -24,8 +26,18 @@
 namespace voluta::forms {
 
 namespace {
+constexpr int kMaxChoiceLetters = 22;
 constexpr int kSpacing = 4;            // [px] between the widgets of a row
 constexpr double kProblemShare = 0.22; // Share of the mark's colour in a field that has a problem
+
+// Returns the width of a combo box that shows each of its entries whole.
+int widestText(const QComboBox& combo) {
+  constexpr int kBesideText = 34; // [px] arrow and frame
+  int widest = 0;
+  for (int i = 0; i < combo.count(); ++i)
+    widest = std::max(widest, combo.fontMetrics().horizontalAdvance(combo.itemText(i)));
+  return widest + kBesideText;
+}
 
 int clampToInt(double value) {
   return static_cast<int>(std::clamp(value, double(std::numeric_limits<int>::min()),
@@ -150,6 +162,15 @@ void ParameterRow::buildEditor() {
     break;
   }
   }
+  if (auto* combo = qobject_cast<QComboBox*>(editor_)) {
+    // The words of a choice are read whole, as far as there is room.
+    const int widest = fontMetrics().averageCharWidth() * kMaxChoiceLetters;
+    combo->setMinimumContentsLength(kMaxChoiceLetters);
+    combo->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    combo->setMinimumWidth(width);
+    combo->setMaximumWidth(std::clamp(widestText(*combo), width, widest));
+    return;
+  }
   editor_->setFixedWidth(width);
 }
 
@@ -236,7 +257,8 @@ bool ParameterRow::hasProblem() const {
 
 bool ParameterRow::matches(const QStringList& words) const {
   const QString all = language::heading(spec_.label) + QChar(' ') + key() + QChar(' ') +
-                      language::heading(spec_.group) + QChar(' ') + language::heading(spec_.help);
+                      language::heading(spec_.group) + QChar(' ') + language::heading(spec_.help) +
+                      QChar(' ') + language::synonyms(spec_.key);
   return std::all_of(words.begin(), words.end(),
                      [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
@@ -273,6 +295,11 @@ void ParameterRow::retranslate() {
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   editor_->setAccessibleName(language::heading(spec_.label));
+  const QString zero = language::capitalized(language::zeroText(spec_.key));
+  if (auto* box = qobject_cast<QDoubleSpinBox*>(editor_); box && !zero.isEmpty())
+    box->setSpecialValueText(zero);
+  else if (auto* whole = qobject_cast<QSpinBox*>(editor_); whole && !zero.isEmpty())
+    whole->setSpecialValueText(zero);
   browse_->setToolTip(tr("Choose a file"));
   browse_->setAccessibleName(tr("Choose a file"));
   reset_->setToolTip(tr("Reset to %1").arg(language::valueText(spec_, spec_.defaultValue)));

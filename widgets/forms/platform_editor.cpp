@@ -235,6 +235,7 @@ void PlatformEditor::showKind() {
     sizes_[i]->setToolTip(language::words(field.label));
     sizes_[i]->setAccessibleName(language::words(field.label));
   }
+  kind_->setToolTip(tr("Surface on which the print begins"));
   fileButton_->setVisible(!chosen.file.empty());
   fileButton_->setText(file_.isEmpty() ? tr("Choose a file…") : QFileInfo(file_).fileName());
   fileButton_->setToolTip(file_.isEmpty() ? tr("A closed mesh, positioned as in the part's file")

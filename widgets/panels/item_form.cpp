@@ -13,12 +13,26 @@
 #include <QEvent>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace voluta::panels {
 
 namespace {
+// Scrolls up and down, and is never narrower than its content.
+class UprightArea : public QScrollArea {
+public:
+  using QScrollArea::QScrollArea;
+
+  QSize minimumSizeHint() const override {
+    QSize size = QScrollArea::minimumSizeHint();
+    if (widget())
+      size.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    return size;
+  }
+};
+
 constexpr const char* kFoldedGroup = "Features";  // Seldom edited
 constexpr int kTextChars = 36, kNumberChars = 23; // Widths of the editors
 constexpr const char* kColour = "colour";         // Key of the field with a swatch
@@ -59,7 +73,7 @@ std::vector<std::string> materialsOf(const process::LibraryItem& item) {
 } // namespace
 
 ItemForm::ItemForm(QWidget* parent) : QWidget(parent) {
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = new UprightArea(this);
   scroll->setObjectName("itemScroll");
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

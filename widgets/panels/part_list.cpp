@@ -30,6 +30,7 @@ void PartList::build() {
   rows_ = new QTreeWidget(this);
   rows_->setObjectName(QStringLiteral("partRows"));
   rows_->setColumnCount(3);
+  rows_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
   rows_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -95,8 +96,20 @@ void PartList::setParts(const std::vector<ListedPart>& parts, std::size_t active
       row->setForeground(muted, forms::mutedColour(palette()));
   }
   rows_->setCurrentItem(rows_->topLevelItem(static_cast<int>(active)));
-  remove_->setEnabled(count > 1);
   fitHeight();
+  rows_->scrollToItem(rows_->currentItem());
+}
+
+void PartList::selectAll() {
+  rows_->selectAll();
+}
+
+std::vector<std::size_t> PartList::selection() const {
+  std::vector<std::size_t> selected;
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i)
+    if (rows_->topLevelItem(i)->isSelected() || rows_->topLevelItem(i) == rows_->currentItem())
+      selected.push_back(static_cast<std::size_t>(i));
+  return selected;
 }
 
 void PartList::setPrintOrder(layers::PrintOrder order) {

@@ -28,6 +28,9 @@ public:
   // Emits nothing.
   void setParts(const std::vector<ListedPart>& parts, std::size_t active);
   void setPrintOrder(layers::PrintOrder order);
+  void selectAll();
+  // Indices in ascending order.
+  std::vector<std::size_t> selection() const;
 
 signals:
   void selected(std::size_t part);

@@ -4,11 +4,11 @@
 #include "forms/value_boxes.h"
 #include "geometry/turn_angles.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -18,6 +18,8 @@ namespace voluta::panels {
 namespace {
 constexpr double kFarthestMm = 5000.0;
 constexpr double kLargestFactor = 10000.0, kSmallestFactor = 0.0001;
+constexpr double kSmallestSize = 0.001, kLargestSize = 100000.0;
+constexpr double kInchMm = 25.4;
 constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
 void showQuietly(forms::NumberBox* box, double value) {
@@ -48,13 +50,7 @@ void PlacementPanel::build() {
   for (int axis = 0; axis < 3; ++axis)
     buildAxis(axis, *grid);
   buildScale(*grid);
-  sizeLabel_ = new QLabel(this);
-  size_ = new QLabel(this);
-  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* sizeRow = new QHBoxLayout;
-  sizeRow->addWidget(sizeLabel_);
-  sizeRow->addWidget(size_, 1, Qt::AlignRight);
-  grid->addLayout(sizeRow, 7, 0, 1, 5);
+  buildSize(*grid);
   buildButtons(*grid);
   listenToButtons();
 }
@@ -136,6 +132,50 @@ void PlacementPanel::buildScale(QGridLayout& grid) {
   grid.addWidget(fit_, 6, 0, 1, 5);
 }
 
+void PlacementPanel::buildSize(QGridLayout& grid) {
+  sizeLabel_ = new QLabel(this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (int axis = 0; axis < 3; ++axis) {
+    auto* box = new forms::NumberBox(this);
+    size_[static_cast<std::size_t>(axis)] = box;
+    box->setObjectName(QStringLiteral("size") +
+                       QLatin1String(kAxes[static_cast<std::size_t>(axis)]));
+    box->setDecimals(3);
+    box->setRange(kSmallestSize, kLargestSize);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setMinimumWidth(fontMetrics().averageCharWidth() * 7);
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [this, axis](double shown) { resizeTo(axis, shown); });
+    row->addWidget(box, 1);
+  }
+  unit_ = new QComboBox(this);
+  unit_->setObjectName(QStringLiteral("sizeUnit"));
+  unit_->addItems({QStringLiteral("mm"), QStringLiteral("in")});
+  connect(unit_, &QComboBox::activated, this, &PlacementPanel::showSize);
+  row->addWidget(unit_);
+  grid.addWidget(sizeLabel_, 7, 0, 1, 5);
+  grid.addLayout(row, 8, 0, 1, 5);
+}
+
+double PlacementPanel::unitMm() const {
+  return unit_->currentIndex() == 1 ? kInchMm : 1.0;
+}
+
+void PlacementPanel::resizeTo(int axis, double shown) {
+  if (sizeMm_[axis] <= 0.0)
+    return;
+  const double factor = factor_ * shown * unitMm() / sizeMm_[axis];
+  if (factor < kSmallestFactor || factor > kLargestFactor) {
+    showSize();
+    return;
+  }
+  sizeMm_ *= factor / factor_;
+  setScale(QString::number(factor, 'g', 8), factor);
+  showSize();
+  emit scaleChanged(scaleText_);
+}
+
 void PlacementPanel::buildButtons(QGridLayout& grid) {
   const auto button = [this](const char* name) {
     auto* made = new QPushButton(this);
@@ -154,7 +194,7 @@ void PlacementPanel::buildButtons(QGridLayout& grid) {
   buttons->addWidget(layOnFace_, 0, 1);
   buttons->addWidget(centre_, 1, 0);
   buttons->addWidget(reset_, 1, 1);
-  grid.addLayout(buttons, 8, 0, 1, 5);
+  grid.addLayout(buttons, 9, 0, 1, 5);
 }
 
 void PlacementPanel::listenToButtons() {
@@ -223,11 +263,11 @@ void PlacementPanel::setOnPlate(bool onPlate) {
 }
 
 void PlacementPanel::showSize() {
-  const QLocale locale;
-  const auto side = [&](int axis) { return locale.toString(sizeMm_[axis], 'f', 1); };
-  size_->setText(sizeMm_.isZero()
-                     ? QStringLiteral("–")
-                     : QStringLiteral("%1 × %2 × %3 mm").arg(side(0), side(1), side(2)));
+  for (int axis = 0; axis < 3; ++axis) {
+    forms::NumberBox* box = size_[static_cast<std::size_t>(axis)];
+    box->setEnabled(sizeMm_[axis] > 0.0);
+    showQuietly(box, sizeMm_[axis] / unitMm());
+  }
 }
 
 void PlacementPanel::moved(int axis, double mm) {
@@ -279,6 +319,13 @@ void PlacementPanel::retranslate() {
   fit_->setText(tr("Fit to reach"));
   fit_->setToolTip(tr("Scale down, if necessary, to the size that the arm reaches everywhere"));
   sizeLabel_->setText(tr("Size"));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const QString name = QLatin1String(kAxes[axis]);
+    size_[axis]->setToolTip(tr("Size along %1. A new size scales the part as a whole.").arg(name));
+    size_[axis]->setAccessibleName(tr("Size along %1").arg(name));
+  }
+  unit_->setToolTip(tr("Millimetres or inches"));
+  unit_->setAccessibleName(tr("Unit of the size"));
   drop_->setText(tr("Drop to plate"));
   layOnFace_->setText(tr("Lay on face"));
   layOnFace_->setToolTip(tr("Then click the face to place on the plate"));

@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <array>
 
+class QComboBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -30,6 +31,7 @@ public:
   // yet).
   void setScale(const QString& text, double factor);
   // Size of the placed part along the axes of the work frame, mm.
+  // With an edge typed, the part is scaled as a whole.
   void setSizeMm(const Eigen::Vector3d& sizeMm);
   // Whether z is limited to 0 and above, as on a plate.
   void setOnPlate(bool onPlate);
@@ -56,6 +58,9 @@ private:
   void showPlacement();
   void showScale();
   void showSize();
+  void buildSize(QGridLayout& grid);
+  void resizeTo(int axis, double shown);
+  double unitMm() const;
   void moved(int axis, double mm);
   void turned(int axis, double degrees);
   void rotateBy(int axis, double degrees);
@@ -68,14 +73,14 @@ private:
   QString scaleText_ = QStringLiteral("1");
   double factor_ = 1.0;
 
-  std::array<forms::NumberBox*, 3> move_{}, rotation_{};
+  std::array<forms::NumberBox*, 3> move_{}, rotation_{}, size_{};
   std::array<QToolButton*, 3> less_{}, more_{};
   std::array<QLabel*, 3> axis_{};
   QLabel* moveLabel_ = nullptr;
   QLabel* rotationLabel_ = nullptr;
   QLabel* percentLabel_ = nullptr;
   QLabel* sizeLabel_ = nullptr;
-  QLabel* size_ = nullptr;
+  QComboBox* unit_ = nullptr;
   forms::NumberBox* percent_ = nullptr;
   forms::NumberBox* scale_ = nullptr;
   QPushButton* fit_ = nullptr;
