@@ -14,6 +14,7 @@
 #include "robot/urdf_arms.h"
 #include "viewer/camera_control.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -281,6 +282,7 @@ TEST_F(CellTest, ASecondImportOfAnArmKeepsTheFirstUnlessItMayBeReplaced) {
 TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   ASSERT_TRUE(reachKnown());
+  find<QAction>("showArm")->trigger();
   const QImage ur5 = picture();
   keepPicture(window(), "prepare-ur5");
   auto* cells = find<QComboBox>("cell");
@@ -308,6 +310,7 @@ TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
 TEST_F(CellTest, ThePartIsLargeBesideTheMachineAndLargerWithoutIt) {
   openPart(writePart("cube.stl", box({0, 0, 0}, {100.0, 100.0, 100.0})));
   ASSERT_TRUE(reachKnown());
+  find<QAction>("showArm")->trigger();
   picture();
   keepPicture(window(), "prepare-cube");
   // From its nearest corner to the farthest one.

@@ -238,6 +238,8 @@ TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {
 TEST_F(FirstHourTest, GroupsOfOtherModesAreNotInTheForm) {
   openPart(plinth());
   choosePage(Page::Prepare);
+  EXPECT_FALSE(find<QWidget>("growth")->isVisible());
+  QTest::mouseClick(find<QWidget>("research")->findChild<QAbstractButton*>(), Qt::LeftButton);
   EXPECT_TRUE(find<QWidget>("growth")->isVisible());
   EXPECT_FALSE(row("rodAxis")->isVisible());
   EXPECT_FALSE(row("planarScheme")->isVisible());

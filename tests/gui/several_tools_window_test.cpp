@@ -39,7 +39,7 @@ protected:
     auto* box = find<QComboBox>(name);
     ASSERT_TRUE(box->isVisible()) << name;
     box->setFocus();
-    const int wanted = box->findText(text);
+    const int wanted = box->findData(text) >= 0 ? box->findData(text) : box->findText(text);
     ASSERT_GE(wanted, 0) << text.toStdString();
     while (box->currentIndex() != wanted)
       QTest::keyClick(box, box->currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);

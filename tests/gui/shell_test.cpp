@@ -245,23 +245,23 @@ TEST_F(WindowTest, CellStoredInTheProjectIsShownByItsName) {
   choices.cell = robot::draftOfCell("ur5-fixed").named("bench-two", "Bench two").text();
   document().setChoices(choices, "cell");
   ASSERT_TRUE(planned(Stage::Load));
-  EXPECT_EQ(find<QLabel>("statusCell")->text(), "bench-two");
+  EXPECT_EQ(find<QLabel>("statusCell")->text(), "Bench two");
   const auto expectWords = [](const QString& shown) {
     EXPECT_FALSE(shown.contains('{')) << shown.left(80).toStdString();
   };
   bool named = false;
   for (QTreeWidgetItemIterator at(find<QTreeWidget>("tree")); *at; ++at)
     for (int column = 0; column < (*at)->columnCount(); ++column) {
-      named |= (*at)->text(column) == "bench-two";
+      named |= (*at)->text(column) == "Bench two";
       expectWords((*at)->text(column));
       expectWords((*at)->toolTip(column));
     }
   EXPECT_TRUE(named);
   for (const QLabel* label : window().findChildren<QLabel*>())
     expectWords(label->text());
-  EXPECT_EQ(find<QComboBox>("cell")->currentText(), "bench-two");
+  EXPECT_EQ(find<QComboBox>("cell")->currentText(), "Bench two");
   document().undoStack()->undo();
-  EXPECT_EQ(find<QLabel>("statusCell")->text(), "ur5-fixed");
+  EXPECT_EQ(find<QLabel>("statusCell")->text(), "UR5, nozzle fixed, plate on the flange");
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "base/files.h"
 
+#include "window/view_tools.h"
+
 #include <QAction>
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -109,7 +111,10 @@ void WindowTest::clickMenu(const char* menuName, const char* actionName) {
 
 void WindowTest::clickToolBar(const char* actionName) {
   auto* bar = find<QToolBar>("toolBar");
-  QWidget* button = bar->widgetForAction(find<QAction>(actionName));
+  const auto* action = find<QAction>(actionName);
+  QWidget* button = bar->widgetForAction(const_cast<QAction*>(action));
+  if (!button)
+    button = find<window::ViewTools>("viewTools")->button(action);
   ASSERT_NE(button, nullptr);
   QTest::mouseClick(button, Qt::LeftButton);
 }

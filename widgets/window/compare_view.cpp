@@ -10,6 +10,7 @@
 #include "pictures/job_picture.h"
 #include "plan/finding_kinds.h"
 #include "planar/planar_decomposition.h"
+#include "window/data_labels.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -77,7 +78,7 @@ QString strategyText(const pipeline::Combination& combination) {
     parts << language::words(combination.growth->row().label);
   parts << language::words(combination.platform.shown());
   if (!combination.cell.empty())
-    parts << QString::fromStdString(base::dataName(combination.cell));
+    parts << cellLabel(combination.cell);
   return parts.join(QStringLiteral(", "));
 }
 // Returns why a row is blocked; empty if it is not.
@@ -214,8 +215,7 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   panels::CompareEntry entry;
   entry.strategy = modeLabel(row.combination.mode);
   if (!row.combination.cell.empty())
-    entry.strategy +=
-        QStringLiteral(", ") + QString::fromStdString(base::dataName(row.combination.cell));
+    entry.strategy += QStringLiteral(", ") + cellLabel(row.combination.cell);
   if (row.combination.growth)
     entry.growth = language::words(row.combination.growth->row().label);
   entry.platform = language::words(row.combination.platform.shown());

@@ -1,6 +1,5 @@
 #include "window/main_window.h"
 
-#include "base/data_files.h"
 #include "forms/tab_order.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
@@ -8,6 +7,8 @@
 #include "panels/object_tree.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/data_labels.h"
+#include "window/dialog_fit.h"
 #include "window/flow_bar.h"
 #include "window/log_dialog.h"
 #include "window/presenters/findings_presenter.h"
@@ -15,6 +16,7 @@
 #include "window/shell_commands.h"
 #include "window/shortcuts_dialog.h"
 #include "window/status_line.h"
+#include "window/view_tools.h"
 #include "window/welcome.h"
 #include "window/window_icons.h"
 
@@ -101,6 +103,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   buildDocks();
   buildCommands();
   new SharedKeys(*this, viewport());
+  new DialogFit(this);
   listen();
   forms::tabInReadingOrder({pages_->flow(), tree_, findings_, pages_->centres(), pages_->sides()});
   retranslate();
@@ -167,6 +170,9 @@ void MainWindow::buildCommands() {
   for (QDockWidget* one : {partDock_, findingsDock_, pageDock_})
     commands_->add({one->toggleViewAction(), "windowMenu", 1});
   commands_->build(commandMenus(), pages_->flow());
+  area_->tools().setGroups({commands_->actionsOf(BarGroup::Parts),
+                            commands_->actionsOf(BarGroup::Tools),
+                            commands_->actionsOf(BarGroup::Place)});
   files_.setRecentMenu(commands_->menu("recentMenu"));
 }
 
@@ -282,6 +288,7 @@ void MainWindow::listen() {
 
 void MainWindow::showStates() {
   commands_->refresh();
+  area_->tools().setVisible(document_.source() && pages_->page().layout().aboutPart);
   summary_->setText(runs_.summary());
   pageDock_->setWindowTitle(pages_->page().title());
   if (std::exchange(pageShown_, &pages_->page()) != &pages_->page())
@@ -305,8 +312,11 @@ void MainWindow::showObjects() {
                            : QString(),
                  {});
   tree_->setText(SceneItem::Platform, {}, language::words(c.item().platform.shown()));
-  // For a cell given as text, only its id
-  const QString cell = QString::fromStdString(base::dataName(c.cell));
+  if (c.cell != shownCell_) {
+    shownCell_ = c.cell;
+    cellLabel_ = cellLabel(c.cell);
+  }
+  const QString& cell = cellLabel_;
   tree_->setText(SceneItem::Cell, {}, cell);
   tree_->setText(SceneItem::Plate, modes::findMode(c.item().mode).aroundRod ? tr("Rod") : QString(),
                  {});

@@ -94,6 +94,8 @@ private:
   std::unique_ptr<FindingsPresenter> findingsPresenter_;
   std::unique_ptr<PageStack> pages_;
   CommandTable* commands_;
+  std::string shownCell_; // with its label, which stands in its file
+  QString cellLabel_;
   const Page* pageShown_ = nullptr;
   bool closing_ = false;
 };

@@ -14,6 +14,7 @@ namespace voluta::window {
 struct Look {
   scene::ColourBy colourBy = scene::ColourBy::Layer;
   bool beads = true, pieceNumbers = true;
+  bool arm = false; // whole on the Prepare page too, not dimmed
   bool section = false, sectionFlipped = false;
   int sectionAxis = 0;       // x, y, z
   double sectionPlace = 0.5; // share of the part's bounding box along the axis

@@ -5,6 +5,7 @@
 #include "viewer/viewport.h"
 #include "window/legend_view.h"
 #include "window/picture_badge.h"
+#include "window/view_tools.h"
 #include "window/welcome.h"
 
 #include <QVBoxLayout>
@@ -18,9 +19,10 @@ scene::Theme sceneTheme(Appearance appearance) {
 PictureArea::PictureArea(Appearance appearance, QWidget* parent)
     : QWidget(parent), viewport_(new viewer::Viewport(sceneTheme(appearance), this)),
       legend_(new LegendView(viewport_)), badge_(new PictureBadge(viewport_)),
-      welcome_(new Welcome(viewport_)), layers_(new timeline::LayerRangeSlider(this)),
-      timeline_(new timeline::TimelineBar(this)) {
+      welcome_(new Welcome(viewport_)), tools_(new ViewTools(viewport_)),
+      layers_(new timeline::LayerRangeSlider(this)), timeline_(new timeline::TimelineBar(this)) {
   viewport_->setLegendWidget(legend_);
+  connect(tools_, &ViewTools::fitted, viewport_, [this] { viewport_->setToolsWidget(tools_); });
   layers_->setObjectName("layerSlider");
   timeline_->setObjectName("timeline");
   auto* column = new QVBoxLayout(this);

@@ -18,6 +18,7 @@ namespace voluta::window {
 
 class LegendView;
 class PictureBadge;
+class ViewTools;
 class Welcome;
 
 scene::Theme sceneTheme(Appearance appearance);
@@ -32,6 +33,7 @@ public:
   LegendView& legend() { return *legend_; }
   PictureBadge& badge() { return *badge_; }
   Welcome& welcome() { return *welcome_; }
+  ViewTools& tools() { return *tools_; }
   timeline::LayerRangeSlider& layers() { return *layers_; }
   timeline::TimelineBar& timeline() { return *timeline_; }
 
@@ -40,6 +42,7 @@ private:
   LegendView* legend_;
   PictureBadge* badge_;
   Welcome* welcome_;
+  ViewTools* tools_;
   timeline::LayerRangeSlider* layers_;
   timeline::TimelineBar* timeline_;
 };

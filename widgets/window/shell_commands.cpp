@@ -127,6 +127,17 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                                  {},
                                  "frame",
                                  BarGroup::View}};
+  commands.push_back({"framePart",
+                      "viewMenu",
+                      0,
+                      QT_TRANSLATE_NOOP("Commands", "Show the &part"),
+                      QT_TRANSLATE_NOOP("Commands", "Fit the selected part into the view"),
+                      {QKeySequence("Z")},
+                      [&area] { area.viewport().framePart(); },
+                      whereShown(area),
+                      {},
+                      "frame-part",
+                      BarGroup::View});
   for (Command& side : sideCommands(area))
     commands.push_back(std::move(side));
   commands.push_back({"toggleSection",
@@ -144,6 +155,25 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                       {},
                       "section",
                       BarGroup::View});
+  commands.push_back(
+      {"showArm",
+       "viewMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "Show the &arm"),
+       QT_TRANSLATE_NOOP("Commands", "On the Prepare page, shows the arm whole instead "
+                                     "of dimmed behind the part"),
+       {QKeySequence("A")},
+       [&picture, &area] {
+         Look look = picture.look();
+         look.arm = !look.arm;
+         picture.setLook(look);
+         if (!area.viewport().isCameraTheUsers())
+           area.viewport().frameAll();
+       },
+       whereShown(area),
+       [&picture] { return picture.look().arm; },
+       "arm",
+       BarGroup::View});
   commands.push_back({"toggleLegend",
                       "viewMenu",
                       1,

@@ -101,7 +101,7 @@ void CommandTable::buildToolBar(QWidget* middle) {
     filler->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(filler);
   };
-  addToBar(*bar, BarGroup::File, BarGroup::Tools);
+  addToBar(*bar, BarGroup::File, BarGroup::Undo);
   space();
   bar->addWidget(middle);
   space();
@@ -159,6 +159,14 @@ void CommandTable::redrawIcons() {
   for (const Row& row : rows_)
     if (row.command.icon)
       row.action->setIcon(icon(row.command.icon, window_.palette()));
+}
+
+std::vector<QAction*> CommandTable::actionsOf(BarGroup group) const {
+  std::vector<QAction*> actions;
+  for (const Row& row : rows_)
+    if (row.command.bar == group)
+      actions.push_back(row.action);
+  return actions;
 }
 
 QAction* CommandTable::action(const QString& id) const {

@@ -18,8 +18,9 @@ class QWidget;
 
 namespace voluta::window {
 
-// Groups of the tool bar, with a separator between them. The pages are between Tools and View.
-enum class BarGroup { None, File, Undo, Tools, View, Run };
+// Groups of the tool bar, with a separator between them; the pages are between Undo and View. Parts,
+// Tools and Place are groups of the tools in the view instead.
+enum class BarGroup { None, File, Undo, View, Run, Parts, Tools, Place };
 
 struct Command {
   QString id;       // Of the action: for settings and tests
@@ -74,6 +75,8 @@ public:
   // Whether commands that run something also show their names in the tool bar; true initially.
   void setBarWords(bool words);
   QToolBar* toolBar() const { return bar_; } // Valid after build()
+  // In the order added.
+  std::vector<QAction*> actionsOf(BarGroup group) const;
   QAction* action(const QString& id) const;
   QMenu* menu(const QString& id) const; // Valid after build()
   // In the order of the menus.

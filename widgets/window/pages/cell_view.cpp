@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "panels/object_tree.h"
+#include "window/picture.h"
 #include "window/presenters/presenter.h"
 
 namespace voluta::window {
@@ -22,9 +23,14 @@ void showCell(scene::ViewState& view, const panels::ObjectTree& tree) {
 } // namespace
 
 void drawCellAtRest(scene::ViewState& view, const Workspace& work) {
+  using panels::SceneItem;
   work.presenter.showCell(PartPresenter::CellOf::Choices);
   showCell(view, work.tree);
-  view.cellFramed = work.presenter.partBox().isEmpty();
+  const bool hasPart = !work.presenter.partBox().isEmpty();
+  view.cellFramed = !hasPart;
+  view.cellDimmed = hasPart && !work.picture.look().arm;
+  view.plateRuled = hasPart;
+  view.partSize = hasPart && work.tree.isShown(SceneItem::Part);
 }
 
 void drawCellAtWork(scene::ViewState& view, const Workspace& work) {

@@ -11,6 +11,7 @@
 #include "process/own_materials.h"
 #include "process/process.h"
 #include "robot/cell.h"
+#include "window/data_labels.h"
 #include "window/library/library_dialog.h"
 
 #include <QLocale>
@@ -55,11 +56,11 @@ QString editNameOf(const QString& field) {
 QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
-    parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
+    parts << ChoicesEditor::tr("cell %1").arg(cellLabel(to.cell));
   if (to.item().platform != from.item().platform)
     parts << ChoicesEditor::tr("platform %1").arg(language::words(to.item().platform.shown()));
   if (to.tool().process != from.tool().process)
-    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.tool().process)));
+    parts << ChoicesEditor::tr("process %1").arg(processLabel(to.tool().process));
   if (to.item().scale != from.item().scale)
     parts << ChoicesEditor::tr("scale %1").arg(named(to.item().scale));
   if (to.item().parameters != from.item().parameters)
@@ -163,12 +164,9 @@ forms::ChoiceLists choiceLists() {
   }
   for (const curved::GrowthScheme& growth : curved::growthSchemes())
     lists.growths.push_back(item(growth.id(), growth.row().label, growth.row().help));
-  for (const std::string& cell : robot::cellIds())
-    lists.cells.push_back(item(cell));
-  for (const std::string& process : process::processIds())
-    lists.processes.push_back(item(process));
-  for (const std::string& material : process::materialIds())
-    lists.materials.push_back(item(material));
+  lists.cells = labelledItems(robot::cellIds(), cellLabel);
+  lists.processes = labelledItems(process::processIds(), processLabel);
+  lists.materials = labelledItems(process::materialIds(), materialLabel);
   return lists;
 }
 
@@ -210,6 +208,11 @@ void ChoicesEditor::show() {
                            named(listedProcess(c.tool().process)),
                            c.seed,
                            rodProfileOf(c)};
+  if (base::isDataText(c.cell))
+    texts.cellLabel = cellLabel(c.cell);
+  if (base::isDataText(texts.process.toStdString()))
+    texts.processLabel =
+        tr("%1 (%2)").arg(processLabel(c.tool().process), named(base::dataName(c.tool().process)));
   showMaterial(c.tool().process, texts);
   for (std::size_t i = 1; i < c.tools.size(); ++i)
     texts.moreTools.push_back(toolTexts(c.tool(i).process));

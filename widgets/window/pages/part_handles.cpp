@@ -24,11 +24,15 @@ std::vector<Command> PartHandles::toolCommands() {
   };
   static constexpr Row kTools[] = {
       {"toolMove", QT_TRANSLATE_NOOP("Commands", "&Move"),
-       QT_TRANSLATE_NOOP("Commands", "Move the part with handles"), "M", "move", Tool::Move},
+       QT_TRANSLATE_NOOP("Commands", "Moves the part: drag a handle, or type X 10 Enter"), "M",
+       "move", Tool::Move},
       {"toolTurn", QT_TRANSLATE_NOOP("Commands", "&Turn"),
-       QT_TRANSLATE_NOOP("Commands", "Rotate the part with handles"), "R", "turn", Tool::Rotate},
+       QT_TRANSLATE_NOOP("Commands", "Rotates the part: drag a ring, or type Z 45 Enter"), "R",
+       "turn", Tool::Rotate},
       {"toolScale", QT_TRANSLATE_NOOP("Commands", "&Scale"),
-       QT_TRANSLATE_NOOP("Commands", "Scale the part with handles"), "S", "scale", Tool::Scale},
+       QT_TRANSLATE_NOOP("Commands", "Scales the part: drag a handle, or type 120 Enter for "
+                                     "120 %"),
+       "S", "scale", Tool::Scale},
       {"toolLayFlat", QT_TRANSLATE_NOOP("Commands", "&Lay on face"),
        QT_TRANSLATE_NOOP("Commands", "Click the face to place on the plate"), "F", "lay-flat",
        Tool::LayFlat}};
@@ -67,7 +71,8 @@ std::vector<Command> PartHandles::commands() {
                       [this] { drop(); },
                       part,
                       {},
-                      "drop"});
+                      "drop",
+                      BarGroup::Place});
   commands.push_back({"centrePart",
                       "editMenu",
                       2,
@@ -77,7 +82,8 @@ std::vector<Command> PartHandles::commands() {
                       [this] { centre(); },
                       part,
                       {},
-                      "centre"});
+                      "centre",
+                      BarGroup::Place});
   commands.push_back(
       {"touchedPoints",
        "editMenu",
@@ -100,6 +106,8 @@ geometry::Placement PartHandles::placed() const {
 
 void PartHandles::setTool(Tool tool) {
   work_.viewport.setTool(work_.document.source() ? tool : Tool::None);
+  if (viewer::hasHandles(work_.viewport.tool()))
+    work_.viewport.setFocus(Qt::OtherFocusReason); // Numbers can be typed at once
 }
 
 void PartHandles::drop() {

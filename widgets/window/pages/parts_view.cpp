@@ -7,10 +7,13 @@
 #include "language/words.h"
 #include "modes/mode_stages.h"
 #include "modes/mode_table.h"
+#include "pipeline/items/plate_parts.h"
 #include "pipeline/stage_options.h"
+#include "window/copies_dialog.h"
 #include "window/presenters/presenter.h"
 
 #include <QLocale>
+#include <variant>
 
 namespace voluta::window {
 
@@ -55,38 +58,127 @@ PartsView::PartsView(const Workspace& workspace, Page& page)
   connect(list_, &PartList::selected, document, &Document::setActive);
   connect(list_, &PartList::addRequested, this, [this] { work_.shell.addPart(); });
   connect(list_, &PartList::duplicateRequested, document, &Document::duplicatePart);
-  connect(list_, &PartList::removeRequested, document, &Document::removePart);
+  connect(list_, &PartList::removeRequested, this,
+          [this] { work_.document.removeParts(selected()); });
   connect(list_, &PartList::arrangeRequested, this, &PartsView::arrange);
   connect(list_, &PartList::printOrderChosen, document, &Document::setPrintOrder);
 }
 
 std::vector<Command> PartsView::commands() {
   Document& document = work_.document;
-  return {{"duplicatePart",
-           "editMenu",
-           3,
-           QT_TRANSLATE_NOOP("Commands", "D&uplicate part"),
-           QT_TRANSLATE_NOOP("Commands", "Adds a copy of the selected part beside the others"),
-           {QKeySequence("Ctrl+D")},
-           [&document] { document.duplicatePart(); },
-           [&document] { return document.partCount() > 0; }},
-          {"removePart",
-           "editMenu",
-           3,
-           QT_TRANSLATE_NOOP("Commands", "&Remove part"),
-           QT_TRANSLATE_NOOP("Commands", "Removes the selected part from the plate"),
-           {QKeySequence::Delete},
-           [&document] { document.removePart(); },
-           [this] { return page_.isShown() && work_.document.partCount() > 1; }},
-          {"arrangeParts",
-           "editMenu",
-           3,
-           QT_TRANSLATE_NOOP("Commands", "&Arrange parts"),
-           QT_TRANSLATE_NOOP("Commands",
-                             "Moves all parts beside each other, with room for the print head"),
-           {QKeySequence("Ctrl+Shift+A")},
-           [this] { arrange(); },
-           [&document] { return document.partCount() > 1; }}};
+  const auto anyPart = [this] { return page_.isShown() && work_.document.partCount() > 0; };
+  return {
+      {"duplicatePart",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "D&uplicate part"),
+       QT_TRANSLATE_NOOP("Commands", "Adds a copy of the selected part beside the others"),
+       {QKeySequence("Ctrl+D")},
+       [&document] { document.duplicatePart(); },
+       [&document] { return document.partCount() > 0; },
+       {},
+       "duplicate",
+       BarGroup::Parts},
+      {"removePart",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "&Remove part"),
+       QT_TRANSLATE_NOOP("Commands", "Removes the selected parts from the plate"),
+       {QKeySequence::Delete},
+       [this] { work_.document.removeParts(selected()); },
+       anyPart,
+       {},
+       "remove-part",
+       BarGroup::Parts},
+      {"copiesOfPart",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "&Number of copies…"),
+       QT_TRANSLATE_NOOP("Commands", "Prints the selected part several times, or as often as the "
+                                     "plate has room"),
+       {QKeySequence("Ctrl+Shift+D")},
+       [this] { chooseCopies(); },
+       [this, anyPart] { return anyPart() && work_.document.sourceReady(); },
+       {},
+       "copies",
+       BarGroup::Parts},
+      {"arrangeParts",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "&Arrange parts"),
+       QT_TRANSLATE_NOOP("Commands",
+                         "Moves all parts beside each other, with room for the print head"),
+       {QKeySequence("Ctrl+Shift+A")},
+       [this] { arrange(); },
+       [&document] { return document.partCount() > 1; },
+       {},
+       "arrange",
+       BarGroup::Parts},
+      {"copyPart",
+       "editMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Copy"),
+       QT_TRANSLATE_NOOP("Commands", "Copies the selected parts with their settings"),
+       {QKeySequence::Copy},
+       [this] {
+         work_.document.copyParts(selected());
+         work_.shell.showStates();
+       },
+       anyPart},
+      {"pastePart",
+       "editMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Paste"),
+       QT_TRANSLATE_NOOP("Commands", "Adds the copied parts beside the others"),
+       {QKeySequence::Paste},
+       [&document] { document.pasteParts(); },
+       [this] { return page_.isShown() && work_.document.hasCopiedParts(); }},
+      {"selectAllParts",
+       "editMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "Select &all"),
+       QT_TRANSLATE_NOOP("Commands", "Selects all parts, to copy or to remove them"),
+       {QKeySequence::SelectAll},
+       [this] { list_->selectAll(); },
+       [this] { return page_.isShown() && work_.document.partCount() > 1; }}};
+}
+
+std::vector<std::size_t> PartsView::selected() const {
+  return work_.document.partCount() > 1 ? list_->selection()
+                                        : std::vector<std::size_t>{work_.document.active()};
+}
+
+void PartsView::chooseCopies() {
+  auto* dialog = new CopiesDialog(work_.document.copiesOfActive(), work_.viewport.window());
+  connect(dialog, &CopiesDialog::chosen, this, &PartsView::makeCopies);
+  dialog->open();
+}
+
+// The window's thread does not search for places.
+void PartsView::makeCopies(std::optional<std::size_t> count) {
+  const std::uint64_t revision = work_.document.revision();
+  work_.shell.say(tr("Arranging the copies…"));
+  using Made = pipeline::PlanRequest;
+  runner_.run(
+      [request = work_.document.request(project::Stage::Load), item = work_.document.active(),
+       count](const base::RunContext& ctx) {
+        return pipeline::withCopies(request, item, count, ctx);
+      },
+      [this, revision](base::Outcome<Made> made) {
+        work_.shell.say({});
+        if (const auto* error = std::get_if<base::Error>(&made))
+          work_.shell.showMessage(tr("Number of copies"), language::words(error->whole()));
+        else if (const auto* copies = std::get_if<Made>(&made);
+                 copies && work_.document.revision() == revision) // Not edited meanwhile
+          takeCopies(*copies);
+      },
+      1); // Planning uses the other threads
+}
+
+void PartsView::takeCopies(const pipeline::PlanRequest& made) {
+  work_.document.setCopies(made);
+  work_.shell.say(
+      tr("%n copies on the plate", nullptr, static_cast<int>(work_.document.copiesOfActive())));
 }
 
 void PartsView::arrange() {

@@ -1,8 +1,16 @@
 // The list of parts on the Prepare page, and the commands on parts.
 #pragma once
 
+#include "jobs/job_runner.h"
 #include "panels/part_list.h"
 #include "window/pages/page.h"
+
+#include <optional>
+#include <vector>
+
+namespace voluta::pipeline {
+struct PlanRequest;
+}
 
 namespace voluta::window {
 
@@ -21,10 +29,16 @@ public:
 
 private:
   void arrange();
+  void chooseCopies();
+  void makeCopies(std::optional<std::size_t> count); // none: as many as there is room for
+  void takeCopies(const pipeline::PlanRequest& made);
+  // All parts that are selected in the list, at least the active one.
+  std::vector<std::size_t> selected() const;
 
   Workspace work_;
   const Page& page_;
   panels::PartList* list_;
+  jobs::JobRunner runner_;
 };
 
 } // namespace voluta::window

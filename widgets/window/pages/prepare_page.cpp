@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "document/opening.h"
 #include "forms/parameter_form.h"
+#include "geometry/measures.h"
 #include "language/words.h"
 #include "layers/tool_assignment.h"
 #include "modes/mode_stages.h"
@@ -63,7 +64,12 @@ void PreparePage::build() {
   mesh_ = new panels::MeshPanel;
   parameters_ = new forms::ParameterForm(pipeline::allParameters());
   parameters_->setObjectName("parameters");
-  parameters_->setHeader(choices_->form());
+  forms::ChoicesForm* choices = choices_->form();
+  parameters_->setHeader(
+      choices, [choices](const QStringList& words) { return choices->showMatching(words); });
+  parameters_->setResearch(choices->research(), [choices](const QStringList& words) {
+    return choices->showMatchingResearch(words);
+  });
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
@@ -317,8 +323,9 @@ void PreparePage::showPart() {
     mesh_->setSummary(std::nullopt);
     return;
   }
-  const Eigen::AlignedBox3d& box = work().presenter.partBox();
-  placement_->setSizeMm(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval());
+  // Until the part is placed anew, the size that was typed stays.
+  if (placed && document.upToDate(Stage::Load) && placed->job.item().part)
+    placement_->setSizeMm(geometry::bounds(*placed->job.item().part).sizes());
   mesh_->setSummary(meshSummary(*source, placed ? placed->job.report.item().model.volumeMm3
                                                 : source->found.volumeMm3));
 }

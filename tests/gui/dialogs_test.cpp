@@ -1,0 +1,193 @@
+// Every dialog is whole on the screen: its content fits or scrolls, its buttons are in sight. Run
+// on several screens (CMakeLists.txt).
+#include "base/files.h"
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "process/library.h"
+#include "process/process.h"
+#include "project/station.h"
+#include "robot/cell_draft.h"
+#include "window/cell/arm_import_dialog.h"
+#include "window/cell/cell_editor.h"
+#include "window/cell/measure_dialog.h"
+#include "window/cell/touch_dialog.h"
+#include "window/copies_dialog.h"
+#include "window/library/compare_items_dialog.h"
+#include "window/library/head_numbers_dialog.h"
+#include "window/library/library_dialog.h"
+#include "window/library/sizes_dialog.h"
+#include "window/log_dialog.h"
+#include "window/milling/mill_dialog.h"
+#include "window/run_dialog.h"
+#include "window/shortcuts_dialog.h"
+#include "window/together/together_dialog.h"
+#include "window/verify_dialog.h"
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTest>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+class DialogsTest : public WindowTest {
+protected:
+  using Makers = std::map<std::string, std::function<QDialog*(QWidget*)>>;
+  // By class, one for each that the window can open.
+  Makers makers() {
+    const process::Process process = process::loadProcess("fdm-1.0");
+    const std::shared_ptr<const pipeline::PlanResult> plan = document().lastResult();
+    const QString missing = path("missing.script");
+    const auto part = std::make_shared<const geometry::TriangleMesh>(box({0, 0, 0}, {20, 20, 6}));
+    const auto item = [](const char* id) {
+      return process::loadItem(process::Shelf::Processes, id);
+    };
+    return {
+        {"LibraryDialog",
+         [](QWidget* w) {
+           return new window::LibraryDialog("fdm-1.0", process::Shelf::Processes, w);
+         }},
+        {"HeadNumbersDialog",
+         [process](QWidget* w) { return new window::HeadNumbersDialog(process, w); }},
+        {"SizesDialog", [process](QWidget* w) { return new window::SizesDialog(process, w); }},
+        {"CompareItemsDialog",
+         [item](QWidget* w) {
+           return new window::CompareItemsDialog({item("fdm-1.0"), item("pellet-4")}, 0, 1, w);
+         }},
+        {"TogetherDialog", [](QWidget* w) { return new window::TogetherDialog({}, w); }},
+        {"LogDialog", [this](QWidget* w) { return new window::LogDialog(path("voluta.log"), w); }},
+        {"ShortcutsDialog",
+         [this](QWidget* w) {
+           std::vector<QAction*> actions;
+           for (QAction* action : window().findChildren<QAction*>())
+             if (action->property("defaultShortcut").isValid())
+               actions.push_back(action);
+           return new window::ShortcutsDialog(actions, w);
+         }},
+        {"VerifyDialog", [=](QWidget* w) { return new window::VerifyDialog(missing, plan, w); }},
+        {"MillDialog", [=](QWidget* w) { return new window::MillDialog(part, "part", w); }},
+        {"CellEditor",
+         [process](QWidget* w) {
+           return new window::CellEditor(robot::draftOfCell("ur5-fixed"), process, 0.1, w);
+         }},
+        {"TouchDialog",
+         [](QWidget* w) { return new window::TouchDialog(Eigen::Vector2d(0.0, 0.0), w); }},
+        {"MeasureDialog",
+         [](QWidget* w) {
+           return window::MeasureDialog::ofFrame("table", "in the robot's base", w);
+         }},
+        {"ArmImportDialog",
+         [this](QWidget* w) {
+           return new window::ArmImportDialog(path("missing.urdf"), folder_.path(), w);
+         }},
+        {"CopiesDialog", [](QWidget* w) { return new window::CopiesDialog(3, w); }},
+        {"RunDialog", [=](QWidget* w) { return new window::RunDialog(missing, plan, w); }},
+    };
+  }
+  // Whether the widget scrolls, or is part of one that lays out its own inside.
+  static bool isWithinScrolled(const QWidget* widget, const QDialog* dialog) {
+    for (const QWidget* at = widget->parentWidget(); at && at != dialog; at = at->parentWidget())
+      if (qobject_cast<const QAbstractScrollArea*>(at) || qobject_cast<const QComboBox*>(at))
+        return true;
+    return false;
+  }
+  static void expectWhole(QDialog& dialog, const std::string& name) {
+    const QRect screen = dialog.screen()->availableGeometry();
+    EXPECT_TRUE(screen.contains(dialog.frameGeometry()))
+        << name << ": " << dialog.frameGeometry().width() << " x "
+        << dialog.frameGeometry().height() << " on " << screen.width() << " x " << screen.height();
+    for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->isWindow() || isWithinScrolled(widget, &dialog))
+        continue;
+      if (const auto* area = qobject_cast<const QScrollArea*>(widget);
+          area && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff) {
+        EXPECT_LE(area->widget()->width(), area->viewport()->width())
+            << name << ": " << widget->objectName().toStdString() << " is cut off";
+      }
+      const QRect place(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
+      EXPECT_TRUE(dialog.rect().contains(place))
+          << name << ": " << widget->metaObject()->className() << " "
+          << widget->objectName().toStdString();
+      if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
+          button && !button->text().isEmpty()) {
+        EXPECT_GE(button->width(), button->minimumSizeHint().width())
+            << name << ": " << button->text().toStdString();
+      }
+    }
+  }
+};
+
+TEST_F(DialogsTest, EveryDialogIsWholeOnTheScreen) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  window().showMaximized();
+  for (const auto& [name, make] : makers()) {
+    SCOPED_TRACE(name);
+    std::unique_ptr<QDialog> dialog(make(&window()));
+    dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog->open();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog.get()));
+    QTest::qWait(150);
+    expectWhole(*dialog, name);
+    keepPicture(*dialog, ("dialog_" + name).c_str());
+    EXPECT_FALSE(dialog->windowTitle().isEmpty());
+    dialog->hide();
+  }
+}
+
+// A dialog that is added is shown by the test above too.
+TEST_F(DialogsTest, NoDialogIsLeftOut) {
+  const std::filesystem::path folder = std::filesystem::path(VOLUTA_SOURCE_DIR) / "widgets";
+  const std::regex declaration("class (\\w+) : public QDialog");
+  std::set<std::string> declared, shown;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".h") {
+      const std::string text = base::readFile(entry.path());
+      for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at)
+        declared.insert((*at)[1]);
+    }
+  for (const auto& [name, make] : makers())
+    shown.insert(name);
+  EXPECT_EQ(declared, shown);
+}
+
+TEST_F(DialogsTest, WindowAndDialogsKeepTheirSizes) {
+  const QSize room = window().screen()->availableSize();
+  const QSize size(room.width() - 60, room.height() - 60);
+  window().setWindowState(Qt::WindowNoState);
+  window().resize(size);
+  QTest::qWait(100);
+  const QSize shown = window().size();
+  const QSize small(room.width() / 2, room.height() / 2);
+  find<QAction>("showLog")->trigger();
+  auto* log = find<QDialog>("logDialog");
+  log->resize(small);
+  QTest::qWait(50);
+  const QSize given = log->size();
+  log->close();
+  window().close();
+  openWindow();
+  EXPECT_EQ(window().size(), shown);
+  find<QAction>("showLog")->trigger();
+  EXPECT_EQ(find<QDialog>("logDialog")->size(), given);
+}
+
+} // namespace
+} // namespace voluta::test
