@@ -23,7 +23,8 @@ inline constexpr FindingRow kLayersRows[] = {
     error(
         BeginsInAir, "beginsInAir",
         "{pieces} piece of a layer begins in the air|{pieces} pieces of layers begin in the air"_plural,
-        kRotateOrOther, {.remedies = kOffers<AddSupports, RotateToMinRiskyArea, ChooseStrategy>}),
+        "add supports (`supports=auto`), turn the part, or use planar or curved mode"_text,
+        {.remedies = kOffers<AddSupports, RotateToMinRiskyArea, ChooseStrategy>}),
     error(
         BeginsInAirOverRod, "beginsInAirOverRod",
         "a piece of a layer begins in the air, over neither the rod nor an earlier layer|{pieces} pieces of layers begin in the air, over neither the rod nor an earlier layer"_plural,
