@@ -287,7 +287,7 @@ private:
     std::shared_ptr<Source> source;
   };
   std::vector<CopiedPart> copied_;
-  std::weak_ptr<Parts> left_;                  // the previous parts, with their results
+  std::weak_ptr<Parts> left_; // the previous parts, with their results
   QString projectFile_;
   QUndoStack undo_;
   bool unsaved_ = false;         // changed in a way that the undo stack does not record

@@ -29,8 +29,8 @@ struct PlatformDrawing {
   std::vector<Eigen::Vector2d> polygon;
   vtkSmartPointer<vtkPolyData> plate, outline, grid;
   vtkSmartPointer<vtkPolyData> ruling, axisX, axisY; // on the plate; empty around a rod
-  std::shared_ptr<const PartDrawing> rod, body; // null: none
-  Eigen::AlignedBox3d box;                      // of the plate and the body
+  std::shared_ptr<const PartDrawing> rod, body;      // null: none
+  Eigen::AlignedBox3d box;                           // of the plate and the body
 };
 
 // Reasons why a voxel is missed, curved::Loss without None, in its order.

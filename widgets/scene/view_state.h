@@ -23,8 +23,8 @@ enum class World { Work, Base };
 struct ViewState {
   bool part = true, platform = true, cell = false, voxels = false, layers = false, paths = false;
   bool pieces = false;
-  bool travels = false; // of the paths shown
-  bool axes = true;     // triad in the lower left corner
+  bool travels = false;    // of the paths shown
+  bool axes = true;        // triad in the lower left corner
   bool plateRuled = false; // grid, size and origin on the plate
   bool partSize = false;   // the box of the active part, with its edges in mm
   double partOpacity = 1.0;

@@ -52,8 +52,8 @@ public:
   void setDragging(bool on);
   // A widget laid over the viewport, at its upper left corner.
   void setLegendWidget(QWidget* legend);
-  // One at its left edge, beside which the legend then is. Call again when its size or visibility has
-  // changed.
+  // One at its left edge, beside which the legend then is. Call again when its size or visibility
+  // has changed.
   void setToolsWidget(QWidget* tools);
 
 signals:

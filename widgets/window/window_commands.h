@@ -18,8 +18,8 @@ class QWidget;
 
 namespace voluta::window {
 
-// Groups of the tool bar, with a separator between them; the pages are between Undo and View. Parts,
-// Tools and Place are groups of the tools in the view instead.
+// Groups of the tool bar, with a separator between them; the pages are between Undo and View.
+// Parts, Tools and Place are groups of the tools in the view instead.
 enum class BarGroup { None, File, Undo, View, Run, Parts, Tools, Place };
 
 struct Command {
