@@ -96,24 +96,12 @@
         <translation>&amp;Sposta</translation>
     </message>
     <message>
-        <source>Move the part with handles</source>
-        <translation>Sposta il pezzo con le maniglie</translation>
-    </message>
-    <message>
         <source>&amp;Turn</source>
         <translation>&amp;Ruota</translation>
     </message>
     <message>
-        <source>Rotate the part with handles</source>
-        <translation>Ruota il pezzo con le maniglie</translation>
-    </message>
-    <message>
         <source>&amp;Scale</source>
         <translation>S&amp;cala</translation>
-    </message>
-    <message>
-        <source>Scale the part with handles</source>
-        <translation>Scala il pezzo con le maniglie</translation>
     </message>
     <message>
         <source>&amp;Lay on face</source>
@@ -528,10 +516,6 @@
         <translation>&amp;Rimuovi pezzo</translation>
     </message>
     <message>
-        <source>Removes the selected part from the plate</source>
-        <translation>Toglie il pezzo scelto dal piatto</translation>
-    </message>
-    <message>
         <source>A&amp;dd part…</source>
         <translation>Aggiungi pe&amp;zzo…</translation>
     </message>
@@ -578,6 +562,70 @@
     <message>
         <source>Places other machines beside this one and finds an order of work in which they do not meet</source>
         <translation>Posiziona altre macchine accanto a questa e trova un ordine di lavoro in cui non si urtano</translation>
+    </message>
+    <message>
+        <source>Moves the part: drag a handle, or type X 10 Enter</source>
+        <translation>Sposta il pezzo: trascina una maniglia, o scrivi X 10 Invio</translation>
+    </message>
+    <message>
+        <source>Rotates the part: drag a ring, or type Z 45 Enter</source>
+        <translation>Ruota il pezzo: trascina un anello, o scrivi Z 45 Invio</translation>
+    </message>
+    <message>
+        <source>Scales the part: drag a handle, or type 120 Enter for 120 %</source>
+        <translation>Scala il pezzo: trascina una maniglia, o scrivi 120 Invio per il 120 %</translation>
+    </message>
+    <message>
+        <source>Removes the selected parts from the plate</source>
+        <translation>Toglie dal piatto i pezzi scelti</translation>
+    </message>
+    <message>
+        <source>&amp;Number of copies…</source>
+        <translation>&amp;Numero di copie…</translation>
+    </message>
+    <message>
+        <source>Prints the selected part several times, or as often as the plate has room</source>
+        <translation>Stampa più volte il pezzo scelto, o quante volte c&apos;è posto sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copia</translation>
+    </message>
+    <message>
+        <source>Copies the selected parts with their settings</source>
+        <translation>Copia i pezzi scelti con le loro impostazioni</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Incolla</translation>
+    </message>
+    <message>
+        <source>Adds the copied parts beside the others</source>
+        <translation>Aggiunge i pezzi copiati accanto agli altri</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Seleziona &amp;tutto</translation>
+    </message>
+    <message>
+        <source>Selects all parts, to copy or to remove them</source>
+        <translation>Seleziona tutti i pezzi, per copiarli o toglierli</translation>
+    </message>
+    <message>
+        <source>Show the &amp;part</source>
+        <translation>Mostra il &amp;pezzo</translation>
+    </message>
+    <message>
+        <source>Fit the selected part into the view</source>
+        <translation>Adatta il pezzo scelto alla vista</translation>
+    </message>
+    <message>
+        <source>Show the &amp;arm</source>
+        <translation>Mostra il &amp;braccio</translation>
+    </message>
+    <message>
+        <source>On the Prepare page, shows the arm whole instead of dimmed behind the part</source>
+        <translation>Nella pagina Prepara mostra il braccio intero invece che attenuato dietro il pezzo</translation>
     </message>
 </context>
 <context>
@@ -831,10 +879,6 @@ sioni</translation>
     <message>
         <source>Load</source>
         <translation>Caricamento</translation>
-    </message>
-    <message>
-        <source>Maximum distance between waypoints along a tool-path.</source>
-        <translation>Distanza massima fra i punti di un percorso utensile.</translation>
     </message>
     <message>
         <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
@@ -9274,10 +9318,6 @@ previsto</translation>
         <translation>un avanzamento diverso da quello previsto</translation>
     </message>
     <message>
-        <source>write the program again, or use smaller cells for the part&apos;s map (--pitch)</source>
-        <translation>riscrivi il programma, o usa celle più piccole per la mappa del pezzo (--pitch)</translation>
-    </message>
-    <message>
         <source>{volume:.0f} of the block stay in slots, undercuts or holes that should be free, up to {height:.1f} high</source>
         <translation>{volume:.0f} del blocco restano in cave, sottosquadri o fori che dovrebbero essere liberi, alti fino a {height:.1f}</translation>
     </message>
@@ -10463,16 +10503,8 @@ facce %</translation>
         <translation>Sicuro da eseguire, ma non stampa il pezzo come richiesto.</translation>
     </message>
     <message>
-        <source>Span that a bead of 0.45 mm bridges with a sag of up to 0.2 mm; less for wider beads. Quality usual and draft accept it.</source>
-        <translation>Luce che un cordone di 0,45 mm supera con un cedimento fino a 0,2 mm; meno per cordoni più larghi. Le qualità normale e bozza la accettano.</translation>
-    </message>
-    <message>
         <source>accepted differences</source>
         <translation>differenze accettate</translation>
-    </message>
-    <message>
-        <source>bridge with a little sag</source>
-        <translation>ponte con un lieve cedimento</translation>
     </message>
     <message>
         <source>draft</source>
@@ -10636,6 +10668,74 @@ facce %</translation>
     <message>
         <source>the interior is too small for its lines, or they cannot lie any closer</source>
         <translation>l&apos;interno è troppo piccolo per le sue linee, oppure esse non possono stare più vicine</translation>
+    </message>
+    <message>
+        <source>Bead width, length that it bridges with a sag of up to 0.2 mm; and so on, in mm. Quality usual and draft accept it. Those of the program&apos;s materials are estimates: replace them by those of a test print.</source>
+        <translation>Larghezza del cordone, lunghezza su cui fa ponte cedendo al massimo di 0,2 mm; e così via, in mm. Le qualità usual e draft la accettano. Quelle dei materiali del programma sono stime: sostituiscile con quelle di una stampa di prova.</translation>
+    </message>
+    <message>
+        <source>Maximum distance between waypoints along a tool-path; flat layers have fewer where beads are straight.</source>
+        <translation>Distanza massima tra i punti di un percorso utensile; gli strati piani ne hanno meno dove i cordoni sono dritti.</translation>
+    </message>
+    <message>
+        <source>Share of the speed of a wall that overhangs the layer below by that share of its width.</source>
+        <translation>Quota della velocità di una parete che sporge dallo strato sottostante di quella parte della sua larghezza.</translation>
+    </message>
+    <message>
+        <source>add supports (`supports=auto`), turn the part, or use planar or curved mode</source>
+        <translation>aggiungi supporti (`supports=auto`), ruota il pezzo, o usa pezzi piani o strati curvi</translation>
+    </message>
+    <message>
+        <source>bridges with a little sag</source>
+        <translation>ponti con un piccolo cedimento</translation>
+    </message>
+    <message>
+        <source>choose a plate with a size, or type the number of copies</source>
+        <translation>scegli un piatto con una dimensione, o scrivi il numero di copie</translation>
+    </message>
+    <message>
+        <source>is above 1000 mm: check the unit</source>
+        <translation>supera 1000 mm: controlla l&apos;unità</translation>
+    </message>
+    <message>
+        <source>is more than with less overhang</source>
+        <translation>è più che con meno sbalzo</translation>
+    </message>
+    <message>
+        <source>is not wider than the bead before it</source>
+        <translation>non è più largo del cordone che precede</translation>
+    </message>
+    <message>
+        <source>must be a pair of bead width and length</source>
+        <translation>deve essere una coppia di larghezza del cordone e lunghezza</translation>
+    </message>
+    <message>
+        <source>must have four shares, for 25, 50, 75 and 100 % of the width</source>
+        <translation>deve avere quattro quote, per il 25, 50, 75 e 100 % della larghezza</translation>
+    </message>
+    <message>
+        <source>speed of walls, 100 % overhang</source>
+        <translation>velocità delle pareti, sbalzo 100 %</translation>
+    </message>
+    <message>
+        <source>speed of walls, 25 % overhang</source>
+        <translation>velocità delle pareti, sbalzo 25 %</translation>
+    </message>
+    <message>
+        <source>speed of walls, 50 % overhang</source>
+        <translation>velocità delle pareti, sbalzo 50 %</translation>
+    </message>
+    <message>
+        <source>speed of walls, 75 % overhang</source>
+        <translation>velocità delle pareti, sbalzo 75 %</translation>
+    </message>
+    <message>
+        <source>the plate is made as large as the parts need</source>
+        <translation>il piatto è fatto grande quanto serve ai pezzi</translation>
+    </message>
+    <message>
+        <source>write the program again, or use smaller cells for the part&apos;s map (`--pitch`)</source>
+        <translation>scrivi di nuovo il programma, o usa celle più piccole per la mappa del pezzo (`--pitch`)</translation>
     </message>
 </context>
 <context>
@@ -10832,6 +10932,313 @@ facce %</translation>
     </message>
 </context>
 <context>
+    <name>SettingWords</name>
+    <message>
+        <source>quality, resolution, thickness, fine, coarse, detail</source>
+        <translation>qualità, risoluzione, spessore, fine, grezzo, dettaglio</translation>
+    </message>
+    <message>
+        <source>line width, extrusion width, nozzle, bead</source>
+        <translation>larghezza della linea, larghezza di estrusione, ugello, cordone</translation>
+    </message>
+    <message>
+        <source>first layer, adhesion, line width, extrusion width</source>
+        <translation>primo strato, adesione, larghezza della linea, larghezza di estrusione</translation>
+    </message>
+    <message>
+        <source>retract, ooze, stringing, oozing</source>
+        <translation>ritiro, colatura, fili, gocciolamento</translation>
+    </message>
+    <message>
+        <source>resolution, point distance, segment length</source>
+        <translation>risoluzione, distanza dei punti, lunghezza dei segmenti</translation>
+    </message>
+    <message>
+        <source>perimeter, perimeters, shell, shells, outline, contour, strength</source>
+        <translation>perimetro, perimetri, guscio, gusci, contorno, bordo, resistenza</translation>
+    </message>
+    <message>
+        <source>fill, pattern, solid, interior</source>
+        <translation>riempimento, motivo, pieno, interno</translation>
+    </message>
+    <message>
+        <source>fill, percent, solid, hollow, strength, interior</source>
+        <translation>riempimento, percento, pieno, cavo, resistenza, interno</translation>
+    </message>
+    <message>
+        <source>fill, infill, gyroid, honeycomb, grid</source>
+        <translation>riempimento, infill, gyroid, nido d&apos;ape, griglia</translation>
+    </message>
+    <message>
+        <source>roof, skin, top surface, shell</source>
+        <translation>tetto, pelle, superficie superiore, guscio</translation>
+    </message>
+    <message>
+        <source>floor, skin, bottom surface, shell</source>
+        <translation>fondo, pelle, superficie inferiore, guscio</translation>
+    </message>
+    <message>
+        <source>roof, floor, top, bottom, shell</source>
+        <translation>tetto, fondo, sopra, sotto, guscio</translation>
+    </message>
+    <message>
+        <source>orientation, rotation</source>
+        <translation>orientamento, rotazione</translation>
+    </message>
+    <message>
+        <source>overhang, support, support material, bridge, hanging</source>
+        <translation>sbalzo, supporto, materiale di supporto, ponte, sospeso</translation>
+    </message>
+    <message>
+        <source>overhang, support material, hanging, edge</source>
+        <translation>sbalzo, materiale di supporto, sospeso, bordo</translation>
+    </message>
+    <message>
+        <source>support, bridge, hanging, tilt</source>
+        <translation>supporto, ponte, sospeso, inclinazione</translation>
+    </message>
+    <message>
+        <source>skirt, purge, priming, start line, prime line</source>
+        <translation>gonna, spurgo, innesco, linea iniziale, linea di innesco</translation>
+    </message>
+    <message>
+        <source>skirt, purge, start line</source>
+        <translation>gonna, spurgo, linea iniziale</translation>
+    </message>
+    <message>
+        <source>adhesion, skirt, raft, warping, lifting, bed</source>
+        <translation>adesione, gonna, zattera, deformazione, distacco, piano</translation>
+    </message>
+    <message>
+        <source>zipper, start point, z seam, scar</source>
+        <translation>cucitura, punto iniziale, cucitura z, segno</translation>
+    </message>
+    <message>
+        <source>thin, narrow, detail</source>
+        <translation>sottile, stretto, dettaglio</translation>
+    </message>
+    <message>
+        <source>vase, spiralize, continuous</source>
+        <translation>vaso, spirale, continuo</translation>
+    </message>
+    <message>
+        <source>vase</source>
+        <translation>vaso</translation>
+    </message>
+    <message>
+        <source>cooling, fan, temperature, overheating</source>
+        <translation>raffreddamento, ventola, temperatura, surriscaldamento</translation>
+    </message>
+    <message>
+        <source>cooling, temperature, fan, pause, wait, overheating</source>
+        <translation>raffreddamento, temperatura, ventola, pausa, attesa, surriscaldamento</translation>
+    </message>
+    <message>
+        <source>temperature, adhesion, cold joint, interlayer</source>
+        <translation>temperatura, adesione, giunto freddo, tra gli strati</translation>
+    </message>
+    <message>
+        <source>strength, force, stress</source>
+        <translation>resistenza, forza, tensione</translation>
+    </message>
+    <message>
+        <source>perimeter, feed rate, velocity</source>
+        <translation>perimetro, avanzamento, velocità</translation>
+    </message>
+    <message>
+        <source>fill, feed rate, velocity</source>
+        <translation>riempimento, avanzamento, velocità</translation>
+    </message>
+    <message>
+        <source>overhang, feed rate, velocity</source>
+        <translation>sbalzo, avanzamento, velocità</translation>
+    </message>
+    <message>
+        <source>adhesion, feed rate, velocity, bed</source>
+        <translation>adesione, avanzamento, velocità, piano</translation>
+    </message>
+    <message>
+        <source>z hop, travel, retract, hop</source>
+        <translation>salto z, spostamento, ritiro, salto</translation>
+    </message>
+    <message>
+        <source>stringing, ooze, seam</source>
+        <translation>fili, colatura, cucitura</translation>
+    </message>
+    <message>
+        <source>tool orientation, spin</source>
+        <translation>orientamento dell&apos;utensile, rotazione</translation>
+    </message>
+    <message>
+        <source>tool orientation, angle</source>
+        <translation>orientamento dell&apos;utensile, angolo</translation>
+    </message>
+    <message>
+        <source>collision, distance, safety, robot</source>
+        <translation>collisione, distanza, sicurezza, robot</translation>
+    </message>
+    <message>
+        <source>collision, distance, safety, nozzle</source>
+        <translation>collisione, distanza, sicurezza, ugello</translation>
+    </message>
+    <message>
+        <source>collision, check</source>
+        <translation>collisione, controllo</translation>
+    </message>
+    <message>
+        <source>configuration, flip, elbow, wrist</source>
+        <translation>configurazione, inversione, gomito, polso</translation>
+    </message>
+    <message>
+        <source>acceleration, vibration, smooth</source>
+        <translation>accelerazione, vibrazione, dolce</translation>
+    </message>
+    <message>
+        <source>rotate, orientation, auto orient, lay flat</source>
+        <translation>ruota, orientamento, orientamento automatico, appoggia</translation>
+    </message>
+    <message>
+        <source>repair, hole, mesh, thin, shell</source>
+        <translation>riparazione, foro, mesh, sottile, guscio</translation>
+    </message>
+    <message>
+        <source>variable layer height, quality</source>
+        <translation>altezza variabile degli strati, qualità</translation>
+    </message>
+    <message>
+        <source>variable layer height, quality, adaptive</source>
+        <translation>altezza variabile degli strati, qualità, adattivo</translation>
+    </message>
+    <message>
+        <source>extruder, nozzle, multi material, head</source>
+        <translation>estrusore, ugello, più materiali, testa</translation>
+    </message>
+    <message>
+        <source>extruder, multi material, soluble</source>
+        <translation>estrusore, più materiali, solubile</translation>
+    </message>
+    <message>
+        <source>extruder, multi material, fill</source>
+        <translation>estrusore, più materiali, riempimento</translation>
+    </message>
+    <message>
+        <source>extruder, multi material</source>
+        <translation>estrusore, più materiali</translation>
+    </message>
+    <message>
+        <source>tool change, wipe tower, multi material, colour change</source>
+        <translation>cambio utensile, torre di pulizia, più materiali, cambio colore</translation>
+    </message>
+    <message>
+        <source>carbon, continuous fibre, reinforcement, strength</source>
+        <translation>carbonio, fibra continua, rinforzo, resistenza</translation>
+    </message>
+    <message>
+        <source>resolution, grid</source>
+        <translation>risoluzione, griglia</translation>
+    </message>
+    <message>
+        <source>split program, memory</source>
+        <translation>dividere il programma, memoria</translation>
+    </message>
+    <message>
+        <source>simplify, tolerance</source>
+        <translation>semplificare, tolleranza</translation>
+    </message>
+    <message>
+        <source>G2, G3, circle</source>
+        <translation>G2, G3, cerchio</translation>
+    </message>
+    <message>
+        <source>tolerance, strict, draft</source>
+        <translation>tolleranza, severo, bozza</translation>
+    </message>
+    <message>
+        <source>strategy, slicing, non-planar, way of building</source>
+        <translation>strategia, taglio in strati, non planare, modo di costruire</translation>
+    </message>
+    <message>
+        <source>plate, bed, build plate, table, rod</source>
+        <translation>piano, letto, piano di stampa, tavola, barra</translation>
+    </message>
+    <message>
+        <source>robot, arm, machine, printer, nozzle, head</source>
+        <translation>robot, braccio, macchina, stampante, ugello, testa</translation>
+    </message>
+    <message>
+        <source>nozzle, tool, extruder, speed, feed rate, bead, head, temperature</source>
+        <translation>ugello, utensile, estrusore, velocità, avanzamento, cordone, testa, temperatura</translation>
+    </message>
+    <message>
+        <source>temperature, filament, plastic, heat, hot end, bed, fan, cooling, price, cost, flow, retraction</source>
+        <translation>temperatura, filamento, plastica, calore, hot end, piano, ventola, raffreddamento, prezzo, costo, flusso, ritiro</translation>
+    </message>
+    <message>
+        <source>tool, second nozzle, extruder, multi material, tool change, colour</source>
+        <translation>utensile, secondo ugello, estrusore, più materiali, cambio utensile, colore</translation>
+    </message>
+    <message>
+        <source>scheme, curved, algorithm</source>
+        <translation>schema, curvo, algoritmo</translation>
+    </message>
+    <message>
+        <source>random, repeatable</source>
+        <translation>casuale, ripetibile</translation>
+    </message>
+    <message>
+        <source>as process</source>
+        <translation>come il processo</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>no brim</source>
+        <translation>nessuna tesa</translation>
+    </message>
+    <message>
+        <source>as the part</source>
+        <translation>come il pezzo</translation>
+    </message>
+    <message>
+        <source>no tapes</source>
+        <translation>nessun nastro</translation>
+    </message>
+    <message>
+        <source>all that fit</source>
+        <translation>quanti ci stanno</translation>
+    </message>
+    <message>
+        <source>only waits</source>
+        <translation>solo attese</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>nessun limite</translation>
+    </message>
+    <message>
+        <source>one bead</source>
+        <translation>un cordone</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>mai</translation>
+    </message>
+    <message>
+        <source>as format</source>
+        <translation>come il formato</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>rotondo</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+</context>
+<context>
     <name>SizesDialog</name>
     <message>
         <source>Length</source>
@@ -10852,6 +11259,13 @@ facce %</translation>
     <message>
         <source>Hole diameter</source>
         <translation>Diametro del foro</translation>
+    </message>
+</context>
+<context>
+    <name>TypedChange</name>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1: %2 mm</translation>
     </message>
 </context>
 <context>
@@ -10915,6 +11329,22 @@ facce %</translation>
         <source>Arrange parts</source>
         <translation>Disponi i pezzi</translation>
     </message>
+    <message>
+        <source>Paste %1 parts</source>
+        <translation>Incolla %1 pezzi</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Incolla %1</translation>
+    </message>
+    <message>
+        <source>Remove %1 parts</source>
+        <translation>Togli %1 pezzi</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Opening</name>
@@ -10942,10 +11372,6 @@ facce %</translation>
     <message>
         <source>Mode</source>
         <translation>Modalità</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Crescita</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -10991,13 +11417,17 @@ facce %</translation>
         <source>Edit materials</source>
         <translation>Modifica i materiali</translation>
     </message>
+    <message>
+        <source>Growth scheme</source>
+        <translation>Schema di crescita</translation>
+    </message>
+    <message>
+        <source>How the part is divided into layers</source>
+        <translation>Come il pezzo è diviso in strati</translation>
+    </message>
 </context>
 <context>
     <name>voluta::forms::ParameterForm</name>
-    <message>
-        <source>Search parameters</source>
-        <translation>Cerca parametri</translation>
-    </message>
     <message>
         <source>Simple</source>
         <translation>Base</translation>
@@ -11025,6 +11455,18 @@ facce %</translation>
     <message>
         <source>No matching parameter.</source>
         <translation>Nessun parametro corrispondente.</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Stampa</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <translation>Ricerca</translation>
+    </message>
+    <message>
+        <source>Search settings</source>
+        <translation>Cerca impostazioni</translation>
     </message>
 </context>
 <context>
@@ -11097,6 +11539,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Meshes (%1);;All files (*)</source>
         <translation>Mesh (%1);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Surface on which the print begins</source>
+        <translation>Superficie su cui la stampa comincia</translation>
     </message>
 </context>
 <context>
@@ -11361,13 +11807,16 @@ Fai clic per sceglierne un altro</translation>
         <source>Not as asked: %1</source>
         <translation>Non come richiesto: %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n punto</numerusform>
+            <numerusform>%n punti</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsPanel</name>
-    <message>
-        <source>What would help: %1</source>
-        <translation>Rimedio: %1</translation>
-    </message>
     <message>
         <source>Findings</source>
         <translation>Segnalazioni</translation>
@@ -11427,6 +11876,22 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Show only findings that block, or by which the part differs</source>
         <translation>Mostra solo le segnalazioni che bloccano o per cui il pezzo è diverso</translation>
+    </message>
+    <message>
+        <source>What helps: %1</source>
+        <translation>Che cosa aiuta: %1</translation>
+    </message>
+    <message>
+        <source>Place %1 of %2</source>
+        <translation>Punto %1 di %2</translation>
+    </message>
+    <message>
+        <source>Show next</source>
+        <translation>Mostra il prossimo</translation>
+    </message>
+    <message>
+        <source>Apply and plan:</source>
+        <translation>Applica e pianifica:</translation>
     </message>
 </context>
 <context>
@@ -11932,6 +12397,22 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Position and size as in the file</source>
         <translation>Posizione e misure come nel file</translation>
+    </message>
+    <message>
+        <source>Size along %1. A new size scales the part as a whole.</source>
+        <translation>Dimensione lungo %1. Una nuova dimensione scala tutto il pezzo.</translation>
+    </message>
+    <message>
+        <source>Size along %1</source>
+        <translation>Dimensione lungo %1</translation>
+    </message>
+    <message>
+        <source>Millimetres or inches</source>
+        <translation>Millimetri o pollici</translation>
+    </message>
+    <message>
+        <source>Unit of the size</source>
+        <translation>Unità della dimensione</translation>
     </message>
 </context>
 <context>
@@ -12820,6 +13301,10 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <source>tool removed</source>
         <translation>utensile tolto</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::CompareItemsDialog</name>
@@ -12918,6 +13403,29 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Builds the part as in the selected row; can be undone</source>
         <translation>Costruisce il pezzo come la riga selezionata; si può annullare</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CopiesDialog</name>
+    <message>
+        <source>Number of copies</source>
+        <translation>Numero di copie</translation>
+    </message>
+    <message>
+        <source>Number of these parts on the plate; all parts are arranged anew</source>
+        <translation>Numero di questi pezzi sul piatto; tutti i pezzi sono disposti di nuovo</translation>
+    </message>
+    <message>
+        <source>&amp;Copies on the plate</source>
+        <translation>&amp;Copie sul piatto</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the plate</source>
+        <translation>&amp;Riempi il piatto</translation>
+    </message>
+    <message>
+        <source>As many copies as the plate has room for</source>
+        <translation>Quante copie il piatto può contenere</translation>
     </message>
 </context>
 <context>
@@ -13522,6 +14030,21 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Arrange parts</source>
         <translation>Disponi i pezzi</translation>
+    </message>
+    <message>
+        <source>Arranging the copies…</source>
+        <translation>Disposizione delle copie…</translation>
+    </message>
+    <message>
+        <source>Number of copies</source>
+        <translation>Numero di copie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n copies on the plate</source>
+        <translation>
+            <numerusform>%n copia sul piatto</numerusform>
+            <numerusform>%n copie sul piatto</numerusform>
+        </translation>
     </message>
 </context>
 <context>
