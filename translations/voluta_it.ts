@@ -10674,8 +10674,8 @@ facce %</translation>
         <translation>Larghezza del cordone, lunghezza su cui fa ponte cedendo al massimo di 0,2 mm; e così via, in mm. Le qualità usual e draft la accettano. Quelle dei materiali del programma sono stime: sostituiscile con quelle di una stampa di prova.</translation>
     </message>
     <message>
-        <source>Maximum distance between waypoints along a tool-path; flat layers have fewer where beads are straight.</source>
-        <translation>Distanza massima tra i punti di un percorso utensile; gli strati piani ne hanno meno dove i cordoni sono dritti.</translation>
+        <source>Maximum distance between waypoints along a tool-path; plain G-code has fewer where beads are straight.</source>
+        <translation>Distanza massima tra i punti di un percorso utensile; il G-code semplice ne ha meno dove i cordoni sono dritti.</translation>
     </message>
     <message>
         <source>Share of the speed of a wall that overhangs the layer below by that share of its width.</source>

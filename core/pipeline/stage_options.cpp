@@ -92,8 +92,8 @@ base::ParameterTable allParameters() {
           "process. 0: that of the process."_text)),
       base::ofItem(
           base::numberParameter("stepMm", "mm", 1.0, 0.1, 100.0, "Beads"_text, "step"_text,
-                                "Maximum distance between waypoints along a tool-path; flat "
-                                "layers have fewer where beads are straight."_text)),
+                                "Maximum distance between waypoints along a tool-path; plain "
+                                "G-code has fewer where beads are straight."_text)),
       base::numberParameter(
           "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
           "Filament retracted for each travel, if the extruder can; 0: none."_text),

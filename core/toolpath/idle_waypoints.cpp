@@ -11,14 +11,15 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
+constexpr double kLongestWidths = 6.0; // of a segment
 constexpr double kSameDirection = 1e-6;
 constexpr double kSameSection = 0.02; // share of width and height
 constexpr float kSameSpeed = 1e-3F;   // [mm/s]
 
 class Segments {
 public:
-  Segments(const plan::ToolPlan& plan, double chordMm, double longestWidths)
-      : plan_(plan), chordMm_(chordMm), longestWidths_(longestWidths) {}
+  Segments(const plan::ToolPlan& plan, double chordMm, double longestMm)
+      : plan_(plan), chordMm_(chordMm), longestMm_(longestMm) {}
 
   // Returns the last waypoint up to `end` that one straight segment from `from` reaches.
   std::size_t reached(std::size_t from, std::size_t end) const {
@@ -31,7 +32,8 @@ public:
 private:
   bool isOneSegment(std::size_t from, std::size_t to) const {
     const Vector3d &a = plan_.position[from], &b = plan_.position[to];
-    if ((b - a).norm() > longestWidths_ * static_cast<double>(plan_.widthMm[from]) ||
+    if ((b - a).norm() >
+            std::min(longestMm_, kLongestWidths * static_cast<double>(plan_.widthMm[from])) ||
         !hasSameDirection(from, to) ||
         std::abs(plan_.speedMmPerS[to] - plan_.speedMmPerS[from + 1]) > kSameSpeed)
       return false;
@@ -58,17 +60,17 @@ private:
   }
 
   const plan::ToolPlan& plan_;
-  double chordMm_, longestWidths_;
+  double chordMm_, longestMm_;
 };
 
 bool hasPlastic(const plan::ToolPath& path) {
-  return path.kind != plan::PathKind::Tape && path.kind != plan::PathKind::Shot;
+  return path.kind != plan::PathKind::Tape && path.kind != plan::PathKind::Shot &&
+         !plan::isWaste(path.kind);
 }
 } // namespace
 
-plan::ToolPlan withoutIdleWaypoints(const plan::ToolPlan& plan, double chordMm,
-                                    double longestWidths) {
-  const Segments segments(plan, chordMm, longestWidths);
+plan::ToolPlan withoutIdleWaypoints(const plan::ToolPlan& plan, double chordMm, double longestMm) {
+  const Segments segments(plan, chordMm, longestMm);
   plan::ToolPlan thin;
   thin.fill = plan.fill;
   for (plan::ToolPath path : plan.paths) {

@@ -40,8 +40,8 @@ using Eigen::Vector3d;
 using plan::PathKind;
 
 constexpr double kCoverShare = 0.6; // of the stage's progress
-// Straight beads: of the chord tolerance of curves; bead widths
-constexpr double kIdleChords = 0.25, kLongestSegment = 6.0;
+// Straight beads: of the chord tolerance of curves; a length over which no joint turns far
+constexpr double kIdleChords = 0.25, kLongestMm = 10.0;
 
 // Puts the brim before all other paths, and the prime before the brim.
 void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
@@ -246,11 +246,13 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     addShots(r.plan, stack.pockets, tooling, options.stitches);
     r.grown.reset(); // waypoints are numbered anew
   }
-  // Motion leaves out waypoints at which the head is not clear: those are better close together.
-  if (oriented.gouges == 0 && r.plan.waypointCount() > 0 && hasOneDirection(r.plan)) {
+  // An arm loses the segment between two waypoints where it has to lift the nozzle, and waypoints
+  // at which the head is not clear: those are better close together.
+  if (!options.canTilt && oriented.gouges == 0 && r.plan.waypointCount() > 0 &&
+      hasOneDirection(r.plan)) {
     const ResampleOptions spacing =
         ResampleOptions().scaled(largeBeadScaleOf(tooling.first().process));
-    r.plan = withoutIdleWaypoints(r.plan, kIdleChords * spacing.chordMm, kLongestSegment);
+    r.plan = withoutIdleWaypoints(r.plan, kIdleChords * spacing.chordMm, kLongestMm);
     r.grown.reset(); // waypoints are numbered anew
   }
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &reported})

@@ -77,7 +77,7 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   EXPECT_EQ(now.tool().process, "fdm-0.35");
   EXPECT_EQ(now.item().platform.text(), "rod:5x200");
   EXPECT_EQ(now.item().parameters.at("walls"), "1");
-  EXPECT_TRUE(notice().contains("lathe")) << notice().toStdString();
+  EXPECT_TRUE(notice().contains("turning rod")) << notice().toStdString();
   EXPECT_TRUE(find<QPushButton>("noticeButton")->isHidden());
   auto* platform = find<forms::PlatformEditor>("platform");
   EXPECT_EQ(platform->findChild<QComboBox*>("kind")->count(), 3);
@@ -102,7 +102,7 @@ TEST_F(LatheWindowTest, UnsuitableCellIsExplainedAndAButtonChangesIt) {
   auto* button = find<QPushButton>("noticeButton");
   ASSERT_TRUE(button->isVisible());
   EXPECT_FALSE(notice().isEmpty());
-  EXPECT_TRUE(button->text().contains("lathe")) << button->text().toStdString();
+  EXPECT_TRUE(button->text().contains("turning rod")) << button->text().toStdString();
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(document().choices().cell, "lathe");
   EXPECT_FALSE(button->isVisible());

@@ -119,7 +119,7 @@ TEST_F(StandTest, APartOnItsEdgeIsOfferedTheBestWay) {
   auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>();
   ASSERT_EQ(list->model()->rowCount(), 1);
   const QModelIndex first = list->model()->index(0, 0);
-  EXPECT_TRUE(first.data().toString().contains("poor orientation"));
+  EXPECT_TRUE(first.data().toString().contains("Poor orientation"));
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(first).center());
   auto* button =
       find<panels::FindingsPanel>("findings")->findChild<QPushButton*>("remedy_standBest");

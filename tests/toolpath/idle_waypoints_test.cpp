@@ -11,9 +11,9 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kChordMm = 0.005, kWidths = 6.0;
+constexpr double kChordMm = 0.005, kLongMm = 10.0;
 constexpr float kWidthMm = 0.5F;
-const double kLongestMm = kWidths * static_cast<double>(kWidthMm);
+const double kLongestMm = 6.0 * static_cast<double>(kWidthMm);
 
 void addWaypoint(plan::ToolPlan& plan, const Vector3d& position, float width = kWidthMm,
                  float speed = 20.0F) {
@@ -30,7 +30,7 @@ plan::ToolPlan onePath(plan::ToolPlan plan) {
 }
 
 plan::ToolPlan thinned(const plan::ToolPlan& plan) {
-  return withoutIdleWaypoints(onePath(plan), kChordMm, kWidths);
+  return withoutIdleWaypoints(onePath(plan), kChordMm, kLongMm);
 }
 
 double volumeMm3(const plan::ToolPlan& plan) {
@@ -50,6 +50,7 @@ TEST(IdleWaypoints, ALineKeepsItsEndsAndTheLongestSteps) {
   EXPECT_EQ(thin.position.front(), line.position.front());
   EXPECT_EQ(thin.position.back(), line.position.back());
   EXPECT_EQ(thin.paths.front().count, 5U);
+  EXPECT_EQ(withoutIdleWaypoints(onePath(line), kChordMm, 2.0).waypointCount(), 7U);
 }
 
 TEST(IdleWaypoints, CornersWidthsSpeedsAndDirectionsStay) {
@@ -93,7 +94,7 @@ TEST(IdleWaypoints, PathsWithoutPlasticAndTheirOrderStay) {
     addWaypoint(plan, {0.1 * i, 1.0, 0.0});
   plan.paths = {{.first = 0, .count = 5, .kind = plan::PathKind::Tape, .layer = 3},
                 {.first = 5, .count = 5, .kind = plan::PathKind::Infill, .layer = 4}};
-  const plan::ToolPlan thin = withoutIdleWaypoints(plan, kChordMm, kWidths);
+  const plan::ToolPlan thin = withoutIdleWaypoints(plan, kChordMm, kLongMm);
   ASSERT_EQ(thin.paths.size(), 2U);
   EXPECT_EQ(thin.paths[0].count, 5U);
   EXPECT_EQ(thin.paths[1].first, 5U);
