@@ -82,6 +82,14 @@ void sayResult(const project::Report& r) {
         replay.maxDeviationMm);
 }
 
+// Prints how far a bead hangs free, even where its share of the part is small.
+void sayHangingBeads(const plan::Findings& findings) {
+  using enum plan::FindingKind;
+  for (const plan::Finding& f : findings)
+    if (f.kind == LongBridge || f.kind == GivenLongBridge)
+      fmt::print("note: {}{}\n", plan::englishReason(f), placeWords(f));
+}
+
 // Returns the programs with verification reports in `folder` that no file of `staged` replaces.
 std::vector<std::string> leftOver(const std::filesystem::path& folder,
                                   const std::filesystem::path& staged) {
@@ -120,6 +128,7 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
     return kCancelled;
   sayResult(*report);
   sayMissingPrograms(report->findings);
+  sayHangingBeads(report->findings);
   sayLeftOver(old);
   sayBlocker(
       report->findings, [&](const plan::Finding& finding) { return partOf(finding, *report); },

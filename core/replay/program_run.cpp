@@ -122,7 +122,13 @@ private:
   const process::Process& processOf(const BeadPiece& piece) const {
     return in_.tooling.at(out_.run.tool[piece.motion]).process;
   }
-  double bridgeMm(const BeadPiece& piece) const { return processOf(piece).bridgeMm; }
+  // Returns the longest span that is held at its ends.
+  double bridgedMm(const BeadPiece& piece) const {
+    const process::Process& process = processOf(piece);
+    return limits_.bridgesMaySag
+               ? process::saggingBridgeMm(process, sectionOf(piece, widestOf(piece)).widthMm)
+               : process.bridgeMm;
+  }
   // Of the first tool. All heads have the shape of its head.
   const process::Process& firstProcess() const { return in_.tooling.first().process; }
 
@@ -276,12 +282,7 @@ private:
   void judgeSupport(const PrintedPart& printed, const std::vector<BeadPiece>& pieces) {
     RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
-    Bridging bridging{[this](const BeadPiece& piece) {
-      return limits_.bridgesMaySag
-                 ? process::saggingBridgeMm(processOf(piece),
-                                            sectionOf(piece, widestOf(piece)).widthMm)
-                 : bridgeMm(piece);
-    }};
+    Bridging bridging{[this](const BeadPiece& piece) { return bridgedMm(piece); }};
     if (!in_.plan.isSolid())
       bridging.sparsePart.emplace(in_.part);
     const SupportedBeads support =
@@ -297,19 +298,27 @@ private:
       figures.worst.halfCarried = pieces[*support.halfCarriedFrom].to;
     if (support.longestUnsupportedMm > 0.0)
       figures.worst.longestUnsupported = pieces[support.longestFrom].to;
-    if (figures.items.empty() && figures.unsupportedFraction > limits_.unsupportedMax &&
-        !support.unsupported.empty())
+    const double bridged = pieces.empty() ? 0.0 : bridgedMm(pieces[support.longestFrom]);
+    const bool isTooMuch =
+        figures.items.empty() && figures.unsupportedFraction > limits_.unsupportedMax;
+    if (!support.unsupported.empty() && (isTooMuch || hangs(support.longestUnsupportedMm, bridged)))
       addUnsupported(support.unsupportedMm, figures.unsupportedFraction, support.unsupported,
                      pieces, -1);
     judgeSupportOfItems(support, pieces);
     if (pieces.empty())
       return;
     const BeadPiece& first = pieces[support.longestFrom];
-    if (support.longestUnsupportedMm > bridgeMm(first))
+    if (support.longestUnsupportedMm > bridged)
       add(LongBridge,
-          {{"length", base::mm(support.longestUnsupportedMm)},
-           {"bridge", base::mm(bridgeMm(first))}},
+          {{"length", base::mm(support.longestUnsupportedMm)}, {"bridge", base::mm(bridged)}},
           first.to, first.motion);
+  }
+
+  // Returns whether a bead hangs free so far that its share of a large part says nothing.
+  bool hangs(double longestMm, double bridged) const {
+    constexpr double kFarthest = 5.0;    // of what the material bridges
+    constexpr double kUsualShare = 0.02; // a larger share was allowed on purpose
+    return limits_.unsupportedMax <= kUsualShare && longestMm > kFarthest * bridged;
   }
 
   void judgeSupportOfItems(const SupportedBeads& support, const std::vector<BeadPiece>& pieces) {

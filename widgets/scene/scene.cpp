@@ -411,7 +411,8 @@ struct Scene::Impl : Drawn {
       extend(paths->box);
     if (withPlatform && shows(view.platform, platform.get()))
       extend(platform->box);
-    if (withPlatform && platformActors->showsRod() && (!view.cell || view.cellDimmed))
+    if (withPlatform && platformActors->showsRod() &&
+        (!view.cell || view.cellDimmed || cellActors->box().isEmpty()))
       extend(platformActors->rodBeside(box));
     return box;
   }

@@ -148,7 +148,7 @@ inline constexpr FindingRow kReplayRows[] = {
                                PrintOnPlate, AcceptShare>,
            .concern = Concern::Part}),
     info(LongBridge, "longBridge", kBridgeLength, kSupportBeads,
-         {.remedies = kOffers<ChooseStrategy>}),
+         {.remedies = kOffers<ChooseStrategy>, .concern = Concern::Part}),
     error(
         CoolingTime, "coolingTime",
         "the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads"_text,
@@ -207,7 +207,7 @@ inline constexpr FindingRow kReplayRows[] = {
     error(GivenUnsupported, "givenUnsupported", kUnsupportedLength, kSliceSupports,
           forGiven("unsupported")),
     info(GivenLongBridge, "givenLongBridge", kBridgeLength, kSliceSupports,
-         {.reportId = "longBridge", .whyNoRemedy = kSlicersPaths}),
+         {.reportId = "longBridge", .whyNoRemedy = kSlicersPaths, .concern = Concern::Part}),
     error(GivenReplayedCollision, "givenReplayedCollision", kSameReason,
           "plan again with more clearance, or move the part on the plate"_text,
           {.reportId = "collision",
