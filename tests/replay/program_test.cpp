@@ -188,14 +188,15 @@ INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(test::idsFor("
 
 // ---- faults of a program although its text is as planned
 
-Verification replayPlan(const test::Scene& s, const std::string& format = "csv") {
+Verification replayPlan(const test::Scene& s, const std::string& format = "csv",
+                        const ReplayThresholds& thresholds = {}) {
   const plan::Program program = program::writeProgram(
       format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
   const plan::ReadProgram read =
       program::readProgram(format, program.files, process::Tooling(s.process));
   return replayProgram(
       {read, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
-      ReplayThresholds{}, base::RunContext());
+      thresholds, base::RunContext());
 }
 
 bool hasKind(const Verification& v, const std::string& kind) {
@@ -279,6 +280,24 @@ TEST(Replay, ABridgeIsAsLongAsTheProcessLays) {
     const Verification v = replayPlan(s);
     EXPECT_DOUBLE_EQ(v.longestUnsupportedMm, longest);
     EXPECT_EQ(hasKind(v, "longBridge"), more < 0.0);
+  }
+}
+
+// Beyond five times what the process bridges, unless a larger share was allowed.
+TEST(Replay, ABeadThatHangsFarCountsWhateverItsShare) {
+  test::Scene s = test::boxScene(8);
+  const double top = s.plan.position.back().z();
+  test::addPath(s.plan, {{-6, 0, top + 4}, {6, 0, top + 4}}, 1.2, 0.8, 20, 9);
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  for (const auto& [bridgeMm, allowed] : {std::pair(2.0, 0.02), {4.0, 0.02}, {2.0, 0.05}}) {
+    s.process.bridgeMm = bridgeMm;
+    ReplayThresholds thresholds;
+    thresholds.unsupportedMax = allowed;
+    const Verification v = replayPlan(s, "csv", thresholds);
+    EXPECT_LT(v.unsupportedFraction, 0.02);
+    EXPECT_NEAR(v.longestUnsupportedMm, 12.0, 0.5);
+    EXPECT_EQ(hasKind(v, "unsupported"), bridgeMm == 2.0 && allowed == 0.02);
+    EXPECT_TRUE(hasKind(v, "longBridge"));
   }
 }
 
