@@ -47,8 +47,8 @@ Eigen::AlignedBox3d boxOf(const BeadSection& bead) {
 }
 
 double topOf(const BeadSection& bead) {
-  return bead.start.z() + std::max(0.0, bead.along.z()) +
-         bead.halfFlat * std::abs(bead.side.z()) + bead.radius;
+  return bead.start.z() + std::max(0.0, bead.along.z()) + bead.halfFlat * std::abs(bead.side.z()) +
+         bead.radius;
 }
 
 // Returns whether the whole bead is on one side of the disc's plane: beneath it for side = 1, above
