@@ -387,9 +387,9 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
 // A pocket whose roof is wider than the material bridges, with flat layers and without supports.
 TEST(Automatic, LeastUnsupportedWayIsTakenIfAllAreUnsupported) {
   geometry::TriangleMesh part = test::box({-15, -15, 0}, {15, 15, 5});
-  test::append(part, test::box({-15, -15, 4.9}, {-4.5, 15, 26}));
-  test::append(part, test::box({4.5, -15, 4.9}, {15, 15, 26}));
-  test::append(part, test::box({-4.6, -15, 4.9}, {4.6, 8, 26}));
+  test::append(part, test::box({-15, -15, 4.9}, {-7.5, 15, 26}));
+  test::append(part, test::box({7.5, -15, 4.9}, {15, 15, 26}));
+  test::append(part, test::box({-7.6, -15, 4.9}, {7.6, 8, 26}));
   test::append(part, test::box({-15, -15, 20}, {15, 15, 26}));
   pipeline::PlanRequest request = automaticRequest();
   request.item().loaded = project::loadedFrom(
