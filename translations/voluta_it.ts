@@ -10734,8 +10734,8 @@ facce %</translation>
         <translation>il piatto è fatto grande quanto serve ai pezzi</translation>
     </message>
     <message>
-        <source>write the program again, or use smaller cells for the part&apos;s map (--pitch)</source>
-        <translation>scrivi di nuovo il programma, o usa celle più piccole per la mappa del pezzo (--pitch)</translation>
+        <source>write the program again, or use smaller cells for the part&apos;s map</source>
+        <translation>scrivi di nuovo il programma, o usa celle più piccole per la mappa del pezzo</translation>
     </message>
 </context>
 <context>

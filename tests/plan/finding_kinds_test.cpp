@@ -202,9 +202,9 @@ TEST(Findings, OfBeforeThereWereValuesStayAsTheyWere) {
 TEST(FindingKinds, SayWhichVerdictTheyConcern) {
   using enum FindingKind;
   const std::set<FindingKind> partInReplay{
-      Uncovered,     Thin,        GivenThin,        Overfill,
-      Mass,          Unsupported, CoolingTime,      GivenUncovered,
-      GivenOverfill, GivenMass,   GivenUnsupported, MachineDiffers};
+      Uncovered,        Thin,           GivenThin,      Overfill,       Mass,
+      Unsupported,      CoolingTime,    GivenUncovered, GivenOverfill,  GivenMass,
+      GivenUnsupported, MachineDiffers, LongBridge,     GivenLongBridge};
   const std::set<FindingKind> unsafeBefore{Verbatim,          Stopped,   Overload,
                                            CollisionInMotion, HomeMeets, GivenCollisionInMotion};
   const auto isOfStation = [](FindingKind kind) {

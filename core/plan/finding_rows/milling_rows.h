@@ -24,7 +24,7 @@ inline constexpr FindingRow kMillingRows[] = {
              "the block is turned by neither 0 nor 180 degrees"_text, {.reportId = "blockTurned"}),
     mismatch(OtherSide, "otherSide", "coordinates of another side"_text),
     error(PartCut, "partCut", "the cutter takes up to {depth:.3f} from the part"_text,
-          "write the program again, or use smaller cells for the part's map (--pitch)"_text,
+          "write the program again, or use smaller cells for the part's map"_text,
           {.reportId = "gouge", .whyNoRemedy = kPassValues}),
     error(
         MaterialLeft, "materialLeft",
