@@ -244,26 +244,22 @@ void Document::copyParts(const std::vector<std::size_t>& items) {
 void Document::pasteParts() {
   base::require(!copied_.empty(), "Document: copied parts to paste");
   project::Choices choices = choices_;
+  if (!parts_)
+    choices.items.clear();
   std::vector<std::shared_ptr<Source>> sources;
-  for (const CopiedPart& copy : copied_)
+  for (const CopiedPart& copy : copied_) {
+    choices.items.push_back(copy.choices);
     sources.push_back(copy.source);
-  for (const auto& source : sources)
-    sources_.push_back(source);
+    sources_.push_back(copy.source);
+  }
   const QString name = copied_.size() > 1
                            ? tr("Paste %1 parts").arg(copied_.size())
                            : tr("Paste %1").arg(QString::fromStdString(sources[0]->part->name));
-  if (!parts_) {
-    choices.items.clear();
-    for (const CopiedPart& copy : copied_)
-      choices.items.push_back(copy.choices);
-    const auto parts = std::make_shared<Parts>();
-    parts->items = sources;
-    push({std::move(choices), parts, 0}, name);
-    return;
-  }
-  for (const CopiedPart& copy : copied_)
-    choices.items.push_back(copy.choices);
-  push(withSources(std::move(choices), sources), name);
+  if (parts_)
+    return push(withSources(std::move(choices), sources), name);
+  const auto parts = std::make_shared<Parts>();
+  parts->items = sources;
+  push({std::move(choices), parts, 0}, name);
 }
 
 void Document::removeParts(std::vector<std::size_t> items) {

@@ -1,6 +1,7 @@
 #include "window/copies_dialog.h"
 
 #include "forms/value_boxes.h"
+#include "pipeline/items/plate_parts.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -10,17 +11,13 @@
 
 namespace voluta::window {
 
-namespace {
-constexpr int kMaxCopies = 500;
-}
-
 CopiesDialog::CopiesDialog(std::size_t present, QWidget* parent)
     : QDialog(parent), count_(forms::makeIntegerBox(this)) {
   setObjectName("copiesDialog");
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Number of copies"));
   count_->setObjectName("copiesCount");
-  count_->setRange(1, kMaxCopies);
+  count_->setRange(1, static_cast<int>(pipeline::kMaxCopies));
   count_->setValue(static_cast<int>(present));
   count_->setToolTip(tr("Number of these parts on the plate; all parts are arranged anew"));
   count_->selectAll();

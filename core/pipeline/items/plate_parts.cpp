@@ -108,7 +108,6 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
 
 PlanRequest withCopies(PlanRequest request, std::size_t item, std::optional<std::size_t> count,
                        const base::RunContext& ctx) {
-  constexpr std::size_t kMaxCopies = 500;
   base::require(count.value_or(1) > 0, "one copy at least");
   PlateContent content = loadedContent(request, ctx);
   const auto part = request.item(item).loaded;

@@ -20,9 +20,11 @@ namespace voluta::pipeline {
 // cannot be loaded.
 PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx);
 
+inline constexpr std::size_t kMaxCopies = 500; // of one part
+
 // Returns the request with that many items like `item` in all, added behind the others or taken off
 // from behind, and all parts arranged as above; nullopt: as many as the plate has room for beside
-// the other parts, at most 500. The items are those with the same loaded part. Throws
+// the other parts, at most kMaxCopies. The items are those with the same loaded part. Throws
 // Error{UnusableInput} if the plate has no room for them, or for nullopt if it has no size.
 PlanRequest withCopies(PlanRequest request, std::size_t item, std::optional<std::size_t> count,
                        const base::RunContext& ctx);

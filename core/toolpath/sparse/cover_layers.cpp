@@ -101,10 +101,9 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
   for (std::size_t i = 0; i < choices.size(); ++i) {
     choices[i] = distinctOf(wallWidths[i]);
     const int layer = stack.patches[i].layer;
-    choices[i].insert(choices[i].end(),
-                      {isFirstLayer[i] != 0 ? 1.0 : 0.0, static_cast<double>(layer % 2),
-                       std::fmod(layer * options.infillRotationDeg, 180.0),
-                       directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0)});
+    choices[i].insert(choices[i].end(), {isFirstLayer[i] != 0 ? 1.0 : 0.0,
+                                         std::fmod(layer * options.infillRotationDeg, 180.0),
+                                         directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0)});
   }
   const std::vector<SameShape> same = sameShapes(patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
