@@ -312,14 +312,16 @@ TEST(LevelPatches, FindTheLayerBelow) {
   }
 }
 
-// Layers of a stack: a floor with two windows, and a lid over it.
+// Layers of a stack: a floor, by default with two windows, and a lid over it.
 struct Lid {
-  Shape floor{{{0, 0, 50, 30}}, {{4, 12, 24, 18}, {34, 4, 40, 26}}}, lid{{{0, 0, 50, 30}}};
+  Shape floor, lid;
   layers::LayerStack stack;
   process::Process process = fineProcess();
   ToolpathOptions options;
 
-  Lid() {
+  Lid()
+      : Lid(Shape{{{0, 0, 50, 30}}, {{4, 12, 24, 18}, {34, 4, 40, 26}}}, Shape{{{0, 0, 50, 30}}}) {}
+  Lid(Shape below, Shape above) : floor(std::move(below)), lid(std::move(above)) {
     const auto add = [&](const Shape& shape, int layer) {
       PlanePatch plane = planeAt((layer + 0.5) * kHeight);
       plane.outline = shape.paths();
@@ -370,6 +372,34 @@ TEST(BridgedLayers, KeepTheirOwnPatternBesideTheBridges) {
   for (const std::size_t i : {0u, 2u})
     for (const Bead& bead : covers[i].beads)
       EXPECT_NE(bead.kind, PathKind::Bridge) << i;
+}
+
+// A lid lies on walls as thin as one bead: its lines reach them in spite of its own walls.
+TEST(BridgedLayers, ReachThinWalls) {
+  for (const double beads : {1.0, 1.5, 2.0, 3.0, 6.0}) {
+    SCOPED_TRACE(beads);
+    const double t = beads * 0.45;
+    Lid scene(Shape{{{0, 0, 20, 12}}, {{t, t, 20 - t, 12 - t}}}, Shape{{{0, 0, 20, 12}}});
+    scene.process.bridgeMm = 15.0;
+    const auto covers = scene.covers();
+    std::vector<Bead> bridges;
+    int walls = 0;
+    for (const Bead& bead : covers[1].beads) {
+      if (bead.kind == PathKind::Bridge)
+        bridges.push_back(bead);
+      walls = std::max(walls, bead.kind == PathKind::Wall ? bead.ring + 1 : 0);
+    }
+    EXPECT_EQ(walls, beads < 2.0 ? 0 : beads < 3.0 ? 1 : 2);
+    const AirRaster raster = rasterOf(bridges, scene.floor);
+    EXPECT_EQ(raster.turns, 0);
+    EXPECT_EQ(raster.looseMm, 0.0);
+    EXPECT_NEAR(raster.longestMm, 12.0 - 2.0 * t, 0.05);
+    EXPECT_NEAR(raster.bridgedMm * hatchMm(), (20.0 - 2.0 * t) * (12.0 - 2.0 * t),
+                0.1 * (20.0 - 2.0 * t) * (12.0 - 2.0 * t));
+    EXPECT_NEAR(volumeOf(covers[1].beads), 20.0 * 12.0 * kHeight, 0.03 * 20.0 * 12.0 * kHeight);
+    for (const Bead& bead : covers[2].beads)
+      EXPECT_NE(bead.kind, PathKind::Bridge);
+  }
 }
 
 // The beads of a layer with bridges fill it as those of one without.

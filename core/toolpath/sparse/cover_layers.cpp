@@ -92,6 +92,9 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
       wallWidths[i] =
           wallWidthsOf(bridged[i]->rest, stack.patches[i], wallWidths[i], processAt(i).beadWidthMm);
   }
+  const auto wallsOf = [&](std::size_t i) {
+    return bridged[i] ? bridged[i]->walls : options.walls;
+  };
   std::vector<std::optional<double>> directions(stack.patches.size());
   if (infillKind(options.infill).isStraightInside)
     directions = bridgeDirections(
@@ -103,7 +106,8 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     const int layer = stack.patches[i].layer;
     choices[i].insert(choices[i].end(), {isFirstLayer[i] != 0 ? 1.0 : 0.0,
                                          std::fmod(layer * options.infillRotationDeg, 180.0),
-                                         directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0)});
+                                         directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0),
+                                         static_cast<double>(wallsOf(i))});
   }
   const std::vector<SameShape> same = sameShapes(patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
@@ -113,8 +117,9 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
   std::vector<PatchCover> covers(stack.patches.size());
   base::parallelWithProgress(ctx, shapes.size(), share, "tool-paths"_text, [&](std::size_t s) {
     const std::size_t i = shapes[s];
-    covers[i] =
-        coverPatch(*patches[i], processAt(i), options, silent, wallWidths[i], directions[i]);
+    ToolpathOptions own = options;
+    own.walls = wallsOf(i);
+    covers[i] = coverPatch(*patches[i], processAt(i), own, silent, wallWidths[i], directions[i]);
   });
   for (std::size_t i = 0; i < same.size(); ++i)
     if (same[i].patch != i)

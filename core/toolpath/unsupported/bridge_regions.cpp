@@ -25,7 +25,7 @@ constexpr std::size_t kMostEdges = 24; // whose directions are tried
 constexpr double kSameShare = 0.02;
 constexpr double kSmallest = 4.0; // [beads squared]: smaller bridges are not worth their own lines
 constexpr double kNarrowestGap = 1.5; // [beads]: usual lines cross narrower ones
-constexpr double kHold = 1.0;         // [beads]: shorter ones hold nothing
+constexpr double kHold = 0.8;         // [beads]: shorter ones hold nothing
 constexpr double kNarrow = 1.5;     // [hatches]: narrower strips beside a bridge become part of it
 constexpr double kTouchMm = 0.02;   // between a span and its hold
 constexpr double kMeanShare = 0.01; // of the mean span, among directions of the same longest one
@@ -190,12 +190,16 @@ std::optional<BridgeRegion> bridgeOver(const Paths& around, const Paths& wide, c
 }
 } // namespace
 
+Paths wideGaps(const Paths& air, const process::Process& process) {
+  return widePart(air, kNarrowestGap * process.beadWidthMm);
+}
+
 std::vector<BridgeRegion> bridgeRegions(const Paths& inside, const Paths& below,
                                         const process::Process& process) {
   std::vector<BridgeRegion> regions;
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const Paths air = combined(inside, below, ClipperLib::ctDifference);
-  const Paths wide = widePart(air, kNarrowestGap * process.beadWidthMm);
+  const Paths wide = wideGaps(air, process);
   if (wide.empty())
     return regions;
   const Paths holds = combined(inside, below, ClipperLib::ctIntersection);

@@ -18,6 +18,10 @@ struct BridgeRegion {
 // [hatches] by which a bridge overlaps its holds: its lines turn there.
 inline constexpr double kBridgeOverlap = 2.0;
 
+// Returns the parts of `air`, with their corners, that are so wide that usual lines do not cross
+// them.
+ClipperLib::Paths wideGaps(const ClipperLib::Paths& air, const process::Process& process);
+
 // Returns the bridges in `inside`, the area that infill fills, over the gaps of `below`, the
 // material that the layer rests on. A gap is at least one and a half beads wide; gaps closer than
 // twice the overlap are one. Its direction leaves least of the length of its lines without a hold

@@ -48,6 +48,49 @@ Paths contoursAround(const Paths& bridges, const PlanePatch& plane, int walls) {
   return contours;
 }
 
+// The bridges of a layer and the walls around them.
+struct WalledBridges {
+  int walls = 0;
+  std::vector<BridgeRegion> regions;
+  double heldMm2 = 0.0; // of the gap that they bridge
+  double longestMm = 0.0;
+
+  bool isClearlyBetterThan(const WalledBridges& other) const {
+    constexpr double kClear = 1.1;
+    return heldMm2 > kClear * other.heldMm2 ||
+           (kClear * heldMm2 >= other.heldMm2 && kClear * longestMm < other.longestMm);
+  }
+};
+
+// Returns the bridges inside as many of the usual walls as leave them their holds: the inner side
+// of a lid on thin walls lies on nothing. Only a lid goes without any wall.
+WalledBridges walledBridges(const PlanePatch& plane, const Paths& air, const Paths& below,
+                            const process::Process& process, int walls, double widestMm) {
+  constexpr double kLidShare = 0.5; // of the layer
+  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const auto wallsMm = [&](int count) {
+    return count == 0 ? 0.0 : count * hatch + std::max(0.0, widestMm - process.beadWidthMm);
+  };
+  const Paths gap = combined(air, insideOf(plane, wallsMm(walls)), ClipperLib::ctIntersection);
+  const bool isLid = geometry::areaMm2(wideGaps(gap, process)) >=
+                     kLidShare * geometry::areaMm2(geometry::united(plane.contours()));
+  WalledBridges best;
+  for (int count = walls; count >= 0; --count) {
+    if (count == 0 && walls > 0 && !isLid)
+      break;
+    WalledBridges made;
+    made.walls = count;
+    made.regions = bridgeRegions(insideOf(plane, wallsMm(count)), below, process);
+    for (const BridgeRegion& region : made.regions) {
+      made.heldMm2 += geometry::areaMm2(combined(region.area, gap, ClipperLib::ctIntersection));
+      made.longestMm = std::max(made.longestMm, region.longestMm);
+    }
+    if (count == walls || made.isClearlyBetterThan(best))
+      best = std::move(made);
+  }
+  return best;
+}
+
 std::optional<BridgedLayer> bridgedLayer(const layers::Patch& patch, const LevelPatches& levels,
                                          process::Process process,
                                          const std::vector<double>& wallWidthMm,
@@ -65,17 +108,14 @@ std::optional<BridgedLayer> bridgedLayer(const layers::Patch& patch, const Level
   if (geometry::offsetPaths(air, -0.5 * process.beadWidthMm, {0.01}).empty())
     return std::nullopt;
   process.layerHeightMm = std::min(plane->thicknessMm, process.beadWidthMm);
-  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double widest = wallWidthMm.empty() ? 0.0 : std::ranges::max(wallWidthMm);
-  const double walls = options.walls == 0
-                           ? 0.0
-                           : options.walls * hatch + std::max(0.0, widest - process.beadWidthMm);
-  const std::vector<BridgeRegion> regions = bridgeRegions(insideOf(*plane, walls), below, process);
+  const WalledBridges bridges = walledBridges(*plane, air, below, process, options.walls, widest);
   const double longestMm =
       options.bridgesMaySag ? process::saggingBridgeMm(process) : process.bridgeMm;
   BridgedLayer layer;
+  layer.walls = bridges.walls;
   Paths taken;
-  for (const BridgeRegion& region : regions) {
+  for (const BridgeRegion& region : bridges.regions) {
     std::vector<Bead> beads =
         bridgeBeads(region, below, *plane, process, longestMm, options.stepMm);
     if (beads.empty())
@@ -86,7 +126,7 @@ std::optional<BridgedLayer> bridgedLayer(const layers::Patch& patch, const Level
   if (taken.empty())
     return std::nullopt;
   taken = geometry::united(taken);
-  auto rest = patchOver(contoursAround(taken, *plane, options.walls), *plane, patch);
+  auto rest = patchOver(contoursAround(taken, *plane, layer.walls), *plane, patch);
   if (!rest)
     return std::nullopt;
   layer.rest = std::move(*rest);
