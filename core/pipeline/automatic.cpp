@@ -34,6 +34,7 @@ const std::vector<AutomaticStrategy>& automaticStrategies() {
       {"flat", "flat", "cell", kFlat, kFlatSupported, {{kSupports, "auto"}}},
       {"flat-low", "flat", "cell", kFlat, kFlatSupported, {{kSupports, "auto"}}, true},
       {"pedestal", "curved", "fit", kPedestal, kPedestal},
+      {kTerraced, "flat", "cell", kFlat, kFlatSupported, {{kSupports, "none"}}},
   };
   return kWays;
 }

@@ -23,10 +23,14 @@ struct AutomaticStrategy {
   bool lowLayers = false;
 };
 
+// The way that is tried first, and only, on parts that need no supports in flat layers
+// (placement/terraced.h).
+inline constexpr std::string_view kTerraced = "terraced";
+
 // Returns the ways in the order in which they are tried: first those without supports, then curved
 // layers with thin support columns where growth would lose voxels, then flat layers with supports
 // as on an ordinary printer, then the same in lower layers, which cover thin and slanted regions
-// better, and last curved layers on a pedestal made for the part.
+// better, then curved layers on a pedestal made for the part. The last one is kTerraced.
 const std::vector<AutomaticStrategy>& automaticStrategies();
 
 // Returns `choices` once per applicable way, with that way's mode and platform. A way applies if it

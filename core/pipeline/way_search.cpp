@@ -9,6 +9,7 @@
 #include "pipeline/road.h"
 #include "pipeline/stage_runner.h"
 #include "pipeline/stages.h"
+#include "placement/terraced.h"
 #include "plan/finding_kinds.h"
 #include "project/loaded_part.h"
 
@@ -40,7 +41,7 @@ public:
   }
 
   PlanResult run() {
-    const std::vector<project::Choices> ways = automaticChoices(request_.choices);
+    const std::vector<project::Choices> ways = orderedWays();
     for (std::size_t i = 0; i < ways.size(); ++i) {
       if (needsNoSupports(ways[i]))
         continue;
@@ -75,6 +76,23 @@ private:
     PlanResult result = PlanResult();
     project::Stage rejectedBy = {};
   };
+
+  bool isTerraced() const {
+    const project::LoadedPart& loaded = *request_.item().loaded;
+    const Eigen::Quaterniond& rotation = request_.choices.item().placement.rotation;
+    return !loaded.cells && !loaded.open && !loaded.mesh->empty() &&
+           placement::isTerraced(*loaded.mesh, rotation.normalized().toRotationMatrix());
+  }
+
+  std::vector<project::Choices> orderedWays() const {
+    std::vector<project::Choices> ways = automaticChoices(request_.choices);
+    const auto terraced = std::ranges::stable_partition(ways, [](const project::Choices& way) {
+      return way.item().automaticStrategy == kTerraced;
+    });
+    if (!isTerraced())
+      ways.erase(ways.begin(), terraced.begin());
+    return ways;
+  }
 
   PlanResult planStrategy(const project::Choices& strategy, const base::RunContext& ctx,
                           StageCache& stages, Trial* trial) {

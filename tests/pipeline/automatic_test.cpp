@@ -90,7 +90,8 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   project::Choices choices = automatic();
   choices.cell = "t3";
   const auto ways = automaticChoices(choices);
-  ASSERT_EQ(ways.size(), 2u);
+  ASSERT_EQ(ways.size(), 3u);
+  EXPECT_EQ(ways[2].item().automaticStrategy, pipeline::kTerraced);
   EXPECT_EQ(ways[0].item().automaticStrategy, "flat");
   EXPECT_EQ(resolved(ways[0]).item().parameters.at("supports"), "auto");
   EXPECT_EQ(ways[1].item().automaticStrategy, "flat-low");
@@ -192,7 +193,8 @@ TEST(Automatic, WaysKeepParametersChangedByTheUser) {
 TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   std::vector<std::string> heights;
   for (const project::Choices& strategy : automaticChoices(automatic()))
-    if (strategy.item().mode == "flat") {
+    if (strategy.item().mode == "flat" &&
+        strategy.item().automaticStrategy != pipeline::kTerraced) {
       const project::Choices hand = pipeline::resolved(strategy);
       EXPECT_EQ(hand.item().parameters.at("supports"), "auto");
       heights.push_back(hand.item().parameters.contains("layerHeightMm")
@@ -204,7 +206,8 @@ TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   given.item().parameters["layerHeightMm"] = "0.6";
   int flat = 0;
   for (const project::Choices& strategy : automaticChoices(given))
-    flat += strategy.item().mode == "flat";
+    flat +=
+        strategy.item().mode == "flat" && strategy.item().automaticStrategy != pipeline::kTerraced;
   EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
 }
 
@@ -231,7 +234,7 @@ TEST(Automatic, AllWaysDiffer) {
   }
 }
 
-TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
+TEST(Automatic, ABoxIsPrintedInFlatLayers) {
   const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
   const project::Job& job = result.job;
   EXPECT_TRUE(pipeline::nothingBlocks(job.report));
@@ -239,7 +242,8 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   EXPECT_TRUE(job.report.item().tried.front().passed && job.report.item().tried.front().taken);
   EXPECT_TRUE(job.report.item().tried.front().reason.empty());
   EXPECT_TRUE(job.choices.item().automatic);
-  EXPECT_EQ(job.choices.item().mode, pipeline::automaticStrategies().front().mode);
+  EXPECT_EQ(job.choices.item().mode, "flat");
+  EXPECT_EQ(job.choices.item().automaticStrategy, pipeline::kTerraced);
   EXPECT_TRUE(job.choices.item().parameters.empty()); // a way's own are not the user's
   // A plan is up to date for the choices that it resulted in.
   pipeline::PlanRequest again = automaticRequest();
@@ -297,7 +301,7 @@ TEST(Automatic, WaysAreNamedByTheirMethod) {
   EXPECT_EQ(names, (std::vector<std::string>{
                        "curved layers", "pieces", "curved layers with supports",
                        "flat layers with supports", "flat layers with supports, 0.5 mm each",
-                       "curved layers on a pedestal"}));
+                       "curved layers on a pedestal", "flat layers"}));
   project::Choices none = automatic();
   none.item().parameters["supports"] = "none";
   for (const project::Choices& strategy : automaticChoices(none))
@@ -316,10 +320,10 @@ TEST(Automatic, TextsForABoxAreConsistent) {
   const pipeline::PlanResult result =
       pipeline::planPart(automaticRequest(), {}, nullptr, {.onStrategy = note});
   expectConsistent(result);
-  EXPECT_EQ(tried, (std::vector<std::string>{"curved layers"}));
-  EXPECT_EQ(base::english(pipeline::chosenText(result.job.report.item())),
-            "Chosen: curved layers (layer height 0.8 mm, supports: none, platform: plate of the "
-            "cell)");
+  EXPECT_EQ(tried, (std::vector<std::string>{"flat layers"}));
+  EXPECT_EQ(
+      base::english(pipeline::chosenText(result.job.report.item())),
+      "Chosen: flat layers (layer height 0.8 mm, supports: none, platform: plate of the cell)");
 }
 
 TEST(Automatic, TextsAreConsistentWhereWaysAreRejected) {
