@@ -138,7 +138,7 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
 void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
   addPlacingOptions(command, request);
   command.add_option("--material", values.material,
-                     "material instead of the process's (see: list materials)");
+                     "material instead of the process's (see: list materials), or FILE.json");
   command
       .add_option(
           "--tool", values.tools,

@@ -23,7 +23,7 @@ void exportMaterial(const std::string& id, const std::filesystem::path& file) {
 }
 
 std::string processTextWith(const std::string& choice, const std::string& material) {
-  const Material chosen = loadMaterial(material);
+  const Material chosen = chosenMaterial(material);
   loadProcess(choice); // reports what is wrong with the process
   const base::DataText data = base::dataText("processes", choice, "unknown process '{id}'"_text);
   auto json = nlohmann::ordered_json::parse(data.text);

@@ -23,7 +23,7 @@ void exportMaterial(const std::string& id, const std::filesystem::path& file);
 
 // Returns the text of a process's file with another material; its density and bridges are then the
 // material's. A material of the user's own is stored within the text, so that projects need no
-// other file. `choice`: as for loadProcess(). Throws as loadProcess() and loadMaterial().
+// other file. `choice`: as for loadProcess(); `material`: as for chosenMaterial(). Throws as both.
 std::string processTextWith(const std::string& choice, const std::string& material);
 
 } // namespace voluta::process

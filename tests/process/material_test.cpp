@@ -257,6 +257,10 @@ TEST_F(OwnMaterials, areImportedUsedAndExported) {
   EXPECT_EQ(readProcessText(text, "a.json").material, m) << "the process needs no other file";
   importMaterial(write(materialText(m)));
   EXPECT_EQ(readProcessText(processTextWith(text, "pla"), "a.json").material, Material());
+  // A file is as good as an id, wherever it lies.
+  const std::string file = folder_ / "other.json";
+  exportMaterial("my-petg", file);
+  EXPECT_EQ(processTextWith("fdm-1.0", file), text);
   EXPECT_EQ(p.bridgeMm, 4.0) << "five bead widths are more than the material bridges";
   EXPECT_EQ(flowLimit(p), 8.0);
   exportMaterial("my-petg", folder_ / "out.json");
