@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stopwatch.h"
+#include "layers/walled_support.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/checked_program.h"
@@ -247,7 +248,7 @@ private:
     MadeToolpaths made = toolpathStage(itemLayers(), *joined, *result_.cell,
                                        project::platformOf(job()), resolved_.tooling, ctx, others);
     grown_ = std::move(made.grown);
-    return withStrength(std::move(made.stage), *joined);
+    return withStrength(withWalledSupport(std::move(made.stage), *joined), *joined);
   }
 
   std::vector<toolpath::ItemLayers> itemLayers() const {
@@ -299,6 +300,18 @@ private:
   }
 
   // Of the first item, whose load is in the frame of its file.
+  std::shared_ptr<const ToolpathStage> withWalledSupport(std::shared_ptr<const ToolpathStage> stage,
+                                                         const layers::LayerStack& joined) {
+    if (stage->report.rimSupportMm3 <= 0.0)
+      return stage;
+    auto walled = layers::walledSupport(*stage->toolPlan, joined, *judgedPart(job(), resolved_));
+    if (!walled)
+      return stage;
+    auto withFinding = std::make_shared<ToolpathStage>(*stage);
+    withFinding->findings.push_back(std::move(*walled));
+    return withFinding;
+  }
+
   std::shared_ptr<const ToolpathStage> withStrength(std::shared_ptr<const ToolpathStage> stage,
                                                     const layers::LayerStack& joined) {
     if (!load_ || first().hasGivenPaths())

@@ -8,6 +8,8 @@
 #include "base/units.h"
 #include "helpers/shapes.h"
 
+#include "plan/tool_plan.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,6 +57,38 @@ TEST(Supports, ColumnsInAClosedHollowGiveAFinding) {
   // The same columns are free where the part is no hollow around them.
   EXPECT_FALSE(layers::walledSupport(sliced.stack, open));
   EXPECT_FALSE(layers::walledSupport(slicePieces({pieceOf(closed)}, {}, {}).stack, closed));
+}
+
+// A bead of support under a bead of the part's own layers.
+TEST(Supports, BeadsInAClosedHollowGiveAFinding) {
+  TriangleMesh closed = test::box({0, 0, 0}, {30, 30, 30});
+  const TriangleMesh open = closed;
+  test::append(closed, test::box({5, 5, 5}, {25, 25, 25}), true);
+  layers::LayerStack stack;
+  stack.patches.resize(2);
+  stack.patches[1].group = layers::kSupportGroup;
+  plan::ToolPlan plan;
+  for (const auto& [x, patch] : {std::pair{10.0, 0}, {40.0, 0}, {15.0, 1}}) {
+    plan::ToolPath path;
+    path.kind = plan::PathKind::Support;
+    path.patch = patch;
+    path.first = plan.position.size();
+    path.count = 3;
+    plan.paths.push_back(path);
+    for (const double y : {10.0, 14.0, 20.0}) {
+      plan.position.emplace_back(x, y, 10.0);
+      plan.widthMm.push_back(1.2F);
+      plan.heightMm.push_back(0.5F);
+    }
+  }
+  const auto walled = layers::walledSupport(plan, stack, closed);
+  ASSERT_TRUE(walled);
+  EXPECT_NEAR(std::get<base::Quantity>(walled->value("volume")->data()).number, 10.0 * 1.2 * 0.5,
+              1e-5)
+      << "only the first is in it";
+  EXPECT_FALSE(layers::walledSupport(plan, stack, open));
+  plan.paths.erase(plan.paths.begin());
+  EXPECT_FALSE(layers::walledSupport(plan, stack, closed));
 }
 
 TEST(Supports, ColumnsUnderAnArmStartOnThePlate) {

@@ -46,7 +46,7 @@ inline constexpr FindingRow kLayersRows[] = {
     info(
         WalledSupport, "walledSupport",
         "support in closed hollows of the part cannot be removed: {volume:.3g}"_text,
-        "open the hollow or turn the part; without supports (`supports=none`) the hollow's roof is unsupported"_text),
+        "open the hollow or turn the part; without supports (`supports=none`, `rimSupports=none`) the hollow's roof is unsupported"_text),
     info(PlaneMisses, "planeMisses", "layer planes miss the part: {planes}"_text,
          "move or remove them"_text),
     info(HeightBeyondLimits, "heightBeyondLimits",
