@@ -17,6 +17,7 @@
 #include "window/library/library_dialog.h"
 #include "window/library/sizes_dialog.h"
 #include "window/log_dialog.h"
+#include "window/manual/manual_window.h"
 #include "window/milling/mill_dialog.h"
 #include "window/run_dialog.h"
 #include "window/shortcuts_dialog.h"
@@ -71,6 +72,7 @@ protected:
            return new window::CompareItemsDialog({item("fdm-1.0"), item("pellet-4")}, 0, 1, w);
          }},
         {"TogetherDialog", [](QWidget* w) { return new window::TogetherDialog({}, w); }},
+        {"ManualWindow", [](QWidget* w) { return new window::ManualWindow(w); }},
         {"LogDialog", [this](QWidget* w) { return new window::LogDialog(path("voluta.log"), w); }},
         {"ShortcutsDialog",
          [this](QWidget* w) {

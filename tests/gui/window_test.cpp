@@ -328,18 +328,21 @@ TEST_F(WindowTest, FitsASmallScreenInEveryLanguage) {
   }
 }
 
-// 1280 x 800 at 150 %: of everything, or of the text alone.
-class NarrowPanelTest : public WindowTest, public testing::WithParamInterface<bool> {
+// 1280 x 800 at 150 %, in a language: of everything, or of the text alone.
+class NarrowPanelTest : public WindowTest,
+                        public testing::WithParamInterface<std::tuple<std::string, bool>> {
 protected:
+  static bool isOfTextAlone() { return std::get<bool>(GetParam()); }
+  static QString language() { return QString::fromStdString(std::get<std::string>(GetParam())); }
   void SetUp() override {
     usual_ = QApplication::font();
     QFont font = usual_;
-    if (GetParam())
+    if (isOfTextAlone())
       font.setPointSizeF(1.5 * usual_.pointSizeF());
     QApplication::setFont(font);
     WindowTest::SetUp();
-    window().resize(GetParam() ? QSize(1280, 800) : QSize(853, 533));
-    find<QAction>("language_it")->trigger();
+    window().resize(isOfTextAlone() ? QSize(1280, 800) : QSize(853, 533));
+    find<QAction>(("language_" + language().toStdString()).c_str())->trigger();
   }
   void TearDown() override {
     find<QAction>("language_en")->trigger();
@@ -353,7 +356,7 @@ protected:
       if (area->isVisible() && area->widget() && !area->widget()->visibleRegion().isEmpty()) {
         EXPECT_LE(area->widget()->width(), area->viewport()->width()) << page;
       }
-    keepPicture(window(), (std::string("narrow-") + page).c_str());
+    keepPicture(window(), ("narrow-" + language().toStdString() + "-" + page).c_str());
   }
 
 private:
@@ -385,9 +388,11 @@ TEST_P(NarrowPanelTest, ScrollsNothingSideways) {
   expectRoomFor(LayerSubject::Pieces);
 }
 
-INSTANTIATE_TEST_SUITE_P(Italian, NarrowPanelTest, testing::Values(false, true),
-                         [](const testing::TestParamInfo<bool>& large) {
-                           return large.param ? "LargeText" : "LargeEverything";
+INSTANTIATE_TEST_SUITE_P(Languages, NarrowPanelTest,
+                         testing::Combine(testing::Values("it", "nl", "nb", "zh"), testing::Bool()),
+                         [](const testing::TestParamInfo<std::tuple<std::string, bool>>& test) {
+                           return std::get<std::string>(test.param) +
+                                  (std::get<bool>(test.param) ? "LargeText" : "LargeEverything");
                          });
 
 TEST_F(WindowTest, AScriptedSessionOfAllPagesUnderTheWatchdog) {

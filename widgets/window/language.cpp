@@ -21,12 +21,20 @@ void removeTranslators() {
   }
 }
 
-void install(const QString& file, const QString& folder) {
+bool install(const QString& name, const QString& language, const QString& folder) {
   auto* translator = new QTranslator(qApp);
-  if (translator->load(file, folder))
-    QCoreApplication::installTranslator(translator);
-  else
-    delete translator;
+  if (translator->load(QLocale(language), name, "_", folder))
+    return QCoreApplication::installTranslator(translator);
+  delete translator;
+  return false;
+}
+
+// Qt's own texts: those of its dialogs and buttons.
+void installTextsOfQt(const QString& language) {
+  const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+  // Qt has one of the two written forms of Norwegian. Words of buttons are mostly the same.
+  if (!install("qtbase", language, folder) && language == "nb")
+    install("qtbase", "nn", folder);
 }
 } // namespace
 
@@ -58,8 +66,8 @@ void chooseLanguage(const QString& code) {
   QLocale::setDefault(QLocale(chosen));
   if (chosen == "en")
     return;
-  install("qtbase_" + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-  install("voluta_" + chosen, kFolder);
+  installTextsOfQt(chosen);
+  install("voluta", chosen, kFolder);
 }
 
 QString wantedLanguage() {

@@ -11,6 +11,7 @@
 #include "window/dialog_fit.h"
 #include "window/flow_bar.h"
 #include "window/log_dialog.h"
+#include "window/manual/manual_window.h"
 #include "window/presenters/findings_presenter.h"
 #include "window/shared_keys.h"
 #include "window/shell_commands.h"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   buildCommands();
   new SharedKeys(*this, viewport());
   new DialogFit(this);
+  new ManualKey(*this);
   listen();
   forms::tabInReadingOrder({pages_->flow(), tree_, findings_, pages_->centres(), pages_->sides()});
   retranslate();
@@ -220,12 +222,19 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "The whole screen"),
        {QKeySequence("F11")},
        [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); }},
+      {"manual",
+       "helpMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Manual"),
+       QT_TRANSLATE_NOOP("Commands", "The page of the manual about what is shown"),
+       {QKeySequence("F1")},
+       [this] { openManual(*this, pages_->page().id()); }},
       {"helpKeys",
        "helpMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "&Keys"),
        QT_TRANSLATE_NOOP("Commands", "All keys at a glance"),
-       {QKeySequence("F1")},
+       {QKeySequence("Shift+F1")},
        [this] { editShortcuts(); }},
       {"showLog",
        "helpMenu",

@@ -1,0 +1,161 @@
+#include "window/manual/manual_pages.h"
+
+#include "base/parameters.h"
+#include "language/parameter_texts.h"
+#include "language/translated.h"
+#include "language/words.h"
+#include "pipeline/stage_options.h"
+#include "plan/finding_kinds.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QHash>
+#include <QRegularExpression>
+#include <QStringList>
+#include <QWidget>
+
+namespace voluta::window {
+
+namespace {
+
+const QUrl kFolder("qrc:/docs/manual/");
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Manual", text);
+}
+
+QUrl settingsUrl() {
+  return kFolder.resolved(QUrl("all_settings.md"));
+}
+QUrl findingsUrl() {
+  return kFolder.resolved(QUrl("all_findings.md"));
+}
+
+QString compiledText(const QUrl& url) {
+  QFile file(":" + url.path());
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+// Returns the pages that a table of contents links to.
+std::vector<ManualPage> linkedPages(const QUrl& contents) {
+  static const QRegularExpression kLink(R"(\[([^\]]+)\]\(([A-Za-z0-9_./]+\.md)\))");
+  std::vector<ManualPage> pages;
+  const QString text = compiledText(contents);
+  for (auto links = kLink.globalMatch(text); links.hasNext();) {
+    const QRegularExpressionMatch link = links.next();
+    const QUrl url = contents.resolved(QUrl(link.captured(2)));
+    const bool isKnown = std::any_of(pages.begin(), pages.end(),
+                                     [&](const ManualPage& page) { return page.url == url; });
+    if (!isKnown && url.adjusted(QUrl::RemoveFilename) == contents.adjusted(QUrl::RemoveFilename))
+      pages.push_back({link.captured(1), url});
+  }
+  return pages;
+}
+
+// Within a cell of a table.
+QString cell(QString text) {
+  return text.replace('|', "\\|").replace('\n', ' ').replace('<', "&lt;").replace('*', "\\*");
+}
+
+QString rangeOf(const base::ParameterSpec& spec) {
+  using language::valueText;
+  switch (spec.type) {
+  case base::ParameterType::Number:
+    return tr("%1 to %2").arg(valueText(spec, spec.minimum), valueText(spec, spec.maximum));
+  case base::ParameterType::Integer:
+    return tr("%1 to %2")
+        .arg(valueText(spec, static_cast<long long>(spec.minimum)),
+             valueText(spec, static_cast<long long>(spec.maximum)));
+  case base::ParameterType::Choice: {
+    QStringList labels;
+    for (const base::Choice& choice : spec.choices)
+      labels << language::heading(choice.label);
+    return labels.join(", ");
+  }
+  default:
+    return {};
+  }
+}
+
+QString settingsText() {
+  QStringList groups;
+  QHash<QString, QStringList> rows;
+  const base::ParameterTable table = pipeline::allParameters();
+  for (const base::ParameterSpec& spec : table.specs()) {
+    const QString group = language::heading(spec.group);
+    if (!rows.contains(group))
+      groups << group;
+    rows[group] << QStringLiteral("| %1 | %2 | %3 | %4 | `%5` |")
+                       .arg(cell(language::heading(spec.label)),
+                            cell(language::translatedHeading(spec.help)), cell(rangeOf(spec)),
+                            cell(language::valueText(spec, spec.defaultValue)),
+                            QString::fromStdString(spec.key));
+  }
+  QStringList text{QStringLiteral("# ") + tr("All settings"), QString()};
+  for (const QString& group : groups)
+    text << QStringLiteral("## ") + group << QString()
+         << QStringLiteral("| %1 | %2 | %3 | %4 | %5 |")
+                .arg(tr("setting"), tr("meaning"), tr("range"), tr("default"), tr("key"))
+         << "|---|---|---|---|---|" << rows[group] << QString();
+  return text.join('\n');
+}
+
+// Returns a reason without its values.
+QString withoutValues(QString sentence) {
+  static const QRegularExpression kValue(R"(\{[^}]*\})");
+  return sentence.replace(kValue, "…");
+}
+
+QString findingsText() {
+  QStringList text{QStringLiteral("# ") + tr("All findings"), QString(),
+                   QStringLiteral("| %1 | %2 |").arg(tr("finding"), tr("what would help")),
+                   "|---|---|"};
+  for (const plan::FindingRow& row : plan::findingRows()) {
+    const QString reason = withoutValues(language::heading(row.reason));
+    if (reason != "…") // the words of somebody else, such as a reader's
+      text << QStringLiteral("| %1 | %2 |")
+                  .arg(cell(reason), cell(withoutValues(language::heading(row.remedy))));
+  }
+  return text.join('\n') + "\n";
+}
+
+} // namespace
+
+std::vector<ManualChapter> manualChapters() {
+  ManualChapter manual{{}, linkedPages(kFolder.resolved(QUrl("README.md")))};
+  manual.pages.insert(manual.pages.begin(), {tr("Contents"), kFolder.resolved(QUrl("README.md"))});
+  manual.pages.push_back({tr("All settings"), settingsUrl()});
+  manual.pages.push_back({tr("All findings"), findingsUrl()});
+  return {std::move(manual),
+          {tr("Algorithms"), linkedPages(QUrl("qrc:/docs/algorithms/README.md"))}};
+}
+
+QString madePage(const QUrl& url) {
+  return url == settingsUrl() ? settingsText() : url == findingsUrl() ? findingsText() : QString();
+}
+
+QString manualText(const QUrl& url) {
+  const QString made = madePage(url);
+  return made.isEmpty() ? compiledText(url) : made;
+}
+
+QUrl manualPageFor(const QWidget* widget, const QString& pageId) {
+  // By the object names of dialogs and panels, and by the ids of pages.
+  static const QHash<QString, QString> kPages{
+      {"prepare", "prepare"},      {"layers", "layers"},         {"simulate", "simulate"},
+      {"export", "export"},        {"compare", "compare"},       {"findingsPanel", "findings"},
+      {"cellEditor", "cell"},      {"touchDialog", "substrate"}, {"measureDialog", "cell"},
+      {"armImportDialog", "cell"}, {"library", "process"},       {"compareItems", "process"},
+      {"headNumbers", "process"},  {"sizes", "process"},         {"togetherDialog", "machines"},
+      {"millDialog", "milling"},   {"verifyDialog", "export"},   {"runDialog", "export"},
+      {"copiesDialog", "prepare"}};
+  const auto page = [&](const QString& name) {
+    return kFolder.resolved(QUrl(kPages.value(name, "README") + ".md"));
+  };
+  for (const QWidget* w = widget; w; w = w->parentWidget())
+    if (kPages.contains(w->objectName()))
+      return page(w->objectName());
+  return page(pageId);
+}
+
+} // namespace voluta::window
