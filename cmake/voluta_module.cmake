@@ -13,7 +13,7 @@ function(voluta_module name)
     PRIVATE $<BUILD_INTERFACE:voluta_flags> ${ARG_PRIVATE_LINK})
   target_precompile_headers(voluta_${name} REUSE_FROM voluta_headers_core)
   set_target_properties(voluta_${name} PROPERTIES EXPORT_NAME ${name})
-  install(TARGETS voluta_${name} EXPORT Voluta ARCHIVE DESTINATION lib/voluta)
+  install(TARGETS voluta_${name} EXPORT Voluta ARCHIVE DESTINATION lib/voluta COMPONENT development)
 endfunction()
 
 # voluta_test(NAME [QT] SOURCES a_test.cpp ... LINK voluta::geometry ... SLOW a_test.cpp ...): bin/test_NAME,

@@ -8,6 +8,7 @@
 #include "cli/mill_command.h"
 #include "cli/option_texts.h"
 #include "cli/pith_command.h"
+#include "cli/reference_command.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
@@ -564,6 +565,7 @@ int run(int argc, char** argv) {
   addList(app, parsed);
   addMill(app, parsed.run, threads);
   addPith(app, parsed.run, threads);
+  addReference(app, parsed.run);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());
   try {

@@ -203,5 +203,6 @@ struct ListOptions {
   bool json = false;
 };
 ExitCode listCommand(const ListOptions& options);
+std::vector<std::string> listedKinds(); // the words of `what`
 
 } // namespace voluta::cli

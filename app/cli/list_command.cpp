@@ -167,10 +167,15 @@ std::string textOf(const Json& row) {
 }
 } // namespace
 
+std::vector<std::string> listedKinds() {
+  std::vector<std::string> kinds;
+  for (const Listing& listing : kListings)
+    kinds.emplace_back(listing.what);
+  return kinds;
+}
+
 ExitCode listCommand(const ListOptions& options) {
-  std::vector<std::string> known;
   for (const Listing& listing : kListings) {
-    known.emplace_back(listing.what);
     if (options.what != listing.what)
       continue;
     const Json rows = listing.rows();
@@ -184,7 +189,7 @@ ExitCode listCommand(const ListOptions& options) {
   }
   throw base::Error(base::ErrorCode::Usage,
                     base::message("cannot list '{what}'"_text, options.what), {},
-                    base::didYouMean(options.what, known));
+                    base::didYouMean(options.what, listedKinds()));
 }
 
 } // namespace voluta::cli

@@ -112,7 +112,11 @@ ChildResult runChild(const std::filesystem::path& program,
 
 std::filesystem::path programBeside(const std::string& name) {
   std::error_code status;
-  return std::filesystem::read_symlink("/proc/self/exe", status).parent_path() / name;
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe", status).parent_path();
+  if (std::filesystem::path beside = folder / name; std::filesystem::exists(beside, status))
+    return beside;
+  return folder.parent_path() / "libexec" / "voluta" / name;
 }
 
 } // namespace voluta::base

@@ -25,8 +25,8 @@ struct ChildLimits {
 ChildResult runChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const ChildLimits& limits);
 
-// Returns the path of a companion program in the folder of this one. runChild reports whether it
-// exists.
+// Returns the path of a companion program: in the folder of this one or, if it is not there, in
+// ../libexec/voluta, where it is installed. runChild reports whether it exists.
 std::filesystem::path programBeside(const std::string& name);
 
 } // namespace voluta::base
