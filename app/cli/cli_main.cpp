@@ -114,8 +114,12 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
   command.add_option("PART", options.parts, kPartHelp)->required();
   command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
   command.add_flag("--as-one", options.asOne,
-                   "a 3MF of several objects is one part; default: a part for each object, in its "
-                   "place in the file");
+                   "a file of several objects (3MF) or solids (STEP, IGES) is one part; default: a "
+                   "part for each, in its place in the file");
+  command.add_option(
+      "--facets", options.facets,
+      "MM or MM,DEGREES: largest distance of facets from the surfaces of a STEP or "
+      "IGES file, and largest angle between them; default: 2 % of the bead width, 5");
   command
       .add_option("--place", options.places,
                   "NUMBER:X,Y,TURN,Z: place of a part in mm, its rotation about z in degrees, and "

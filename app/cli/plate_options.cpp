@@ -5,7 +5,8 @@
 #include "base/units.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/stage_options.h"
-#include "project/file_parts.h"
+#include "process/process.h"
+#include "project/cad_parts.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -81,16 +82,39 @@ void noteTouching(const std::string& file, const std::vector<project::PartInFile
                parts[pair->second].part->name);
 }
 
+// Returns the facets that the option or else the tool's bead asks for, in lengths of the file.
+geometry::Tessellation tessellationOf(const PlateOptions& options,
+                                      const pipeline::PlanRequest& request, double scale) {
+  if (options.facets.empty())
+    return geometry::tessellationFor(
+        process::loadProcess(request.choices.tool().process).beadWidthMm / scale);
+  geometry::Tessellation asked;
+  double degrees = base::radiansToDegrees(asked.angleRad);
+  if ((!base::readNumbers(options.facets, ',', {&asked.chordMm}) &&
+       !base::readNumbers(options.facets, ',', {&asked.chordMm, &degrees})) ||
+      !(asked.chordMm > 0.0) || !(degrees > 0.0 && degrees <= 90.0))
+    throw badText("--facets", options.facets, "MM or MM,DEGREES");
+  asked.angleRad = base::degreesToRadians(degrees);
+  return asked;
+}
+
 // Adds an item for each part of the file.
 void addFile(pipeline::PlanRequest& request, const std::string& file,
              const project::ItemChoices& choices, const PlateOptions& options,
              const base::RunContext& ctx) {
+  const double scale = std::max(project::parsedScale(choices.scale), 0.0);
+  const double factor = scale > 0.0 ? scale : 1.0;
   std::vector<project::PartInFile> parts;
-  if (!options.asOne && project::mayHoldSeveral(file))
-    parts = project::loadParts(file, choices.repair, ctx);
+  if (geometry::isCad(file) || (!options.asOne && project::mayHoldSeveral(file))) {
+    const geometry::Tessellation facets = tessellationOf(options, request, factor);
+    parts = options.asOne ? std::vector{project::PartInFile{
+                                project::loadAsOne(file, choices.repair, facets, ctx), {}}}
+                          : project::loadParts(file, choices.repair, facets, ctx);
+  }
   if (parts.size() < 2) {
+    const auto loaded = geometry::isCad(file) ? parts.front().part : nullptr;
     for (int copy = 0; copy < options.copies; ++copy) {
-      request.items.push_back({file, nullptr});
+      request.items.push_back({file, loaded});
       request.choices.items.push_back(choices);
     }
     return;
@@ -99,10 +123,8 @@ void addFile(pipeline::PlanRequest& request, const std::string& file,
     noteTouching(file, parts);
   project::Choices one = request.choices;
   one.items = {choices};
-  const double scale = project::parsedScale(choices.scale);
   const std::vector<geometry::Placement> places = project::placesInFile(
-      parts, pipeline::unitMm(*parts.front().part, one) * (scale > 0.0 ? scale : 1.0),
-      choices.placement.rotation);
+      parts, pipeline::unitMm(*parts.front().part, one) * factor, choices.placement.rotation);
   for (int copy = 0; copy < options.copies; ++copy)
     for (std::size_t i = 0; i < parts.size(); ++i) {
       request.items.push_back({file, parts[i].part});

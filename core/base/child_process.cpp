@@ -1,5 +1,6 @@
 #include "base/child_process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
@@ -16,16 +17,26 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int kAskMs = 50;
+
+bool isCancelled(const ChildLimits& limits) {
+  return limits.cancelled && limits.cancelled();
+}
+
 // Reads until the output ends or a limit is reached.
-ChildResult::End readAll(int from, Clock::time_point until, std::size_t maxBytes,
+ChildResult::End readAll(int from, Clock::time_point until, const ChildLimits& limits,
                          std::string& output) {
   std::string buffer(1 << 16, '\0');
   while (true) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
     if (left.count() <= 0)
       return ChildResult::End::TimedOut;
+    if (isCancelled(limits))
+      return ChildResult::End::Cancelled;
     pollfd waiting{from, POLLIN, 0};
-    const int ready = ::poll(&waiting, 1, static_cast<int>(left.count()) + 1);
+    const auto longest =
+        limits.cancelled ? std::min<long long>(left.count(), kAskMs) : left.count();
+    const int ready = ::poll(&waiting, 1, static_cast<int>(longest) + 1);
     if (ready < 0 && errno != EINTR)
       return ChildResult::End::Crashed;
     if (ready <= 0)
@@ -35,20 +46,23 @@ ChildResult::End readAll(int from, Clock::time_point until, std::size_t maxBytes
       continue;
     if (n <= 0)
       return ChildResult::End::Exited;
-    if (output.size() + static_cast<std::size_t>(n) > maxBytes)
+    if (output.size() + static_cast<std::size_t>(n) > limits.bytes)
       return ChildResult::End::TooMuchOutput;
     output.append(buffer.data(), static_cast<std::size_t>(n));
   }
 }
 
-// Returns when the child ends; after `until` the child is killed.
-bool ends(pid_t child, Clock::time_point until, int& status) {
+// Returns how the child ends; TimedOut and Cancelled: it still runs.
+ChildResult::End endOf(pid_t child, Clock::time_point until, const ChildLimits& limits,
+                       int& status) {
   while (true) {
     const pid_t done = ::waitpid(child, &status, WNOHANG);
     if (done == child)
-      return true;
+      return ChildResult::End::Exited;
     if ((done < 0 && errno != EINTR) || Clock::now() >= until)
-      return false;
+      return ChildResult::End::TimedOut;
+    if (isCancelled(limits))
+      return ChildResult::End::Cancelled;
     ::usleep(1000);
   }
 }
@@ -90,12 +104,12 @@ ChildResult runChild(const std::filesystem::path& program,
     ::close(pipe[0]);
     return result;
   }
-  result.end = readAll(pipe[0], until, limits.bytes, result.output);
+  result.end = readAll(pipe[0], until, limits, result.output);
   ::close(pipe[0]);
   int status = 0;
-  if (result.end != ChildResult::End::Exited || !ends(child, until, status)) {
-    if (result.end == ChildResult::End::Exited)
-      result.end = ChildResult::End::TimedOut;
+  if (result.end == ChildResult::End::Exited)
+    result.end = endOf(child, until, limits, status);
+  if (result.end != ChildResult::End::Exited) {
     ::kill(child, SIGKILL);
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

@@ -4,13 +4,21 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace voluta::base {
 
 struct ChildResult {
-  enum class End { Exited, Crashed, TimedOut, TooMuchOutput, NotStarted } end = End::NotStarted;
+  enum class End {
+    Exited,
+    Crashed,
+    TimedOut,
+    Cancelled,
+    TooMuchOutput,
+    NotStarted
+  } end = End::NotStarted;
   int code = 0;       // Set with Exited
   std::string output; // Its standard output
 };
@@ -18,6 +26,8 @@ struct ChildResult {
 struct ChildLimits {
   std::chrono::milliseconds time{20000};
   std::size_t bytes = std::size_t(1) << 31; // Of output
+  // Asked every 50 ms; the program is killed once it returns true. Empty: never
+  std::function<bool()> cancelled = {};
 };
 
 // Standard input and error are /dev/null. A program that exceeds a limit is killed. Throws only if

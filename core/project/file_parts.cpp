@@ -5,6 +5,7 @@
 #include "build3mf/build_reader.h"
 #include "geometry/formats/threemf_parts.h"
 #include "geometry/measures.h"
+#include "project/cad_parts.h"
 #include "project/part_formats.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace voluta::project {
 namespace {
 using Eigen::Vector3d;
 
+constexpr double kReadShare = 0.3; // of the progress of loading CAD parts
+
 // Returns a name that can be part of a file name; empty if nothing is left of it.
 std::string fileNameOf(std::string name) {
   std::ranges::replace_if(
@@ -23,12 +26,12 @@ std::string fileNameOf(std::string name) {
   return name.find_first_not_of(". -") == std::string::npos ? std::string() : name;
 }
 
-std::vector<PartInFile> loadedParts(std::vector<geometry::ThreemfPart> parts,
+std::vector<PartInFile> loadedParts(std::vector<geometry::PartOfFile> parts,
                                     const std::string& file, bool repair,
                                     const base::RunContext& ctx) {
   std::vector<PartInFile> loaded;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    geometry::ThreemfPart& part = parts[i];
+    geometry::PartOfFile& part = parts[i];
     const std::string own = fileNameOf(part.name);
     const double from = static_cast<double>(i) / static_cast<double>(parts.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(parts.size());
@@ -49,16 +52,37 @@ bool mayHoldSeveral(const std::string& file) {
 
 std::vector<PartInFile> loadParts(const std::string& part, bool repair,
                                   const base::RunContext& ctx) {
+  return loadParts(part, repair, {}, ctx);
+}
+
+std::vector<PartInFile> loadParts(const std::string& part, bool repair,
+                                  const geometry::Tessellation& tessellation,
+                                  const base::RunContext& ctx) {
+  if (geometry::isCad(part))
+    return loadedParts(geometry::readCadParts(part, tessellation, ctx),
+                       std::filesystem::path(part).filename().string(), repair,
+                       ctx.sub(kReadShare, 1.0));
   if (mayHoldSeveral(part)) {
     const std::string bytes = base::readFile(part);
     if (!build3mf::holdsToolpaths(bytes)) {
-      std::vector<geometry::ThreemfPart> parts = geometry::read3mfParts(bytes, part);
+      std::vector<geometry::PartOfFile> parts = geometry::read3mfParts(bytes, part);
       if (parts.size() > 1)
         return loadedParts(std::move(parts), std::filesystem::path(part).filename().string(),
                            repair, ctx);
     }
   }
   return {{loadPart(part, repair, ctx), Vector3d::Zero()}};
+}
+
+std::shared_ptr<const LoadedPart> loadAsOne(const std::string& part, bool repair,
+                                            const geometry::Tessellation& tessellation,
+                                            const base::RunContext& ctx) {
+  if (!geometry::isCad(part))
+    return loadPart(part, repair, ctx);
+  geometry::MeshFile file = geometry::readCad(part, tessellation, ctx);
+  return loadedFrom(std::filesystem::path(part).filename().string(),
+                    std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)),
+                    std::move(file.repairs), repair, ctx.sub(kReadShare, 1.0));
 }
 
 std::vector<geometry::Placement> placesInFile(std::span<const PartInFile> parts, double scale,

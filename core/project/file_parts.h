@@ -1,4 +1,4 @@
-// The parts of a file that may hold several, e.g. a 3MF.
+// The parts of a file that may hold several: 3MF, STEP, IGES.
 #pragma once
 
 #include "geometry/placement.h"
@@ -22,8 +22,9 @@ struct PartInFile {
 // Returns whether files with this ending may hold several parts.
 bool mayHoldSeveral(const std::string& file);
 
-// Returns the parts of a 3MF (geometry::read3mfParts()), named after their objects; else, and of a
-// 3MF with one part or with tool-paths, the only part, as loadPart() does. Throws as loadPart().
+// Returns the parts of a 3MF (geometry::read3mfParts()) or of a CAD file (project/cad_parts.h), named
+// after their objects; else, and of a 3MF with one part or with tool-paths, the only part, as
+// loadPart() does. Throws as loadPart().
 std::vector<PartInFile> loadParts(const std::string& part, bool repair,
                                   const base::RunContext& ctx);
 

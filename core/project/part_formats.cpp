@@ -6,6 +6,7 @@
 #include "base/run_context.h"
 #include "build3mf/bead_cells.h"
 #include "build3mf/build_reader.h"
+#include "geometry/formats/cad_reader.h"
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/mesh_reader.h"
@@ -29,6 +30,10 @@ void takeMesh(geometry::MeshFile file, LoadedPart& part) {
 
 void readMeshFile(const std::string& file, LoadedPart& part, const base::RunContext&) {
   takeMesh(geometry::readMesh(base::readFile(file), file), part);
+}
+
+void readCadFile(const std::string& file, LoadedPart& part, const base::RunContext& ctx) {
+  takeMesh(geometry::readCad(file, {}, ctx), part);
 }
 
 void readForeignFile(const std::string& file, LoadedPart& part, const base::RunContext&) {
@@ -76,6 +81,10 @@ PartFormat rowOf(const geometry::MeshFormat& mesh) {
     return {mesh.ending, mesh.name, PartContent::Mesh,
             true,        false,     "several parts, or tool-paths (build files)"_text,
             readPackage};
+  if (mesh.cad)
+    return {mesh.ending, mesh.name, PartContent::Mesh,
+            true,        true,      "one or several solids; read by a program of its own"_text,
+            readCadFile};
   if (mesh.foreign())
     return {mesh.ending,    mesh.name, PartContent::Mesh,
             false,          true,      "one mesh; read by a program of its own"_text,

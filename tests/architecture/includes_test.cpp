@@ -176,6 +176,17 @@ TEST(Architecture, HeavyHeadersStayPrivate) {
     }
 }
 
+// A damaged CAD file must not reach a process with a job in it: only the reader's has the kernel.
+TEST(Architecture, OnlyTheReaderOfCadFilesHasTheKernel) {
+  const fs::path root = VOLUTA_SOURCE_DIR;
+  std::set<std::string> folders;
+  for (const char* folder : {"app", "core", "widgets", "tests"})
+    for (const Include& include : includesBelow(root / folder))
+      if (include.target.ends_with(".hxx"))
+        folders.insert(fs::relative(include.file.parent_path(), root).generic_string());
+  EXPECT_EQ(folders, (std::set<std::string>{"app/cad_reader", "tests/cad"}));
+}
+
 // Headers that hundreds of sources include declare the types that they only refer to: an edit of an
 // algorithm's header then compiles little, and each compiler reads little.
 TEST(Architecture, WidelyIncludedHeadersReachNoAlgorithm) {

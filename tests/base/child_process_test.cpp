@@ -39,5 +39,15 @@ TEST(ChildProcess, IsKilledAtItsLimits) {
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(40));
 }
 
+TEST(ChildProcess, IsKilledOnceItIsCancelled) {
+  int asked = 0;
+  const auto afterTwo = [&asked] { return ++asked > 2; };
+  EXPECT_EQ(shell("sleep 60", {.cancelled = afterTwo}).end, End::Cancelled);
+  EXPECT_EQ(asked, 3);
+  asked = 0; // Silent, its output closed
+  EXPECT_EQ(shell("exec >&-; sleep 60", {.cancelled = afterTwo}).end, End::Cancelled);
+  EXPECT_EQ(shell("printf a", {.cancelled = [] { return false; }}).output, "a");
+}
+
 } // namespace
 } // namespace voluta::base

@@ -22,12 +22,12 @@ using Eigen::Vector3d;
 using test::boxMesh, test::model3mf, test::moved, test::object3mf, test::package3mf, test::use3mf;
 using ::testing::HasSubstr;
 
-std::vector<ThreemfPart> partsOf(const std::string& resources, const std::string& build,
+std::vector<PartOfFile> partsOf(const std::string& resources, const std::string& build,
                                  const std::string& unit = "millimeter") {
   return read3mfParts(package3mf(model3mf(resources, build, unit)), "job.3mf");
 }
 
-Eigen::AlignedBox3d boxInFile(const ThreemfPart& part) {
+Eigen::AlignedBox3d boxInFile(const PartOfFile& part) {
   return bounds(part.file.mesh).translated(part.placeMm);
 }
 

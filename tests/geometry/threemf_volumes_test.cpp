@@ -179,7 +179,7 @@ TEST(ThreeMfVolumes, CopiesAreCutEquallyAndNamedOnce) {
                          "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 200 0 0\"/>"),
                    "part.3mf");
   ASSERT_EQ(parts.size(), 3u);
-  for (const ThreemfPart& part : parts)
+  for (const PartOfFile& part : parts)
     EXPECT_NEAR(volume(part.file.mesh), 32'000.0, 1e-6);
   EXPECT_EQ(parts[0].file.mesh.vertices, parts[1].file.mesh.vertices);
   EXPECT_EQ(parts[0].file.repairs.size(), 1u);

@@ -7,6 +7,8 @@
 #include "pipeline/resume.h"
 #include "pipeline/stage_cache.h"
 #include "pipeline/stage_options.h"
+#include "process/process.h"
+#include "project/cad_parts.h"
 #include "project/job.h"
 
 #include <QFileInfo>
@@ -51,11 +53,13 @@ void Opening::addPart(const QString& path) {
   });
 }
 
-Opening::Read Opening::readSeveral(const QString& path, Parts parts, const base::RunContext& ctx) {
+Opening::Read Opening::readSeveral(const QString& path, Parts parts,
+                                   const geometry::Tessellation& facets,
+                                   const base::RunContext& ctx) {
   Read read;
   read.touching = project::touchingParts(parts);
   if (read.touching)
-    read.asOne = project::loadPart(path.toStdString(), false, ctx);
+    read.asOne = project::loadAsOne(path.toStdString(), false, facets, ctx);
   read.parts = std::move(parts);
   return read;
 }
@@ -63,11 +67,14 @@ Opening::Read Opening::readSeveral(const QString& path, Parts parts, const base:
 void Opening::readPart(const QString& path, Take take) {
   giveUpRepair();
   runner_.run(
-      [this, path, take, repair = document_.choices().item().repair](const base::RunContext& ctx,
-                                                                     const jobs::Post& post) {
-        Parts parts = project::loadParts(path.toStdString(), false, ctx.sub(0.0, 0.3));
+      [this, path, take, repair = document_.choices().item().repair,
+       process = document_.jobChoices().tool().process](const base::RunContext& ctx,
+                                                        const jobs::Post& post) {
+        const geometry::Tessellation facets =
+            geometry::tessellationFor(process::loadProcess(process).beadWidthMm);
+        Parts parts = project::loadParts(path.toStdString(), false, facets, ctx.sub(0.0, 0.3));
         if (parts.size() > 1)
-          return readSeveral(path, std::move(parts), ctx.sub(0.3, 1.0));
+          return readSeveral(path, std::move(parts), facets, ctx.sub(0.3, 1.0));
         // `this` is used only in posted functions, which run on the thread of the window.
         const Part asRead = parts.front().part;
         post([this, path, take, parts, asRead, repair] {

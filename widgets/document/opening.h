@@ -14,6 +14,10 @@
 #include <utility>
 #include <vector>
 
+namespace voluta::geometry {
+struct Tessellation;
+}
+
 namespace voluta::document {
 
 class Document;
@@ -74,7 +78,8 @@ private:
     std::optional<std::pair<std::size_t, std::size_t>> touching; // two of them
     Part asOne;                                                  // if two touch
   };
-  static Read readSeveral(const QString& path, Parts parts, const base::RunContext& ctx);
+  static Read readSeveral(const QString& path, Parts parts, const geometry::Tessellation& facets,
+                          const base::RunContext& ctx);
   void readPart(const QString& path, Take take);
   void endReading(const base::Outcome<Read>& outcome, const QString& path, const Take& take);
   void takeSeveral(const Read& read, const QString& path, const Take& take);

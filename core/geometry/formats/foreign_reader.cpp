@@ -2,6 +2,8 @@
 
 #include "base/child_process.h"
 #include "base/error.h"
+#include "base/run_context.h"
+#include "geometry/formats/cad_reader.h"
 #include "geometry/formats/facet_soup.h"
 #include "geometry/formats/mesh_formats.h"
 
@@ -14,6 +16,17 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 using End = base::ChildResult::End;
+
+constexpr double kMmInMetre = 1000.0;
+
+MeshFile readCadIn(const std::filesystem::path& file, ForeignFrame frame,
+                   std::chrono::milliseconds limit) {
+  MeshFile read = readCad(file, {}, {}, limit);
+  if (frame == ForeignFrame::AsWritten)
+    for (Eigen::Vector3d& v : read.mesh.vertices)
+      v /= kMmInMetre;
+  return read;
+}
 
 } // namespace
 
@@ -30,6 +43,8 @@ MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none))
     throw fail("no such file"_text);
+  if (isCad(file))
+    return readCadIn(file, frame, limit);
   const base::ChildResult read = base::runChild(
       base::programBeside("voluta-mesh-reader"),
       {frame == ForeignFrame::Upright ? "upright" : "as-written", file.string()}, {.time = limit});
@@ -39,6 +54,7 @@ MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
   case End::TimedOut:
     throw fail("takes too long to read"_text);
   case End::Crashed:
+  case End::Cancelled:
   case End::TooMuchOutput:
     throw fail("is damaged: the reader failed"_text);
   case End::Exited:

@@ -9,11 +9,20 @@
 namespace voluta::geometry {
 
 namespace {
-constexpr MeshFormat kFormats[] = {{".stl", "STL", readStl}, {".obj", "OBJ", readObj},
-                                   {".ply", "PLY", readPly}, {".off", "OFF", readOff},
-                                   {".3mf", "3MF", read3mf}, {".dae", "COLLADA"},
-                                   {".gltf", "glTF"},        {".glb", "glTF"},
-                                   {".fbx", "FBX"},          {".3ds", "3DS"}};
+constexpr MeshFormat kFormats[] = {{".stl", "STL", readStl},
+                                   {".obj", "OBJ", readObj},
+                                   {".ply", "PLY", readPly},
+                                   {".off", "OFF", readOff},
+                                   {".3mf", "3MF", read3mf},
+                                   {".dae", "COLLADA"},
+                                   {".gltf", "glTF"},
+                                   {".glb", "glTF"},
+                                   {".fbx", "FBX"},
+                                   {".3ds", "3DS"},
+                                   {".step", "STEP", nullptr, true},
+                                   {".stp", "STEP", nullptr, true},
+                                   {".iges", "IGES", nullptr, true},
+                                   {".igs", "IGES", nullptr, true}};
 } // namespace
 
 std::span<const MeshFormat> meshFormats() {

@@ -16,6 +16,7 @@ struct MeshFormat {
   // Reads the content of a file (geometry/formats/facet_soup.h); `file` names it in errors.
   // nullptr: a separate program reads the format (geometry/formats/foreign_reader.h).
   FacetSoup (*read)(std::string_view bytes, const std::string& file) = nullptr;
+  bool cad = false; // solids and surfaces (geometry/formats/cad_reader.h)
 
   bool foreign() const { return !read; }
 };

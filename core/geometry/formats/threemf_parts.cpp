@@ -16,7 +16,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTouchMm = 0.01;
-constexpr std::size_t kMaxParts = 255;
 
 // Pieces that form one part, by index.
 using Group = std::vector<std::size_t>;
@@ -48,7 +47,7 @@ std::vector<std::size_t> touching(const std::vector<TriangleMesh>& meshes) {
 
 // Divides the pieces of one build item, all of `item`, into parts.
 std::vector<Group> partsOf(const std::vector<ThreemfPiece>& pieces, const Group& item) {
-  if (item.size() == 1 || item.size() > kMaxParts)
+  if (item.size() == 1 || item.size() > kMaxPartsOfFile)
     return {item};
   std::vector<TriangleMesh> meshes;
   for (const std::size_t piece : item)
@@ -81,10 +80,10 @@ std::vector<Group> partsOf(const std::vector<ThreemfPiece>& pieces) {
 }
 
 // `isWholeItem`: the group has all pieces of its build item.
-ThreemfPart partOf(const std::vector<ThreemfPiece>& pieces, const Group& group, bool isWholeItem,
-                   const std::string& name) {
+PartOfFile partOf(const std::vector<ThreemfPiece>& pieces, const Group& group, bool isWholeItem,
+                  const std::string& name) {
   const ThreemfPiece& first = pieces[group.front()];
-  ThreemfPart part;
+  PartOfFile part;
   part.name = isWholeItem && !first.itemName.empty() ? first.itemName : first.name;
   part.placeMm = first.mm_T_object.translation();
   FacetSoup soup;
@@ -99,6 +98,14 @@ ThreemfPart partOf(const std::vector<ThreemfPiece>& pieces, const Group& group, 
 }
 } // namespace
 
+void requirePrintable(std::size_t parts, const std::string& file) {
+  if (parts > kMaxPartsOfFile)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("contains {parts} parts, of which {limit} can be printed"_text,
+                                    parts, kMaxPartsOfFile),
+                      file, "open it as one part"_text);
+}
+
 bool touch(const TriangleMesh& a, const TriangleMesh& b) {
   Eigen::AlignedBox3d wide = bounds(a);
   wide.min().array() -= kTouchMm;
@@ -112,17 +119,13 @@ bool touch(const TriangleMesh& a, const TriangleMesh& b) {
          meetingPoint(moved(a, -press), b);
 }
 
-std::vector<ThreemfPart> read3mfParts(std::string_view bytes, const std::string& name) {
+std::vector<PartOfFile> read3mfParts(std::string_view bytes, const std::string& name) {
   const ThreemfBuild build = read3mfBuild(bytes, name);
   const std::vector<Group> groups = partsOf(build.pieces);
   if (groups.size() < 2)
     return {{{}, meshOf(soupOf(build), name), Vector3d::Zero()}};
-  if (groups.size() > kMaxParts)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("contains {parts} parts, of which {limit} can be printed"_text,
-                                    groups.size(), kMaxParts),
-                      name, "open it as one part"_text);
-  std::vector<ThreemfPart> parts;
+  requirePrintable(groups.size(), name);
+  std::vector<PartOfFile> parts;
   for (const Group& group : groups) {
     const std::size_t item = build.pieces[group.front()].item;
     const bool isWholeItem =

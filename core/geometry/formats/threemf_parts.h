@@ -1,26 +1,19 @@
 // The parts of a 3MF file, each as a mesh of its own.
 #pragma once
 
-#include "geometry/formats/mesh_reader.h"
+#include "geometry/formats/part_of_file.h"
 
-#include <Eigen/Core>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace voluta::geometry {
 
-struct ThreemfPart {
-  std::string name; // of its object; empty: none
-  MeshFile file;
-  Eigen::Vector3d placeMm{0.0, 0.0, 0.0}; // of the mesh's origin in the file
-};
-
 // Returns a part for each printed build item. An item that is an assembly is divided into its
 // components if they are apart and begin at the same height; else it is one part. Uses of an object
 // that differ by a translation only have equal meshes. A file of one part: readMesh(), at the
 // origin. Notes about the file are among the repairs of the first part. Throws as readMesh().
-std::vector<ThreemfPart> read3mfParts(std::string_view bytes, const std::string& name);
+std::vector<PartOfFile> read3mfParts(std::string_view bytes, const std::string& name);
 
 // Returns whether two meshes intersect or are at most 0.01 mm apart where they are closest.
 bool touch(const TriangleMesh& a, const TriangleMesh& b);
