@@ -2,8 +2,8 @@
 // facets of its bodies to standard output. CHORD [mm] is the largest distance of a facet from its
 // surface, ANGLE [rad] the largest angle between neighbouring facets of one. Run by
 // geometry/formats/cad_reader.cpp, which explains the output and the exit codes.
-#include "body_facets.h"
-#include "body_tree.h"
+#include "cad_facets.h"
+#include "cad_bodies.h"
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESCAFControl_Reader.hxx>

@@ -1,7 +1,7 @@
 // The facets of a body of a CAD document.
 #pragma once
 
-#include "body_tree.h"
+#include "cad_bodies.h"
 
 #include <array>
 #include <string>

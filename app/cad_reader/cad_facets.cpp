@@ -1,4 +1,4 @@
-#include "body_facets.h"
+#include "cad_facets.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>

@@ -1,4 +1,4 @@
-#include "body_tree.h"
+#include "cad_bodies.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
