@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
@@ -18,6 +19,10 @@
 namespace voluta::test {
 namespace {
 
+QUrl pageNamed(const QString& name) {
+  return QUrl("qrc:/docs/manual/" + name + ".md");
+}
+
 class ManualTest : public WindowTest {
 protected:
   static QTextBrowser* textIn(QWidget& parent) {
@@ -27,7 +32,7 @@ protected:
     QApplication::setActiveWindow(&window()); // there is no window manager that would
     QTest::keyClick(&window(), Qt::Key_F1);
     QTextBrowser* text = textIn(window());
-    return text ? text->source().fileName().toStdString() : "no manual";
+    return text ? QFileInfo(text->source().path()).baseName().toStdString() : "no manual";
   }
   static QStringList shownTitles(const QTreeWidget& contents) {
     QStringList titles;
@@ -42,7 +47,7 @@ TEST_F(ManualTest, OpensAtThePageThatIsShown) {
   for (const char* page :
        {Page::Prepare, Page::Layers, Page::Simulate, Page::Export, Page::Compare}) {
     choosePage(page);
-    ASSERT_EQ(openedPage(), std::string(page) + ".md");
+    ASSERT_EQ(openedPage(), page);
     EXPECT_FALSE(textIn(window())->toPlainText().isEmpty());
     keepPicture(*window().findChild<QDialog*>("manualWindow"),
                 ("manual-" + std::string(page)).c_str());
@@ -58,12 +63,12 @@ TEST_F(ManualTest, OpensInFrontOfADialog) {
     ASSERT_NE(dialog, nullptr);
     QTest::keyClick(dialog, Qt::Key_F1);
     if (QTextBrowser* text = textIn(*dialog))
-      page = text->source().fileName().toStdString();
+      page = QFileInfo(text->source().path()).baseName().toStdString();
     dialog->close();
   });
   find<QAction>("editLibrary")->trigger();
   QTest::qWait(600);
-  EXPECT_EQ(page, "process.md");
+  EXPECT_EQ(page, "process");
 }
 
 TEST_F(ManualTest, FindsPagesBySearchedWords) {
@@ -76,7 +81,7 @@ TEST_F(ManualTest, FindsPagesBySearchedWords) {
   QTest::keyClicks(search, "emergency stop");
   EXPECT_EQ(shownTitles(*contents), QStringList{"Your own cell"});
   QTest::keyClick(search, Qt::Key_Return);
-  EXPECT_EQ(textIn(window())->source().fileName(), "cell.md");
+  EXPECT_EQ(textIn(window())->source(), pageNamed("cell"));
   EXPECT_FALSE(textIn(window())->extraSelections().isEmpty());
   search->clear();
   EXPECT_EQ(shownTitles(*contents).size(), all);
@@ -117,9 +122,9 @@ TEST_F(ManualTest, HasEveryPageWithItsLinksAndPictures) {
 
 TEST_F(ManualTest, MadePagesSpeakTheLanguageOfTheWindow) {
   find<QAction>("language_it")->trigger();
-  const QString italian = window::manualText(QUrl("qrc:/docs/manual/all_settings.md"));
+  const QString italian = window::manualText(pageNamed("all_settings"));
   find<QAction>("language_en")->trigger();
-  const QString english = window::manualText(QUrl("qrc:/docs/manual/all_settings.md"));
+  const QString english = window::manualText(pageNamed("all_settings"));
   EXPECT_TRUE(english.contains("Brim width"));
   EXPECT_FALSE(italian.contains("Brim width"));
   EXPECT_EQ(italian.count('\n'), english.count('\n'));

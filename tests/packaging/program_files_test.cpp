@@ -23,8 +23,8 @@ TEST(InstalledPrograms, AreWholeAndBringNoHeadersOrLibraries) {
     if (entry.is_regular_file())
       files.insert(fs::relative(entry.path(), tree.path()).string());
   for (const char* file :
-       {"bin/voluta", "bin/voluta-cli", "libexec/voluta/voluta-mesh-reader",
-        "share/applications/org.voluta.voluta.desktop",
+       {"bin/voluta", "bin/voluta-cli", "libexec/voluta/voluta-cad-reader",
+        "libexec/voluta/voluta-mesh-reader", "share/applications/org.voluta.voluta.desktop",
         "share/bash-completion/completions/voluta-cli",
         "share/icons/hicolor/scalable/apps/org.voluta.voluta.svg", "share/man/man1/voluta.1",
         "share/man/man1/voluta-cli.1", "share/metainfo/org.voluta.voluta.metainfo.xml",

@@ -18,17 +18,23 @@ namespace voluta::window {
 
 namespace {
 
-const QUrl kFolder("qrc:/docs/manual/");
+QUrl pageOf(const QString& folder, const QString& name) {
+  return QUrl("qrc:/docs/" + folder + "/" + name + ".md");
+}
+QUrl manualPage(const QString& name) {
+  return pageOf("manual", name);
+}
+const QString kContents = "README";
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Manual", text);
 }
 
 QUrl settingsUrl() {
-  return kFolder.resolved(QUrl("all_settings.md"));
+  return manualPage("all_settings");
 }
 QUrl findingsUrl() {
-  return kFolder.resolved(QUrl("all_findings.md"));
+  return manualPage("all_findings");
 }
 
 QString compiledText(const QUrl& url) {
@@ -122,12 +128,11 @@ QString findingsText() {
 } // namespace
 
 std::vector<ManualChapter> manualChapters() {
-  ManualChapter manual{{}, linkedPages(kFolder.resolved(QUrl("README.md")))};
-  manual.pages.insert(manual.pages.begin(), {tr("Contents"), kFolder.resolved(QUrl("README.md"))});
+  ManualChapter manual{{}, linkedPages(manualPage(kContents))};
+  manual.pages.insert(manual.pages.begin(), {tr("Contents"), manualPage(kContents)});
   manual.pages.push_back({tr("All settings"), settingsUrl()});
   manual.pages.push_back({tr("All findings"), findingsUrl()});
-  return {std::move(manual),
-          {tr("Algorithms"), linkedPages(QUrl("qrc:/docs/algorithms/README.md"))}};
+  return {std::move(manual), {tr("Algorithms"), linkedPages(pageOf("algorithms", kContents))}};
 }
 
 QString madePage(const QUrl& url) {
@@ -149,9 +154,7 @@ QUrl manualPageFor(const QWidget* widget, const QString& pageId) {
       {"headNumbers", "process"},  {"sizes", "process"},         {"togetherDialog", "machines"},
       {"millDialog", "milling"},   {"verifyDialog", "export"},   {"runDialog", "export"},
       {"copiesDialog", "prepare"}};
-  const auto page = [&](const QString& name) {
-    return kFolder.resolved(QUrl(kPages.value(name, "README") + ".md"));
-  };
+  const auto page = [&](const QString& name) { return manualPage(kPages.value(name, kContents)); };
   for (const QWidget* w = widget; w; w = w->parentWidget())
     if (kPages.contains(w->objectName()))
       return page(w->objectName());
