@@ -1,12 +1,14 @@
 // voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
 #include "base/data_files.h"
 #include "base/error.h"
+#include "cli/batch_options.h"
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
 #include "cli/joined_values.h"
 #include "cli/mill_command.h"
 #include "cli/option_texts.h"
+#include "cli/own_data_options.h"
 #include "cli/pith_command.h"
 #include "cli/reference_command.h"
 #include "cli/render_command.h"
@@ -225,6 +227,29 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
       return planCommand(values->options);
     };
   });
+}
+
+// Throws CLI::ParseError if these words after "plan" cannot be parsed.
+void requirePlanWords(std::vector<std::string> words) {
+  CLI::App app;
+  Parsed parsed;
+  addPlan(app, parsed, 1);
+  words.insert(words.begin(), "plan");
+  std::reverse(words.begin(), words.end());
+  app.parse(words);
+  requireFiniteNumbers(app);
+}
+
+// Returns the options of plan that take a value, without dashes: cell, mode, ...
+std::vector<std::string> planOptionNames() {
+  CLI::App app;
+  Parsed parsed;
+  addPlan(app, parsed, 1);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_subcommand("plan")->get_options())
+    if (!option->get_lnames().empty() && option->get_items_expected_max() > 0)
+      names.push_back(option->get_lnames().front());
+  return names;
 }
 
 void addCompare(CLI::App& app, Parsed& parsed, int threads) {
@@ -485,56 +510,6 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
                 [&parsed](std::function<ExitCode()> run) { parsed.run = std::move(run); });
 }
 
-void addMaterial(CLI::App& app, Parsed& parsed) {
-  CLI::App* material = app.add_subcommand("material", "set up your own materials");
-  material->require_subcommand(1);
-  auto options = std::make_shared<MaterialOptions>();
-  const auto add = [&](const char* name, const char* help, const char* what,
-                       ExitCode (*run)(const MaterialOptions&)) {
-    CLI::App* command = material->add_subcommand(name, help);
-    command->add_option("MATERIAL", options->material, what)->required();
-    command->callback(
-        [options, run, &parsed] { parsed.run = quick([=] { return run(*options); }); });
-    return command;
-  };
-  const char* any = "material (see: list materials), or FILE.json";
-  add("show", "print a material's file", any, materialShowCommand);
-  add("check", "check a material's file", any, materialCheckCommand);
-  add("import", "copy a file to your own materials", "FILE.json", materialImportCommand);
-  add("export", "write a material to a file", "material (see: list materials)",
-      materialExportCommand)
-      ->add_option("-o", options->file, "FILE.json to write")
-      ->required();
-}
-
-void addProcess(CLI::App& app, Parsed& parsed) {
-  CLI::App* process = app.add_subcommand("process", "set up your own processes");
-  process->require_subcommand(1);
-  auto options = std::make_shared<ProcessOptions>();
-  const auto add = [&](const char* name, const char* help, const char* what,
-                       ExitCode (*run)(const ProcessOptions&)) {
-    CLI::App* command = process->add_subcommand(name, help);
-    if (what)
-      command->add_option("PROCESS", options->process, what)->required();
-    command->callback(
-        [options, run, &parsed] { parsed.run = quick([=] { return run(*options); }); });
-    return command;
-  };
-  const char* any = "process (see: process list), or FILE.json";
-  add("list", "list all processes, marking your own", nullptr, processListCommand);
-  add("show", "print a process's file", any, processShowCommand);
-  add("check", "check a process's file", any, processCheckCommand);
-  add("import", "copy a file to your own processes", "FILE.json", processImportCommand);
-  CLI::App* sizes = add("sizes", "correct sizes from measured parts (see: sample:accuracy-plate)",
-                        any, processSizesCommand);
-  sizes->add_option("TABLE", options->table, "rows: length x 50 49.8; slot y 5 4.8; hole 10 9.6")
-      ->required();
-  sizes->add_option("-o", options->file, "FILE.json to write the process to");
-  add("export", "write a process to a file", "process (see: process list)", processExportCommand)
-      ->add_option("-o", options->file, "FILE.json to write")
-      ->required();
-}
-
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "list the available choices");
@@ -555,6 +530,8 @@ int run(int argc, char** argv) {
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   addPlan(app, parsed, threads);
   addCompare(app, parsed, threads);
+  std::vector<std::string> words = joinedNegativeValues(argc, argv);
+  addBatch(app, parsed.run, threads, {takenPlanWords(words), requirePlanWords, planOptionNames});
   addVerify(app, parsed, threads);
   addCompareRun(app, threads, [&parsed](std::function<ExitCode()> run) { parsed.run = run; });
   addResume(app, parsed, threads);
@@ -564,13 +541,12 @@ int run(int argc, char** argv) {
   addOrient(app, parsed, threads);
   addRobot(app, parsed, threads);
   addCell(app, parsed, threads);
-  addMaterial(app, parsed);
-  addProcess(app, parsed);
+  addMaterial(app, parsed.run);
+  addProcess(app, parsed.run);
   addList(app, parsed);
   addMill(app, parsed.run, threads);
   addPith(app, parsed.run, threads);
   addReference(app, parsed.run);
-  std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());
   try {
     app.parse(words);
