@@ -1,7 +1,7 @@
 // The jobs of a batch: one for each part, or for each part and row of a study.
 #pragma once
 
-#include "cli/batch_command.h"
+#include "cli/batch_request.h"
 
 #include <string>
 #include <utility>
