@@ -87,6 +87,8 @@ std::string facts(const Sheet& sheet) {
 }
 
 std::string checks(const Sheet& sheet) {
+  if (sheet.checks.empty())
+    return {};
   const SheetColours colours;
   std::string text = fmt::format("<h2>{}</h2>\n<table>\n", escapedMarkup(sheet.checksTitle));
   for (const Check& check : sheet.checks) {
@@ -134,6 +136,8 @@ std::string maps(const Sheet& sheet) {
 }
 
 std::string files(const Sheet& sheet) {
+  if (sheet.files.empty())
+    return {};
   std::string text = fmt::format("<h2>{}</h2>\n<table>\n", escapedMarkup(sheet.filesTitle));
   for (const HashedFile& file : sheet.files)
     text +=

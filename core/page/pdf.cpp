@@ -212,6 +212,8 @@ private:
 
   void checks() {
     constexpr double kSign = 4.5, kPlace = 60.0;
+    if (sheet_.checks.empty())
+      return;
     heading(sheet_.checksTitle);
     for (const Check& check : sheet_.checks) {
       const double sentenceWidth = kText - kSign - kPlace - 3.0;
@@ -265,6 +267,8 @@ private:
   }
 
   void files() {
+    if (sheet_.files.empty())
+      return;
     heading(sheet_.filesTitle);
     for (const HashedFile& file : sheet_.files) {
       const std::string name = file.name + "  (" + file.detail + ")";

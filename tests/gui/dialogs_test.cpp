@@ -19,6 +19,9 @@
 #include "window/log_dialog.h"
 #include "window/manual/manual_window.h"
 #include "window/milling/mill_dialog.h"
+#include "window/mnemonics.h"
+#include "window/palette/command_palette.h"
+#include "window/quote/quote_dialog.h"
 #include "window/run_dialog.h"
 #include "window/shortcuts_dialog.h"
 #include "window/together/together_dialog.h"
@@ -98,6 +101,12 @@ protected:
          [this](QWidget* w) {
            return new window::ArmImportDialog(path("missing.urdf"), folder_.path(), w);
          }},
+        {"CommandPalette",
+         [](QWidget* w) {
+           return new window::CommandPalette({{"Open", "File"}, {"Walls", "Prepare"}}, w);
+         }},
+        {"QuoteDialog",
+         [plan](QWidget* w) { return new window::QuoteDialog(plan, "part", "9 × 9 × 5 mm", w); }},
         {"CopiesDialog", [](QWidget* w) { return new window::CopiesDialog(3, w); }},
         {"RunDialog", [=](QWidget* w) { return new window::RunDialog(missing, plan, w); }},
     };
@@ -135,6 +144,19 @@ protected:
   }
 };
 
+// Every button with words and every field with a label is reached by Alt and a letter.
+void expectMnemonics(const QDialog& dialog) {
+  for (const QAbstractButton* button : dialog.findChildren<QAbstractButton*>())
+    if (button->isVisible() && !button->text().isEmpty() && button->text() != u"…") {
+      EXPECT_FALSE(QKeySequence::mnemonic(button->text()).isEmpty())
+          << button->text().toStdString();
+    }
+  for (const QLabel* label : dialog.findChildren<QLabel*>())
+    if (label->isVisible() && label->buddy() && label->textFormat() != Qt::RichText) {
+      EXPECT_FALSE(QKeySequence::mnemonic(label->text()).isEmpty()) << label->text().toStdString();
+    }
+}
+
 TEST_F(DialogsTest, EveryDialogIsWholeOnTheScreen) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   clickToolBar("plan");
@@ -150,8 +172,39 @@ TEST_F(DialogsTest, EveryDialogIsWholeOnTheScreen) {
     expectWhole(*dialog, name);
     keepPicture(*dialog, ("dialog_" + name).c_str());
     EXPECT_FALSE(dialog->windowTitle().isEmpty());
+    EXPECT_EQ(withoutName(*dialog).join("\n").toStdString(), "");
+    expectMnemonics(*dialog);
     dialog->hide();
   }
+}
+
+TEST(Mnemonics, AreDifferentLettersThatBeginWords) {
+  QString used;
+  EXPECT_EQ(window::withMnemonic("&Close", used), "&Close");
+  EXPECT_EQ(window::withMnemonic("Copies", used), "C&opies") << "C is used";
+  EXPECT_EQ(window::withMnemonic("Open the cell", used), "Open &the cell");
+  EXPECT_EQ(window::withMnemonic("Tc", used), "&Tc") << "shared with another";
+  EXPECT_EQ(window::withMnemonic(QStringLiteral("材料"), used), QStringLiteral("材料(&A)"));
+}
+
+TEST_F(DialogsTest, AltAndALetterReachAField) {
+  window::CopiesDialog dialog(3, &window());
+  dialog.open();
+  dialog.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+  const QLabel* label = nullptr;
+  for (const QLabel* one : dialog.findChildren<QLabel*>())
+    if (one->buddy())
+      label = one;
+  ASSERT_NE(label, nullptr);
+  for (auto* button : dialog.findChildren<QAbstractButton*>())
+    if (button->isVisible())
+      button->setFocus();
+  ASSERT_FALSE(label->buddy()->hasFocus());
+  const QChar letter = label->text()[label->text().indexOf('&') + 1];
+  QTest::keyClick(&dialog, letter.toUpper().toLatin1(), Qt::AltModifier);
+  EXPECT_TRUE(label->buddy()->isAncestorOf(QApplication::focusWidget()) ||
+              label->buddy()->hasFocus());
 }
 
 // A dialog that is added is shown by the test above too.

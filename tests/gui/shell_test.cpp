@@ -1,5 +1,6 @@
 // The shell: every page has its place in flow bar, menu and dock, every command in a menu and in
 // the list of keys.
+#include "forms/parameter_form.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "plan/finding_kinds.h"
@@ -18,6 +19,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
@@ -76,6 +78,28 @@ TEST_F(WindowTest, EveryCommandIsInAMenuAndInTheListOfKeys) {
     }
   EXPECT_GT(commands, 45);
   EXPECT_EQ(listed.contains("Undo"), true);
+}
+
+TEST_F(WindowTest, AScreenReaderNamesEveryFieldAndButton) {
+  const auto expectNames = [&](const char* where) {
+    EXPECT_EQ(withoutName(window()).join("\n").toStdString(), "") << where;
+  };
+  expectNames("empty");
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  find<forms::ParameterForm>("parameters")->setShowAll(true);
+  for (const char* id : kPages) {
+    window().pages().show(*window().pages().find(id));
+    QTest::qWait(50);
+    expectNames(id);
+    for (auto* tabs : window().findChildren<QTabWidget*>())
+      for (int tab = 0; tabs->isVisible() && tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
+        QTest::qWait(20);
+        expectNames(id);
+      }
+  }
 }
 
 TEST_F(WindowTest, HelpShowsTheLog) {

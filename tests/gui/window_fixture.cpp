@@ -4,21 +4,31 @@
 
 #include "window/view_tools.h"
 
+#include <QAbstractItemView>
+#include <QAccessible>
 #include <QAction>
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTest>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -184,6 +194,40 @@ void keepPicture(QWidget& of, const char* name) {
     return;
   QTest::qWait(500);
   of.screen()->grabWindow(of.winId()).save(folder + "/" + name + ".png");
+}
+
+namespace {
+// Whether it is a part of another widget, which has the name.
+bool isInside(const QWidget& widget) {
+  for (const QWidget* at = widget.parentWidget(); at; at = at->parentWidget())
+    if (qobject_cast<const QAbstractSpinBox*>(at) || qobject_cast<const QComboBox*>(at) ||
+        qobject_cast<const QAbstractItemView*>(at) || qobject_cast<const QTabBar*>(at) ||
+        qobject_cast<const QKeySequenceEdit*>(at) || qobject_cast<const QLineEdit*>(at))
+      return true;
+  return false;
+}
+} // namespace
+
+QStringList withoutName(const QWidget& top) {
+  QStringList unnamed;
+  for (QWidget* widget : top.findChildren<QWidget*>()) {
+    const bool isUsed =
+        widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(widget);
+    const bool isFrame =
+        qobject_cast<const QScrollArea*>(widget) || qobject_cast<const QScrollBar*>(widget) ||
+        qobject_cast<const QTabWidget*>(widget) || qobject_cast<const QTabBar*>(widget) ||
+        qobject_cast<const QLabel*>(widget) || widget->isWindow();
+    if (!widget->isVisibleTo(&top) || !isUsed || isFrame || isInside(*widget))
+      continue;
+    QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(widget);
+    const QString name = seen ? seen->text(QAccessible::Name) : QString();
+    if (std::ranges::none_of(name, [](QChar letter) { return letter.isLetter(); }))
+      unnamed << QStringLiteral("%1 %2 in %3 %4")
+                     .arg(widget->metaObject()->className(), widget->objectName(),
+                          widget->parentWidget()->metaObject()->className(),
+                          widget->parentWidget()->objectName());
+  }
+  return unnamed;
 }
 
 double differingShare(const QImage& a, const QImage& b) {

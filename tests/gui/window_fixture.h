@@ -95,6 +95,9 @@ private:
 // For who wants to see it: VOLUTA_TEST_PICTURES names a folder.
 void keepPicture(QWidget& of, const char* name);
 
+// Fields and buttons on show in `top` that a screen reader cannot name.
+QStringList withoutName(const QWidget& top);
+
 // Share of pixels that differ between two pictures of one size.
 double differingShare(const QImage& a, const QImage& b);
 

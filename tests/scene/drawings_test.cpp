@@ -189,6 +189,33 @@ TEST(PathsDrawing, LeavesOutBeadsSurroundedByLaterOnes) {
   EXPECT_GT(fast, all / 2 - 1);
 }
 
+TEST(PathsDrawing, HiddenKindsAreLeftOutAndShowTheBeadsThatTheyCover) {
+  plan::ToolPlan plan = block(12, 12, 30);
+  scene::ViewState view;
+  const std::size_t all = total(scene::visibleBeads(*scene::drawPaths(plan), view));
+  // The outermost beads are walls, all others infill.
+  for (plan::ToolPath& path : plan.paths) {
+    const double y = plan.position[path.first].y();
+    path.kind = y < 1.0 || y > 10.0 ? plan::PathKind::Wall : plan::PathKind::Infill;
+  }
+  const auto drawing = scene::drawPaths(plan);
+  EXPECT_EQ(total(scene::visibleBeads(*drawing, view)), all);
+  view.hiddenKinds = 1U << static_cast<unsigned>(plan::PathKind::Wall);
+  std::size_t segments = 0;
+  for (const scene::Stretch& stretch : scene::visibleBeads(*drawing, view))
+    for (std::size_t i = stretch.first / 2; i < (stretch.first + stretch.count) / 2; ++i) {
+      ++segments;
+      EXPECT_EQ(drawing->values.kind[drawing->arrival[i]],
+                static_cast<std::int32_t>(plan::PathKind::Infill));
+    }
+  std::size_t infill = 0;
+  for (const plan::ToolPath& path : plan.paths)
+    infill += path.kind == plan::PathKind::Infill ? path.count - 1 : 0;
+  EXPECT_EQ(segments, infill) << "also those that only walls covered";
+  view.hiddenKinds = ~0U;
+  EXPECT_TRUE(scene::visibleBeads(*drawing, view).empty());
+}
+
 TEST(PathsDrawing, TopLayerIsThereInFullForEveryRange) {
   const plan::ToolPlan plan = block(10, 12, 20);
   const auto drawing = scene::drawPaths(plan);

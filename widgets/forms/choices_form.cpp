@@ -57,6 +57,7 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   platformLabel_->setMinimumHeight(mode_.combo->sizeHint().height());
   grid->addWidget(platformLabel_, 2, 0, Qt::AlignTop);
   grid->addWidget(platform_, 2, 1, 1, 2);
+  platformLabel_->setBuddy(platform_);
   connect(platform_, &PlatformEditor::changed, this,
           [this](const QString& text) { emit changed(QStringLiteral("platform"), text); });
 

@@ -4,13 +4,17 @@
 #include "forms/fold.h"
 #include "forms/icons.h"
 #include "forms/parameter_row.h"
+#include "forms/tab_order.h"
 #include "language/parameter_texts.h"
 #include "language/setting_words.h"
 #include "language/words.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -36,6 +40,11 @@ void ParameterForm::build() {
   search_ = new QLineEdit(this);
   search_->setObjectName(QStringLiteral("search"));
   search_->setClearButtonEnabled(true);
+  search_->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, const QWidget* now) {
+    if (now == search_)
+      beforeSearch_ = before;
+  });
   connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
 
   const auto switchButton = [this](const char* name) {
@@ -215,6 +224,44 @@ void ParameterForm::setShowAll(bool all) {
   filter();
 }
 
+bool ParameterForm::offers(const ParameterRow& row) const {
+  return applies(row.spec().key);
+}
+
+void ParameterForm::reveal(const QWidget& field) {
+  search_->clear();
+  for (const Group& group : groups_)
+    for (const ParameterRow* row : group.rows)
+      if (row->isAncestorOf(&field) && row->isHidden())
+        setShowAll(true);
+}
+
+// The keys of commands do not work while the focus is in a field for typing.
+void ParameterForm::leaveSearch(bool toFound) {
+  QWidget* next = beforeSearch_ && beforeSearch_->isVisible() ? beforeSearch_.data() : window();
+  if (!toFound)
+    search_->clear();
+  else if (!search_->text().isEmpty())
+    for (QWidget* field : inReadingOrder(scroll_))
+      if (field->isVisible() && !qobject_cast<QAbstractButton*>(field) && field != scroll_ &&
+          !qobject_cast<QScrollBar*>(field)) {
+        next = field;
+        break;
+      }
+  next->setFocus(Qt::OtherFocusReason);
+}
+
+bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == search_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter) {
+      leaveSearch(key != Qt::Key_Escape);
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
 void ParameterForm::showSwitch() {
   // Pressed and raised buttons are hard to distinguish in a dark palette.
   for (QToolButton* button : {simple_, all_}) {
@@ -284,6 +331,7 @@ void ParameterForm::mark() {
 
 void ParameterForm::retranslate() {
   search_->setPlaceholderText(tr("Search settings"));
+  search_->setAccessibleName(search_->placeholderText());
   simple_->setText(tr("Simple"));
   simple_->setToolTip(tr("Show the most important and the changed parameters"));
   all_->setText(tr("All"));

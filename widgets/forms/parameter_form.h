@@ -5,6 +5,7 @@
 
 #include "base/parameters.h"
 
+#include <QPointer>
 #include <QStringList>
 #include <QWidget>
 #include <functional>
@@ -57,6 +58,12 @@ public:
   // false: shows only the parameters that every user needs, and changed ones.
   void setShowAll(bool all);
 
+  // Whether the row's parameter affects the result.
+  bool offers(const ParameterRow& row) const;
+  bool isSearching() const { return isSearching_; }
+  // Ends the search and shows all parameters, if the field of the form is hidden without that.
+  void reveal(const QWidget& field);
+
 signals:
   // A value was committed; `text` is accepted by base::parseParameter.
   void changed(const QString& key, const QString& text);
@@ -65,8 +72,10 @@ signals:
 
 protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  void leaveSearch(bool toFound);
   // The first settings and those for research have a group each, beside those of the table.
   enum class Section { First, Table, Research };
   struct Group {
@@ -91,6 +100,7 @@ private:
   std::vector<Group> groups_;
   Search searchHeader_, searchResearch_;
   bool isSearching_ = false;
+  QPointer<QWidget> beforeSearch_; // Had the focus
   QLineEdit* search_ = nullptr;
   QToolButton* simple_ = nullptr;
   QToolButton* all_ = nullptr;

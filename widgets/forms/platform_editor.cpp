@@ -104,6 +104,7 @@ PlatformEditor::PlatformEditor(QWidget* parent) : QWidget(parent) {
     profile_.points = points_->text().trimmed();
     commitProfile();
   });
+  setFocusProxy(kind_);
   setUses({project::PlatformUse::Plate});
   shownText_ = text();
 }

@@ -105,6 +105,12 @@ void FrameForm::retranslate() {
   rotationLabel_->setText(tr("Turn"));
   rotationLabel_->setToolTip(tr("About the fixed X, then Y, then Z axis"));
   sizeLabel_->setText(tr("Edges"));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const QString name = QLatin1String(kAxes[axis]);
+    place_[axis]->setAccessibleName(tr("Place along %1").arg(name));
+    rotation_[axis]->setAccessibleName(tr("Turn about %1").arg(name));
+    size_[axis]->setAccessibleName(tr("Edge along %1").arg(name));
+  }
 }
 
 void FrameForm::changeEvent(QEvent* event) {

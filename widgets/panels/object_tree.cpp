@@ -45,7 +45,7 @@ ObjectTree::ObjectTree(QWidget* parent) : QTreeWidget(parent) {
   expandAll();
   connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
     if (column == kEye)
-      toggle(item);
+      toggle(sceneItemOf(item));
   });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item)
@@ -74,8 +74,36 @@ void ObjectTree::select(SceneItem item) {
   setCurrentItem(entry(item).item);
 }
 
-void ObjectTree::toggle(QTreeWidgetItem* item) {
-  const SceneItem which = sceneItemOf(item);
+std::optional<SceneItem> ObjectTree::sceneItemAt(const QPoint& place) const {
+  const QTreeWidgetItem* item = itemAt(place);
+  return item ? std::optional(sceneItemOf(item)) : std::nullopt;
+}
+
+namespace {
+// Whether one is shown only with the other, or within it.
+bool belongsTo(SceneItem one, SceneItem other) {
+  return one == other || (isOfCell(one) && other == SceneItem::Cell) ||
+         (one == SceneItem::Cell && isOfCell(other));
+}
+} // namespace
+
+bool ObjectTree::isIsolated(SceneItem item) const {
+  for (int i = 0; i < kSceneItemCount; ++i)
+    if (isShown(static_cast<SceneItem>(i)) != belongsTo(static_cast<SceneItem>(i), item))
+      return false;
+  return true;
+}
+
+void ObjectTree::isolate(SceneItem item) {
+  const bool isolated = isIsolated(item);
+  for (int i = 0; i < kSceneItemCount; ++i) {
+    const auto one = static_cast<SceneItem>(i);
+    if (const bool shown = isolated || belongsTo(one, item); shown != isShown(one))
+      toggle(one);
+  }
+}
+
+void ObjectTree::toggle(SceneItem which) {
   setShown(which, !isShown(which));
   emit visibilityChanged(which, isShown(which));
 }
@@ -113,13 +141,14 @@ void ObjectTree::showEntry(SceneItem which) {
 }
 
 void ObjectTree::retranslate() {
+  setAccessibleName(tr("Part and cell"));
   for (int i = 0; i < kSceneItemCount; ++i)
     showEntry(static_cast<SceneItem>(i));
 }
 
 void ObjectTree::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space && currentItem())
-    toggle(currentItem());
+    toggle(sceneItemOf(currentItem()));
   else
     QTreeWidget::keyPressEvent(event);
 }

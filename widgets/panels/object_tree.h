@@ -4,6 +4,7 @@
 #include <QString>
 #include <QTreeWidget>
 #include <array>
+#include <optional>
 
 namespace voluta::panels {
 
@@ -23,6 +24,12 @@ public:
   bool isShown(SceneItem item) const;
   // Emits nothing.
   void select(SceneItem item);
+  std::optional<SceneItem> sceneItemAt(const QPoint& place) const;
+  // As a click on its eye.
+  void toggle(SceneItem item);
+  // Hides all other items, or shows all if they are hidden.
+  void isolate(SceneItem item);
+  bool isIsolated(SceneItem item) const;
 
 signals:
   void visibilityChanged(voluta::panels::SceneItem item, bool shown);
@@ -39,7 +46,6 @@ private:
     bool shown = true;
   };
   Entry& entry(SceneItem item) { return entries_[static_cast<std::size_t>(item)]; }
-  void toggle(QTreeWidgetItem* item);
   void showEntry(SceneItem item);
   void retranslate();
 

@@ -312,6 +312,9 @@ void PlacementPanel::retranslate() {
     rotation_[axis]->setAccessibleName(tr("Rotate %1").arg(name));
     less_[axis]->setToolTip(tr("Rotate by -90° about %1, from the present orientation").arg(name));
     more_[axis]->setToolTip(tr("Rotate by 90° about %1, from the present orientation").arg(name));
+    for (QWidget* quarter :
+         {static_cast<QWidget*>(less_[axis]), static_cast<QWidget*>(more_[axis])})
+      quarter->setAccessibleName(quarter->toolTip());
   }
   percentLabel_->setText(tr("Scale"));
   percent_->setAccessibleName(tr("Scale in percent"));

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -61,7 +62,8 @@ struct ViewState {
   ColourBy colourBy = ColourBy::Layer; // of layers and paths; voxels have their own colours
   // draws paths in the colour of the material, except the current layer, which follows colourBy
   bool materialColour = false;
-  bool beads = true; // draws paths as rounded beads; false: as thin lines
+  std::uint32_t hiddenKinds = 0; // of beads: bit k hides plan::PathKind k
+  bool beads = true;             // draws paths as rounded beads; false: as thin lines
 
   bool sectionOn = false; // cuts part, voxels, layers and paths on the side of the normal
   Eigen::Vector3d sectionOrigin = Eigen::Vector3d::Zero(), sectionNormal = Eigen::Vector3d::UnitX();

@@ -56,6 +56,11 @@ bool isCutOpen(const BeadChunk& chunk, const ViewState& view) {
   return beyond < reach && beyond > -reach - kSectionDepthMm;
 }
 
+bool isHidden(const PathsDrawing& paths, const ViewState& view, std::size_t segment) {
+  const auto kind = static_cast<std::uint32_t>(paths.values.kind[paths.arrival[segment]]);
+  return (view.hiddenKinds >> kind & 1U) != 0;
+}
+
 int layerBeingPrinted(const PathsDrawing& paths, const ViewState& view, const Extent& extent) {
   if (view.printedWaypoints == kAllMoves || paths.pathOf.empty())
     return extent.last;
@@ -72,8 +77,19 @@ std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& vi
   std::vector<Stretch> shown;
   const auto add = [&](int layer, std::size_t from, std::size_t to) {
     const std::size_t end = shownUpTo(paths.arrival, from, to, extent.limit(layer));
-    appendStretch(shown,
-                  {2 * from, 2 * (end - from), view.materialColour && layer != currentLayer});
+    const bool inMaterial = view.materialColour && layer != currentLayer;
+    if (view.hiddenKinds == 0) {
+      appendStretch(shown, {2 * from, 2 * (end - from), inMaterial});
+      return;
+    }
+    for (std::size_t first = from; first < end; ++first) {
+      std::size_t last = first;
+      while (last < end && !isHidden(paths, view, last))
+        ++last;
+      if (last > first)
+        appendStretch(shown, {2 * first, 2 * (last - first), inMaterial});
+      first = last;
+    }
   };
   const int fullFrom = view.dragging ? extent.last - kFullLayers + 1 : extent.first;
   for (int layer = extent.first; layer <= extent.last; ++layer) {
@@ -84,7 +100,9 @@ std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& vi
   for (int layer = extent.first; layer <= extent.last; ++layer) {
     const auto l = static_cast<std::size_t>(layer);
     for (std::size_t c = paths.chunkStart[l]; c < paths.chunkStart[l + 1]; ++c)
-      if (const BeadChunk& chunk = paths.chunks[c]; !extent.hides(chunk) || isCutOpen(chunk, view))
+      if (const BeadChunk& chunk = paths.chunks[c];
+          // Beads of a hidden kind may have covered it.
+          view.hiddenKinds != 0 || !extent.hides(chunk) || isCutOpen(chunk, view))
         add(layer, chunk.first, chunk.first + chunk.count);
   }
   return shown;

@@ -17,6 +17,8 @@ constexpr double kGrooveWidth = 4.0;
 constexpr int kWheelStep = 120; // eighths of a degree per notch
 constexpr int kPage = 10;
 constexpr double kUsualRadiusMm = 888.88;
+constexpr double kRulerLines = 2.5; // Heights of a text between marks of the ruler, at least
+constexpr double kRulerTick = 4.0;  // [px]
 } // namespace
 
 LayerRangeSlider::LayerRangeSlider(QWidget* parent) : QWidget(parent) {
@@ -256,13 +258,59 @@ void LayerRangeSlider::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-void LayerRangeSlider::paintLabel(QPainter& painter, int layer, double y) const {
+QRectF LayerRangeSlider::labelRect(double y) const {
   const double right = grooveRect().center().x() - 0.5 * kHandleWidth - 4.0;
   const int lines = topMm_.empty() ? 1 : 2;
   const double tall = lines * fontMetrics().height();
-  const double top = std::clamp(y - 0.5 * tall, 0.0, height() - tall);
-  painter.drawText(QRectF(0.0, top, right, tall), Qt::AlignRight | Qt::AlignVCenter,
-                   labelOf(layer));
+  return {0.0, std::clamp(y - 0.5 * tall, 0.0, height() - tall), right, tall};
+}
+
+void LayerRangeSlider::paintLabel(QPainter& painter, int layer, double y) const {
+  painter.drawText(labelRect(y), Qt::AlignRight | Qt::AlignVCenter, labelOf(layer));
+}
+
+std::vector<double> LayerRangeSlider::ruledMm() const {
+  if (count_ < 2 || topMm_.size() != static_cast<std::size_t>(count_) ||
+      !std::ranges::is_sorted(topMm_))
+    return {};
+  const double span = topMm_.back() - topMm_.front();
+  const double most = grooveRect().height() / (kRulerLines * fontMetrics().height());
+  if (span <= 0.0 || most < 1.0)
+    return {};
+  // The smallest of 1, 2, 5, 10, 20 ... whose marks have room.
+  double step = std::pow(10.0, std::floor(std::log10(span / most)));
+  for (const double factor : {1.0, 2.0, 5.0, 10.0})
+    if (span / (factor * step) <= most) {
+      step *= factor;
+      break;
+    }
+  std::vector<double> marks;
+  for (double at = std::ceil(topMm_.front() / step); at * step <= topMm_.back(); ++at)
+    marks.push_back(at * step);
+  return marks;
+}
+
+// Between the tops of two layers, as their distances may differ.
+double LayerRangeSlider::yOfTop(double mm) const {
+  const auto above = std::ranges::lower_bound(topMm_, mm);
+  const int layer = static_cast<int>(above - topMm_.begin());
+  if (layer == 0 || above == topMm_.end() || *above <= *(above - 1))
+    return yOf(std::min(layer, count_ - 1));
+  const double share = (mm - *(above - 1)) / (*above - *(above - 1));
+  return yOf(layer - 1) + share * (yOf(layer) - yOf(layer - 1));
+}
+
+void LayerRangeSlider::paintRuler(QPainter& painter, const std::vector<QRectF>& taken) const {
+  const double x = grooveRect().left() - 2.0, line = fontMetrics().height();
+  for (const double mm : ruledMm()) {
+    const double y = yOfTop(mm);
+    const QRectF text(0.0, y - 0.5 * line, x - kRulerTick - 3.0, line);
+    if (std::ranges::any_of(taken, [&](const QRectF& one) { return one.intersects(text); }))
+      continue;
+    painter.drawLine(QPointF(x - kRulerTick, y), QPointF(x, y));
+    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter,
+                     locale().toString(mm, 'g', QLocale::FloatingPointShortest));
+  }
 }
 
 void LayerRangeSlider::paintEvent(QPaintEvent*) {
@@ -297,7 +345,9 @@ void LayerRangeSlider::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(group, QPalette::WindowText));
   const double tall = (topMm_.empty() ? 1.0 : 2.0) * fontMetrics().height();
   double upperLabel = upper - 0.5 * kHandleHeight, lowerLabel = lower + 0.5 * kHandleHeight;
+  std::vector<QRectF> labels;
   if (first_ == last_) {
+    labels = {labelRect(upper)};
     paintLabel(painter, last_, upper);
   } else {
     const double overlap = tall - (lowerLabel - upperLabel);
@@ -305,9 +355,12 @@ void LayerRangeSlider::paintEvent(QPaintEvent*) {
       upperLabel -= 0.5 * overlap;
       lowerLabel += 0.5 * overlap;
     }
+    labels = {labelRect(upperLabel), labelRect(lowerLabel)};
     paintLabel(painter, last_, upperLabel);
     paintLabel(painter, first_, lowerLabel);
   }
+  painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
+  paintRuler(painter, labels);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);

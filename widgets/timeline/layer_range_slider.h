@@ -27,6 +27,9 @@ public:
   void setLayers(int count, std::vector<double> topMm = {}, bool radii = false);
   // Returns the label's text: "12.8 mm", "r 3.75 mm"; empty: not known.
   QString topText(int layer) const;
+  // Returns the heights [mm] that are marked along the groove: round numbers, as many as there is
+  // room for; none if the layers' tops are not known or do not rise.
+  std::vector<double> ruledMm() const;
   // Clamped to [0, layerCount() - 1]; first <= last.
   void setRange(int first, int last);
   void setSingle(bool single);
@@ -60,6 +63,9 @@ private:
   QString labelOf(int layer) const;
   QString topText(double mm, bool radius) const;
   int textWidth(const QString& text) const;
+  double yOfTop(double mm) const;
+  void paintRuler(QPainter& painter, const std::vector<QRectF>& taken) const;
+  QRectF labelRect(double y) const;
   void paintLabel(QPainter& painter, int layer, double y) const;
   void moveHandle(Handle handle, int layer);
   void describe();

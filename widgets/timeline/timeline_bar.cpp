@@ -110,6 +110,7 @@ void TimelineBar::retranslate() {
   name(nextLayer_, steps ? tr("Ten steps forward") : tr("Next layer"),
        keys(Qt::CTRL | Qt::Key_Right));
   name(speed_, tr("Playback speed"), {});
+  setAccessibleName(tr("Time-line"));
   label_->setToolTip(mode_ == BarMode::Time ? tr("Printing time so far / planned time")
                                             : QString());
   slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time")

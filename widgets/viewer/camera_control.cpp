@@ -93,6 +93,10 @@ void CameraControl::zoom(double factor, double x, double y) {
   place(focalPoint() + (1.0 - wanted / distance) * under, a.col(2), wanted);
 }
 
+void CameraControl::lookAt(const Vector3d& focal) {
+  place(focal, axes().col(2), camera()->GetDistance());
+}
+
 void CameraControl::viewFrom(const Vector3d& towardsEye) {
   if (std::abs(towardsEye.normalized().z()) > std::cos(kPoleMargin))
     camera()->SetViewUp(0.0, std::copysign(1.0, towardsEye.z()), 0.0);

@@ -27,6 +27,8 @@ public:
   void zoom(double factor, double x, double y);
   // Looks along -towardsEye at the current focal point, from the current distance.
   void viewFrom(const Eigen::Vector3d& towardsEye);
+  // Moves the camera with its focal point to a place; keeps direction and distance.
+  void lookAt(const Eigen::Vector3d& place);
   // Makes the sphere fill the view; keeps the direction.
   void frame(const Eigen::Vector3d& centre, double radius);
 

@@ -50,6 +50,7 @@ private:
 MachinesView::MachinesView(const scene::Theme& theme, QWidget* parent)
     : VtkView(parent), scene_(theme), camera_(scene_.renderer()), numbers_(new Numbers(this)) {
   setObjectName("machinesView");
+  setAccessibleName(tr("View of the machines"));
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
   addRenderer(scene_.renderer());

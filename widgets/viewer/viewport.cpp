@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QStyleHints>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 #include <vtkRenderer.h>
@@ -53,10 +54,26 @@ private:
   Viewport& viewport_;
 };
 
+namespace {
+class OnResize : public QObject {
+public:
+  OnResize(QObject* parent, std::function<void()> does) : QObject(parent), does_(std::move(does)) {}
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Resize)
+      does_();
+    return QObject::eventFilter(watched, event);
+  }
+
+private:
+  std::function<void()> does_;
+};
+} // namespace
+
 Viewport::Viewport(const scene::Theme& theme, QWidget* parent)
     : VtkView(parent), scene_(theme), camera_(scene_.renderer()), overlay_(new Overlay(this)),
       cube_(new ViewCube(this)) {
   setObjectName("viewport");
+  setAccessibleName(tr("View"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(200, 160);
@@ -133,6 +150,7 @@ void Viewport::setGizmoCentre(const Eigen::Vector3d& centre, const Eigen::Matrix
 void Viewport::setLegendWidget(QWidget* legend) {
   legend_ = legend;
   legend_->setParent(this);
+  legend_->installEventFilter(new OnResize(this, [this] { layOut(); }));
   layOut();
 }
 
@@ -148,8 +166,10 @@ void Viewport::layOut() {
     tools_->move(kMargin, kMargin);
   if (legend_) {
     legend_->adjustSize();
-    legend_->move(kMargin + (tools_ && !tools_->isHidden() ? tools_->width() + kMargin : 0),
-                  kMargin);
+    const int left = kMargin + (tools_ && !tools_->isHidden() ? tools_->width() + kMargin : 0);
+    // Below the cube where there is no room beside it.
+    const bool isWide = left + legend_->width() + kMargin > cube_->x();
+    legend_->move(left, isWide ? cube_->geometry().bottom() + kMargin : kMargin);
   }
 }
 
@@ -215,6 +235,11 @@ void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
 
 void Viewport::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
   scene_.lookAt(pointInWork, radiusMm);
+  moved();
+}
+
+void Viewport::follow(const Eigen::Vector3d& pointInWorld) {
+  camera_.lookAt(pointInWorld);
   moved();
 }
 
@@ -320,6 +345,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   applyDetail();
   if (!dragged_ && event->button() == Qt::LeftButton)
     emit clicked(hitAt(event->position()));
+  if (!dragged_ && event->button() == Qt::RightButton)
+    emit menuAsked(hitAt(event->position()), event->globalPosition().toPoint());
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -43,6 +43,8 @@ public:
   void framePart();
   void viewFrom(const Eigen::Vector3d& towardsEye);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
+  // Keeps a point of the world in the middle of the view, from the same direction and distance.
+  void follow(const Eigen::Vector3d& pointInWorld);
   // As lookAt(), from the direction with the best view of the point; returns what still hides it.
   scene::Sight lookAtClearly(const Eigen::Vector3d& pointInWork, double radiusMm);
   // Returns whether the user has zoomed or moved the camera since frameAll(). Until then it frames
@@ -63,6 +65,8 @@ signals:
   void gizmoStarted();
   // A click without a drag.
   void clicked(const std::optional<voluta::scene::Hit>& hit);
+  // A click with the right button, without a drag.
+  void menuAsked(const std::optional<voluta::scene::Hit>& hit, const QPoint& global);
   // The cursor rests on something.
   void hovered(const std::optional<voluta::scene::Hit>& hit);
   void cameraMoved();

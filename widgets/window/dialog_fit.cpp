@@ -1,5 +1,7 @@
 #include "window/dialog_fit.h"
 
+#include "window/mnemonics.h"
+
 #include <QColorDialog>
 #include <QCoreApplication>
 #include <QDialog>
@@ -46,6 +48,12 @@ DialogFit::DialogFit(QObject* parent) : QObject(parent) {
 }
 
 bool DialogFit::eventFilter(QObject* watched, QEvent* event) {
+  // After a layout too: texts and buttons change while a dialog is open.
+  if (event->type() == QEvent::LayoutRequest ||
+      (event->type() == QEvent::Show && !event->spontaneous()))
+    if (auto* dialog = qobject_cast<QDialog*>(watched);
+        isOurs(dialog) || qobject_cast<QMessageBox*>(watched))
+      giveMnemonics(*dialog);
   if (event->type() == QEvent::Show || event->type() == QEvent::Hide)
     if (auto* dialog = qobject_cast<QDialog*>(watched); isOurs(dialog) && !event->spontaneous()) {
       if (event->type() == QEvent::Show)

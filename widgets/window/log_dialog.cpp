@@ -28,6 +28,7 @@ LogDialog::LogDialog(const QString& file, QWidget* parent) : QDialog(parent) {
   place->setWordWrap(true);
   auto* text = new QPlainTextEdit(this);
   text->setObjectName("logText");
+  text->setAccessibleName(tr("Log"));
   text->setReadOnly(true);
   text->setLineWrapMode(QPlainTextEdit::NoWrap);
   text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -12,7 +12,10 @@
 #include "window/flow_bar.h"
 #include "window/log_dialog.h"
 #include "window/manual/manual_window.h"
+#include "window/object_menus.h"
+#include "window/palette/palette_entries.h"
 #include "window/presenters/findings_presenter.h"
+#include "window/quote/quote_dialog.h"
 #include "window/shared_keys.h"
 #include "window/shell_commands.h"
 #include "window/shortcuts_dialog.h"
@@ -90,8 +93,9 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
       presenter_(new Presenter(document_, area_->viewport(), this)), status_(new StatusLine(this)),
       tree_(new panels::ObjectTree(this)), findings_(new panels::FindingsPanel(this)),
       unrolled_(new UnrolledDock(document_, *presenter_, area_->layers(), this)),
-      summary_(new QLabel(this)), findingsPresenter_(std::make_unique<FindingsPresenter>(
-                                      document_, planning_, live_, *findings_, area_->timeline())),
+      headline_(new QLabel(this)), summary_(new QLabel(this)),
+      findingsPresenter_(std::make_unique<FindingsPresenter>(document_, planning_, live_,
+                                                             *findings_, area_->timeline())),
       commands_(new CommandTable(*this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -103,6 +107,9 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   setStatusBar(status_);
   buildDocks();
   buildCommands();
+  menus_ = new ObjectMenus(
+      {document_, *pages_, *tree_, *commands_, area_->layers(), picture_, viewport(), *presenter_},
+      *findings_, this);
   new SharedKeys(*this, viewport());
   new DialogFit(this);
   new ManualKey(*this);
@@ -144,6 +151,14 @@ void MainWindow::buildDocks() {
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
   summary_->setContentsMargins(10, 6, 10, 6);
+  headline_->setObjectName("headline");
+  headline_->setWordWrap(true);
+  headline_->setContentsMargins(10, 6, 10, 0);
+  QFont bold = headline_->font();
+  bold.setBold(true);
+  headline_->setFont(bold);
+  headline_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(headline_);
   column->addWidget(summary_);
   pageDock_ = dock("pageDock", side, *this, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -194,6 +209,13 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "See and change the keys"),
        {},
        [this] { editShortcuts(); }},
+      {"palette",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "&Find a command or setting…"),
+       QT_TRANSLATE_NOOP("Commands", "Lists commands and settings while you type"),
+       {QKeySequence("Ctrl+K")},
+       [this] { openPalette(); }},
       {"dark",
        "viewMenu",
        2,
@@ -215,6 +237,14 @@ std::vector<Command> MainWindow::ownCommands() {
                        tr("%1 cannot be written. Choose another folder.").arg(file));
          });
        }},
+      {"quote",
+       "exportMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "&Quote…"),
+       QT_TRANSLATE_NOOP("Commands", "Cost of the print, and its page for a customer"),
+       {},
+       [this] { openQuote(); },
+       [this] { return !runs_.headline().isEmpty(); }},
       {"fullScreen",
        "windowMenu",
        2,
@@ -298,6 +328,9 @@ void MainWindow::listen() {
 void MainWindow::showStates() {
   commands_->refresh();
   area_->tools().setVisible(document_.source() && pages_->page().layout().aboutPart);
+  const QString headline = runs_.headline();
+  headline_->setText(headline);
+  headline_->setVisible(!headline.isEmpty());
   summary_->setText(runs_.summary());
   pageDock_->setWindowTitle(pages_->page().title());
   if (std::exchange(pageShown_, &pages_->page()) != &pages_->page())
@@ -340,6 +373,10 @@ void MainWindow::plan(Stage until) {
   }
   if (document_.unusable())
     return;
+  if (until == Stage::Replay && runs_.hasPlanned()) {
+    pages_->show(*pages_->find("export"));
+    return;
+  }
   if (until == Stage::Replay)
     pages_->showResults();
   else
@@ -359,6 +396,22 @@ void MainWindow::editShortcuts() {
   ShortcutsDialog dialog(commands_->actions(), this);
   if (dialog.exec() == QDialog::Accepted)
     commands_->retranslate();
+}
+
+void MainWindow::openPalette() {
+  commands_->refresh();
+  std::vector<PaletteEntry> entries = commandEntries(*commands_);
+  for (PaletteEntry& setting : settingEntries(*pages_))
+    entries.push_back(std::move(setting));
+  (new CommandPalette(std::move(entries), this))->open();
+}
+
+void MainWindow::openQuote() {
+  const Eigen::AlignedBox3d& box = presenter_->partBox();
+  auto* dialog = new QuoteDialog(document_.presentResult(), document_.name(),
+                                 box.isEmpty() ? QString() : sizeText(box.sizes()), this);
+  connect(dialog, &QDialog::finished, this, &MainWindow::showStates); // The prices may be others
+  dialog->open();
 }
 
 void MainWindow::showMessage(const QString& title, const QString& message) {

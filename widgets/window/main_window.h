@@ -30,6 +30,7 @@ class FindingsPanel;
 namespace voluta::window {
 
 class FindingsPresenter;
+class ObjectMenus;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -69,6 +70,8 @@ private:
   void plan(project::Stage until);
   void switchAppearance();
   void editShortcuts();
+  void openPalette();
+  void openQuote();
   void showMessage(const QString& title, const QString& message);
   void retranslate();
   void fitToolBar();
@@ -90,7 +93,8 @@ private:
   panels::ObjectTree* tree_;
   panels::FindingsPanel* findings_;
   UnrolledDock* unrolled_;
-  QLabel* summary_;
+  QLabel *headline_, *summary_;
+  ObjectMenus* menus_ = nullptr;
   std::unique_ptr<FindingsPresenter> findingsPresenter_;
   std::unique_ptr<PageStack> pages_;
   CommandTable* commands_;

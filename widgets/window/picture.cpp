@@ -15,6 +15,7 @@ scene::ViewState Picture::base(const Eigen::AlignedBox3d& partBox) const {
   view.pieceNumbers = look_.pieceNumbers;
   view.colourBy = look_.colourBy;
   view.beads = look_.beads;
+  view.hiddenKinds = look_.colourBy == scene::ColourBy::Kind ? look_.hiddenKinds : 0;
   view.sectionOn = look_.section && !partBox.isEmpty();
   if (view.sectionOn) {
     view.sectionNormal =

@@ -12,9 +12,10 @@
 namespace voluta::window {
 
 struct Look {
-  scene::ColourBy colourBy = scene::ColourBy::Layer;
+  scene::ColourBy colourBy = scene::ColourBy::Kind;
   bool beads = true, pieceNumbers = true;
-  bool arm = false; // whole on the Prepare page too, not dimmed
+  std::uint32_t hiddenKinds = 0; // As ViewState::hiddenKinds
+  bool arm = false;              // whole on the Prepare page too, not dimmed
   bool section = false, sectionFlipped = false;
   int sectionAxis = 0;       // x, y, z
   double sectionPlace = 0.5; // share of the part's bounding box along the axis

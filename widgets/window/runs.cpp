@@ -6,9 +6,11 @@
 #include "panels/listed_findings.h"
 #include "pipeline/plan_verdict.h"
 #include "project/report.h"
+#include "window/quote/quote.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QLocale>
 #include <QSettings>
@@ -258,7 +260,13 @@ std::vector<Command> Runs::commands() {
        part,
        {},
        "plan",
-       BarGroup::Run},
+       BarGroup::Run,
+       [this] {
+         return QCoreApplication::translate("Commands",
+                                            hasPlanned() ? QT_TRANSLATE_NOOP("Commands", "E&xport…")
+                                                         : QT_TRANSLATE_NOOP("Commands", "&Plan"));
+       },
+       [this] { return hasPlanned() ? "export" : "plan"; }},
       {"planLayers",
        "runMenu",
        0,
@@ -293,6 +301,25 @@ std::vector<Command> Runs::commands() {
        {},
        [this] { return live_.enabled(); }},
   };
+}
+
+bool Runs::hasPlanned() const {
+  return document_.source() && !document_.unusable() && !planning_.running() &&
+         document_.upToDate(Stage::Replay);
+}
+
+QString Runs::headline() const {
+  const auto result = planned(document_.presentResult());
+  if (!result || !result->job.trajectory || !document_.upToDate(*result->job.reached))
+    return {};
+  if (quoted_.lock() != result) {
+    quoted_ = result;
+    quote_ = quoteOf(*result, {});
+  }
+  if (!quote_)
+    return {};
+  quote_->prices = quotePrices();
+  return quoteText(*quote_);
 }
 
 void Runs::askForPlan(Stage until) {

@@ -6,10 +6,13 @@
 #include "document/live_preview.h"
 #include "document/opening.h"
 #include "document/planning.h"
+#include "window/quote/quote.h"
 #include "window/window_commands.h"
 
 #include <QObject>
 #include <QString>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace voluta::window {
@@ -28,6 +31,10 @@ public:
   void cancelAll(); // Cancels waiting runs too
   // Returns the figures of the preview or the last plan in one line; empty if there is no part.
   QString summary() const;
+  // Returns time, mass, length and cost of the present plan; empty if it has no motion.
+  QString headline() const;
+  // Whether the programs of the present settings exist, so that there is nothing to plan.
+  bool hasPlanned() const;
 
 signals:
   void planAsked(voluta::project::Stage until); // Requested by the user
@@ -48,6 +55,9 @@ private:
   document::LivePreview& live_;
   document::Comparing& comparing_;
   document::Opening& opening_;
+  // The result quoted last, and its quote: measured once.
+  mutable std::weak_ptr<const pipeline::PlanResult> quoted_;
+  mutable std::optional<PrintQuote> quote_;
 };
 
 } // namespace voluta::window

@@ -33,6 +33,8 @@ ShortcutsDialog::ShortcutsDialog(std::vector<QAction*> actions, QWidget* parent)
   for (const QAction* action : actions_)
     keys_.push_back(action->shortcut());
   search_->setPlaceholderText(tr("Search"));
+  search_->setAccessibleName(search_->placeholderText());
+  table_->setAccessibleName(windowTitle());
   search_->setClearButtonEnabled(true);
   table_->setColumnCount(2);
   table_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
@@ -49,7 +51,10 @@ ShortcutsDialog::ShortcutsDialog(std::vector<QAction*> actions, QWidget* parent)
   column->addWidget(search_);
   column->addWidget(table_, 1);
   auto* editRow = new QHBoxLayout;
-  editRow->addWidget(new QLabel(tr("New key:"), this));
+  auto* editLabel = new QLabel(tr("New key:"), this);
+  editLabel->setBuddy(edit_);
+  edit_->setAccessibleName(tr("New key"));
+  editRow->addWidget(editLabel);
   editRow->addWidget(edit_, 1);
   editRow->addWidget(standard);
   column->addLayout(editRow);

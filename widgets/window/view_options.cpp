@@ -175,6 +175,7 @@ void ViewOptions::retranslate() {
   flip_->setText(tr("Flip"));
   flip_->setToolTip(tr("Remove the other side"));
   place_->setToolTip(tr("Position of the section plane"));
+  place_->setAccessibleName(place_->toolTip());
 }
 
 void ViewOptions::changeEvent(QEvent* event) {
@@ -197,7 +198,7 @@ void ViewOptions::setChoices(const ViewChoices& choices) {
 void ViewOptions::setLook(const Look& look) {
   filling_ = true;
   look_ = look;
-  colourBy_->setCurrentIndex(colourBy_->findData(static_cast<int>(look.colourBy)));
+  colourBy_->setCurrentIndex(shownColouring());
   beads_->setChecked(look.beads);
   section_->setChecked(look.section);
   axis_->setCurrentIndex(look.sectionAxis);
@@ -254,6 +255,14 @@ void ViewOptions::showColourings() {
   for (int i = 0; i < colourBy_->count(); ++i)
     items->item(i)->setEnabled(
         offers(shown_, static_cast<scene::ColourBy>(colourBy_->itemData(i).toInt())));
+  const QSignalBlocker quiet(colourBy_);
+  colourBy_->setCurrentIndex(shownColouring());
+}
+
+// A subject that does not have the chosen colouring is coloured by its layers.
+int ViewOptions::shownColouring() const {
+  const auto shown = offers(shown_, look_.colourBy) ? look_.colourBy : scene::ColourBy::Layer;
+  return colourBy_->findData(static_cast<int>(shown));
 }
 
 void ViewOptions::read() {
@@ -266,7 +275,8 @@ void ViewOptions::read() {
   now.front = front_->isChecked();
   now.ghosts = ghosts_->isChecked();
   Look look = look_;
-  look.colourBy = static_cast<scene::ColourBy>(colourBy_->currentData().toInt());
+  if (colourBy_->currentIndex() != shownColouring())
+    look.colourBy = static_cast<scene::ColourBy>(colourBy_->currentData().toInt());
   look.beads = beads_->isChecked();
   look.section = section_->isChecked();
   look.sectionAxis = axis_->currentIndex();

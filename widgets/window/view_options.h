@@ -58,6 +58,7 @@ private:
   void listen();
   void read();
   void showColourings();
+  int shownColouring() const;
   void retranslate();
 
   ViewChoices choices_;

@@ -131,13 +131,15 @@ void CommandTable::setBarWords(bool words) {
 }
 
 void CommandTable::refresh() {
-  for (const Row& row : rows_) {
+  for (Row& row : rows_) {
     if (row.command.enabled)
       row.action->setEnabled(row.command.enabled());
     if (row.command.checked)
       row.action->setChecked(row.command.checked());
     if (row.command.says)
       row.action->setText(row.command.says());
+    if (row.command.draws)
+      drawIcon(row);
   }
 }
 
@@ -156,9 +158,18 @@ void CommandTable::retranslate() {
 }
 
 void CommandTable::redrawIcons() {
-  for (const Row& row : rows_)
-    if (row.command.icon)
-      row.action->setIcon(icon(row.command.icon, window_.palette()));
+  for (Row& row : rows_) {
+    row.drawn.clear();
+    drawIcon(row);
+  }
+}
+
+void CommandTable::drawIcon(Row& row) {
+  const QString name = QLatin1String(row.command.draws ? row.command.draws() : row.command.icon);
+  if (name.isEmpty() || name == row.drawn)
+    return;
+  row.drawn = name;
+  row.action->setIcon(icon(name, window_.palette()));
 }
 
 std::vector<QAction*> CommandTable::actionsOf(BarGroup group) const {
@@ -179,6 +190,13 @@ QMenu* CommandTable::menu(const QString& id) const {
   const auto at = std::find_if(menus_.begin(), menus_.end(),
                                [&](const Menu& menu) { return menu.row.id == id; });
   return at == menus_.end() ? nullptr : at->menu;
+}
+
+std::vector<QMenu*> CommandTable::menus() const {
+  std::vector<QMenu*> all;
+  for (const Menu& menu : menus_)
+    all.push_back(menu.menu);
+  return all;
 }
 
 std::vector<QAction*> CommandTable::actions() const {

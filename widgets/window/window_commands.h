@@ -35,7 +35,8 @@ struct Command {
   std::function<bool()> checked = {}; // None: not checkable
   const char* icon = nullptr;
   BarGroup bar = BarGroup::None;
-  std::function<QString()> says = {}; // Replaces `text`
+  std::function<QString()> says = {};      // Replaces `text`
+  std::function<const char*()> draws = {}; // Replaces `icon`
 };
 
 // A menu, or a submenu: `in` is then the parent's id and `group` as for a command.
@@ -79,6 +80,7 @@ public:
   std::vector<QAction*> actionsOf(BarGroup group) const;
   QAction* action(const QString& id) const;
   QMenu* menu(const QString& id) const; // Valid after build()
+  std::vector<QMenu*> menus() const;    // Valid after build()
   // In the order of the menus.
   std::vector<QAction*> actions() const;
 
@@ -86,12 +88,14 @@ private:
   struct Row {
     Command command;
     QAction* action;
+    QString drawn = {}; // Name of the icon on show
   };
   struct Menu {
     CommandMenu row;
     QMenu* menu;
   };
   void makeAction(Row& row);
+  void drawIcon(Row& row);
   void fill(const Menu& menu);
   void buildToolBar(QWidget* middle);
   void addToBar(QToolBar& bar, BarGroup first, BarGroup last);

@@ -73,6 +73,7 @@ ArmImportDialog::ArmImportDialog(const QString& urdf, const QString& folder, QWi
   name_->setValidator(new QRegularExpressionValidator(
       QRegularExpression(QStringLiteral("[a-z0-9][a-z0-9._-]*")), name_));
   found_->setObjectName("armFound");
+  found_->setAccessibleName(tr("Found in the file"));
   found_->setReadOnly(true);
   found_->setMinimumSize(60 * fontMetrics().averageCharWidth(), 12 * fontMetrics().height());
   progress_->setRange(0, kSteps);

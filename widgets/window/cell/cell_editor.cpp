@@ -166,6 +166,7 @@ QWidget* CellEditor::buildBodies() {
   auto* bodies = new QWidget(this);
   tree_ = new BodyTree(bodies);
   tree_->setObjectName("cellBodies");
+  tree_->setAccessibleName(tr("Bodies of the cell"));
   tree_->setMinimumHeight(kTreeHeight);
   frameOf_ = new QLabel(bodies);
   frame_ = new panels::FrameForm(bodies);

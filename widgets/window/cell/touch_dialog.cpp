@@ -58,6 +58,7 @@ TouchDialog::TouchDialog(const Eigen::Vector2d& modelCentre, QWidget* parent)
                            this);
   words->setWordWrap(true);
   text_->setObjectName("touchPoints");
+  text_->setAccessibleName(tr("Touched points"));
   text_->setPlaceholderText(QStringLiteral("-14.1 14.2\n0.05 20.1\n14.2 14.1"));
   text_->setTabChangesFocus(true);
   found_->setObjectName("touchFound");

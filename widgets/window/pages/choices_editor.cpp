@@ -13,6 +13,7 @@
 #include "robot/cell.h"
 #include "window/data_labels.h"
 #include "window/library/library_dialog.h"
+#include "window/quote/quote.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -68,7 +69,7 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   return parts.join(QStringLiteral(", "));
 }
 
-// Returns e.g. "1.27 g/cm³, nozzle 240 °C, plate 80 °C, fan 50 %, 24 per kg".
+// Returns e.g. "1.27 g/cm³, nozzle 240 °C, plate 80 °C, fan 50 %, $24.00/kg".
 QString materialFacts(const process::Material& m) {
   const QLocale locale;
   QStringList facts{ChoicesEditor::tr("%1 g/cm³").arg(locale.toString(m.densityGPerCm3))};
@@ -80,7 +81,7 @@ QString materialFacts(const process::Material& m) {
   if (m.maxFlowMm3PerS)
     facts << ChoicesEditor::tr("up to %1 mm³/s").arg(locale.toString(*m.maxFlowMm3PerS));
   if (m.pricePerKg > 0.0)
-    facts << ChoicesEditor::tr("%1 per kg").arg(locale.toString(m.pricePerKg));
+    facts << ChoicesEditor::tr("%1/kg").arg(moneyText(m.pricePerKg));
   if (!m.notes.empty())
     facts << named(m.notes);
   return facts.join(QStringLiteral(", "));

@@ -110,6 +110,12 @@ void PageStack::listenToPresenter() {
         !workspace_.viewport.isCameraTheUsers())
       workspace_.viewport.frameAll();
   });
+  connect(presenter, &Presenter::statisticsReady, this, &PageStack::showLegend);
+  connect(&legend_, &LegendView::entryClicked, this, [this](int kind) {
+    Look look = workspace_.picture.look();
+    look.hiddenKinds ^= 1U << kind;
+    workspace_.picture.setLook(look);
+  });
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
@@ -163,6 +169,13 @@ std::vector<Command> PageStack::commands() {
                    {QKeySequence(QString("F%1").arg(key++))},
                    [this, page = page.get()] { show(*page); }});
   }
+  return all;
+}
+
+std::vector<Page*> PageStack::all() const {
+  std::vector<Page*> all;
+  for (const auto& page : pages_)
+    all.push_back(page.get());
   return all;
 }
 
@@ -251,9 +264,30 @@ void PageStack::showView() {
     workspace_.viewport.frameAll();
   unrolled_.showProgress(page_->printProgress());
   page_->drawn();
-  legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()
-                                                           : scene::Legend{});
+  showLegend();
   showBadge();
+}
+
+// Beads by kind have their statistics beside them: those of a layer that is shown alone, else of
+// the whole print.
+void PageStack::showLegend() {
+  const scene::ViewState& view = workspace_.viewport.view();
+  if (!isColoured(view)) {
+    legend_.setLegend({});
+    return;
+  }
+  LegendFigures figures;
+  const auto& statistics = workspace_.presenter.statistics();
+  if (view.paths && view.colourBy == scene::ColourBy::Kind && statistics) {
+    const auto layer = static_cast<std::size_t>(std::max(0, view.firstLayer));
+    const PrintStatistics& of = statistics->figures;
+    const bool single =
+        view.firstLayer == view.lastLayer && layer < of.layers.size() && of.layers.size() > 1;
+    figures = single ? legendFigures(of.layers[layer], tr("Layer %1").arg(layer + 1),
+                                     workspace_.picture.look().hiddenKinds)
+                     : legendFigures(of.whole, tr("Total"), workspace_.picture.look().hiddenKinds);
+  }
+  legend_.setLegend(workspace_.viewport.scene().legend(), figures);
 }
 
 // Shows a badge if the view is for other settings than the present ones.

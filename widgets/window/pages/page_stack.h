@@ -32,12 +32,14 @@ public:
 
   Page& page() const { return *page_; }
   Page* find(const QString& id) const; // null: unknown
+  std::vector<Page*> all() const;
   void show(Page& page) override;
   void showFirst() { show(*pages_.front()); }
   void showPageOf(project::Stage stage);
   // Shows the page on which planned results appear; stays on a page that shows some of them.
   void showResults();
   void goTo(const plan::Finding& finding);
+  void showTime(double timeS) { workspace_.timeline.setTimeS(timeS); }
   void chooseWaypoint(std::optional<std::size_t> waypoint) override;
   void showView() override;
   void showStates() override;
@@ -61,6 +63,7 @@ private:
   void listenToPresenter();
   void listenToBars();
   void showBadge();
+  void showLegend();
   void lookAtMarker(const Eigen::Vector3d& place);
   void keepPlatformInView(const Eigen::Vector3d& sizeMm);
   void forInputs(const std::function<void(ViewportInput&)>& does);

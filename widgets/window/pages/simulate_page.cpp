@@ -1,8 +1,11 @@
 #include "window/pages/simulate_page.h"
 
+#include "base/units.h"
 #include "document/document.h"
 #include "motion/resumed_motion.h"
+#include "panels/cursor_info.h"
 #include "panels/resume_bar.h"
+#include "pipeline/checked_program.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "robot/cell.h"
@@ -11,6 +14,7 @@
 #include "window/pages/cell_view.h"
 #include "window/pages/resumable.h"
 #include "window/presenters/presenter.h"
+#include "window/program_preview.h"
 #include "window/run_dialog.h"
 #include "window/together/together_dialog.h"
 
@@ -36,18 +40,35 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   resume_->setContentsMargins(6, 0, 6, 4);
   solids_ = new QCheckBox(side_);
   solids_->setObjectName("simulateSolids");
+  follow_ = new QCheckBox(side_);
+  follow_->setObjectName("followNozzle");
+  cursor_ = new panels::CursorInfo(side_);
+  cursor_->setObjectName("cursorInfo");
+  lines_ = new ProgramPreview(this);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(6, 4, 6, 0);
   row->addWidget(solids_);
+  row->addWidget(follow_);
   auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
+  column->addWidget(cursor_);
   column->addWidget(area, 1);
   column->addWidget(resume_);
   timeline::TimelineBar* bar = &work().timeline;
   connect(bar, &timeline::TimelineBar::timeChanged, plots_, &timeline::JointPlots::setTimeS);
   connect(plots_, &timeline::JointPlots::timeClicked, bar, &timeline::TimelineBar::setTimeS);
   connect(solids_, &QCheckBox::toggled, this, [this] { work().shell.showView(); });
+  connect(bar, &timeline::TimelineBar::timeChanged, this, [this] {
+    showCursor();
+    followNozzle();
+  });
+  connect(follow_, &QCheckBox::toggled, this, &SimulatePage::followNozzle);
+  connect(lines_, &ProgramPreview::linesReady, this, &SimulatePage::showCursor);
+  connect(&work().document, &document::Document::resultChanged, this, [this](Stage stage) {
+    if (stage == Stage::Replay)
+      showProgram();
+  });
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
   connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
   connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
@@ -158,10 +179,13 @@ void SimulatePage::resume() {
 void SimulatePage::retranslate() {
   solids_->setText(tr("Collision solids"));
   solids_->setToolTip(tr("Shows the solids used for collision checks over the arm"));
+  follow_->setText(tr("Follow the nozzle"));
+  follow_->setToolTip(tr("Keeps the nozzle in the middle of the view"));
   showResume();
 }
 
 void SimulatePage::entered() {
+  showCursor();
   showRunPlaces();
 }
 
@@ -177,7 +201,78 @@ void SimulatePage::showMotion() {
   }
   plots_->setTrajectory(clock ? clock->trajectory() : nullptr, std::move(limits),
                         std::move(externalAxes));
+  showProgram();
   showResume();
+}
+
+// Of the first format, as the programs of one plan have the same motion.
+void SimulatePage::showProgram() {
+  const auto& clock = work().presenter.clock();
+  const auto replay = work().document.result(Stage::Replay);
+  const auto trajectory = clock ? clock->trajectory() : nullptr;
+  texts_.clear();
+  if (replay && !replay->checked.empty() && replay->job.trajectory == trajectory) {
+    const auto& checked = replay->checked.front();
+    lines_->setProgram(checked, trajectory);
+    for (const plan::ProgramFile& file : checked->program.files)
+      texts_.emplace_back(std::shared_ptr<const std::string>(checked, &file.text));
+  } else {
+    lines_->setProgram(nullptr, nullptr);
+  }
+  showCursor();
+}
+
+QString SimulatePage::programLine(std::size_t& number) const {
+  const auto at = lines_->lineAt(*work().presenter.clock(), work().timeline.timeS());
+  if (!at || at->file >= texts_.size() || at->line == 0 || at->line > texts_[at->file].count())
+    return {};
+  number = at->line;
+  const std::string_view text = texts_[at->file].line(at->line - 1);
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).trimmed();
+}
+
+void SimulatePage::showCursor() {
+  if (!isShown())
+    return;
+  const auto& clock = work().presenter.clock();
+  const auto motion = work().document.result(Stage::Motion);
+  if (!clock || clock->empty() || !motion || !motion->cell) {
+    cursor_->setFacts(std::nullopt);
+    return;
+  }
+  const robot::Cell& cell = *motion->cell;
+  const double now = work().timeline.timeS();
+  const robot::JointVector joints = clock->jointsAt(now);
+  const Eigen::Isometry3d work_T_tool = cell.work_T_tool(joints);
+  panels::CursorFacts facts;
+  facts.line = programLine(facts.lineNumber);
+  facts.tipMm = work_T_tool.translation();
+  // The nozzle's z axis points out of it.
+  facts.tiltDeg =
+      base::radiansToDegrees(std::acos(std::clamp(std::abs(work_T_tool.linear()(2, 2)), 0.0, 1.0)));
+  constexpr double kStepS = 1e-3;
+  const double from = std::max(0.0, now - kStepS), to = std::min(clock->durationS(), now + kStepS);
+  if (to > from)
+    facts.speedMmPerS = (cell.work_T_tool(clock->jointsAt(to)).translation() -
+                         cell.work_T_tool(clock->jointsAt(from)).translation())
+                            .norm() /
+                        (to - from);
+  for (Eigen::Index i = 0; i < joints.size(); ++i) {
+    const bool slides =
+        cell.limits()[static_cast<std::size_t>(i)].kind == robot::JointKind::Sliding;
+    facts.joints.push_back({slides ? joints[i] : base::radiansToDegrees(joints[i]), slides});
+  }
+  cursor_->setFacts(facts);
+}
+
+void SimulatePage::followNozzle() {
+  const auto& clock = work().presenter.clock();
+  const auto motion = work().document.result(Stage::Motion);
+  if (!isShown() || !follow_->isChecked() || !clock || clock->empty() || !motion || !motion->cell)
+    return;
+  const robot::JointVector joints = clock->jointsAt(work().timeline.timeS());
+  work().viewport.follow(motion->cell->base_T_work(joints) *
+                         motion->cell->work_T_tool(joints).translation());
 }
 
 void SimulatePage::draw(scene::ViewState& view) {

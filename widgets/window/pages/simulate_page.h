@@ -1,6 +1,7 @@
 // Simulate page: the robot's motion with synchronized joint plots.
 #pragma once
 
+#include "panels/text_lines.h"
 #include "pipeline/plan_result.h"
 #include "record/run_comparison.h"
 #include "window/pages/page.h"
@@ -8,13 +9,16 @@
 class QCheckBox;
 
 namespace voluta::panels {
+class CursorInfo;
 class ResumeBar;
-}
+} // namespace voluta::panels
 namespace voluta::timeline {
 class JointPlots;
 }
 
 namespace voluta::window {
+
+class ProgramPreview;
 
 class SimulatePage : public Page, public ViewportInput {
   Q_OBJECT
@@ -53,9 +57,17 @@ private:
   void showResume();
   void resume();
   void goToTimeOf(std::size_t waypoint);
+  void showProgram();
+  void showCursor();
+  void followNozzle();
+  QString programLine(std::size_t& number) const;
 
   timeline::JointPlots* plots_;
   QCheckBox* solids_; // over the arm
+  QCheckBox* follow_; // the nozzle, by the camera
+  panels::CursorInfo* cursor_;
+  ProgramPreview* lines_;
+  std::vector<panels::TextLines> texts_; // of the program's files
   panels::ResumeBar* resume_;
   std::vector<record::ErrorPlace> runPlaces_; // of the run compared last with this motion
   QWidget* side_;

@@ -30,6 +30,7 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
   connect(&print_, &PrintPresenter::pathsDrawn, this, &Presenter::pathsDrawn);
   connect(&print_, &PrintPresenter::motionReady, this, &Presenter::motionReady);
   connect(&print_, &PrintPresenter::factsReady, this, &Presenter::factsReady);
+  connect(&print_, &PrintPresenter::statisticsReady, this, &Presenter::statisticsReady);
 }
 
 Presenter::~Presenter() = default;

@@ -40,6 +40,7 @@ public:
   // Of the motion, if it is for the chosen cell; null: there is none.
   const std::shared_ptr<const timeline::Clock>& clock() const { return print_.clock(); }
   const std::shared_ptr<const LayerFacts>& facts() const { return print_.facts(); }
+  const std::shared_ptr<const ShownStatistics>& statistics() const { return print_.statistics(); }
   // Returns the waypoints of a layer in print order, as counted by moves.
   const std::vector<std::uint32_t>& waypointsOf(int layer) const {
     return print_.waypointsOf(layer);
@@ -59,6 +60,7 @@ signals:
   void pathsDrawn();
   void motionReady();
   void factsReady();
+  void statisticsReady();
 
 private:
   void drawVoxels(); // of the preview if there is one

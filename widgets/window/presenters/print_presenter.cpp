@@ -21,7 +21,8 @@ scene::HeightLimits heightLimits(const process::Process& process) {
 PrintPresenter::PrintPresenter(document::Document& document, viewer::Viewport& viewport)
     : document_(document), viewport_(viewport), drawingLayers_(std::make_unique<jobs::JobRunner>()),
       drawingPaths_(std::make_unique<jobs::JobRunner>()),
-      gathering_(std::make_unique<jobs::JobRunner>()) {
+      gathering_(std::make_unique<jobs::JobRunner>()),
+      measuring_(std::make_unique<jobs::JobRunner>()) {
   connect(&document, &document::Document::resultChanged, this, &PrintPresenter::show);
   connect(&document, &document::Document::choicesChanged, this, &PrintPresenter::followCell);
 }
@@ -34,7 +35,8 @@ const std::vector<std::uint32_t>& PrintPresenter::waypointsOf(int layer) const {
 }
 
 bool PrintPresenter::busy() const {
-  return drawingLayers_->running() || drawingPaths_->running() || gathering_->running();
+  return drawingLayers_->running() || drawingPaths_->running() || gathering_->running() ||
+         measuring_->running();
 }
 
 void PrintPresenter::show(Stage stage) {
@@ -61,6 +63,8 @@ void PrintPresenter::drop(Stage stage) {
     emit layersDrawn();
   } else if (stage == Stage::Toolpath) {
     drawingPaths_->cancel();
+    measuring_->cancel();
+    statistics_.reset();
     viewport_.scene().setPaths(nullptr);
     paths_.reset();
     pathLayers_ = 0;
@@ -106,6 +110,7 @@ void PrintPresenter::drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan
         if (std::exchange(clock_, nullptr)) // of the previous paths
           emit motionReady();
         gatherFacts();
+        measureKinds();
       });
 }
 
@@ -153,6 +158,27 @@ void PrintPresenter::drawMotion() {
         swapPaths(made.first);
         emit motionReady();
         gatherFacts();
+        measureKinds();
+      });
+}
+
+void PrintPresenter::measureKinds() {
+  const auto paths = document_.result(Stage::Toolpath);
+  if (!paths || !paths->job.toolPlan)
+    return;
+  const auto plan = paths->job.toolPlan;
+  const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
+  inBackground(
+      *measuring_,
+      [plan, clock, tooling = paths->tooling()] {
+        auto made = std::make_shared<ShownStatistics>();
+        made->of = plan;
+        made->figures = printStatistics(*plan, tooling, clock.get());
+        return std::shared_ptr<const ShownStatistics>(made);
+      },
+      [this](auto&& made) {
+        statistics_ = made;
+        emit statisticsReady();
       });
 }
 

@@ -6,6 +6,7 @@
 #include "panels/layer_info.h"
 #include "timeline/clock.h"
 #include "viewer/viewport.h"
+#include "window/kind_statistics.h"
 #include "window/layer_spacing.h"
 #include "window/presenters/job_layers.h"
 
@@ -24,6 +25,12 @@ struct LayerFacts {
   LayerSpacing spacing;
 };
 
+// Of the shown tool-paths.
+struct ShownStatistics {
+  std::shared_ptr<const plan::ToolPlan> of;
+  PrintStatistics figures;
+};
+
 class PrintPresenter : public QObject {
   Q_OBJECT
 
@@ -37,6 +44,8 @@ public:
   int pathLayers() const { return pathLayers_; }
   const std::shared_ptr<const timeline::Clock>& clock() const { return clock_; }
   const std::shared_ptr<const LayerFacts>& facts() const { return facts_; }
+  // Null: not known yet.
+  const std::shared_ptr<const ShownStatistics>& statistics() const { return statistics_; }
   // Returns the waypoints of a layer in print order, as counted by moves.
   const std::vector<std::uint32_t>& waypointsOf(int layer) const;
   bool busy() const;
@@ -46,6 +55,7 @@ signals:
   void pathsDrawn();
   void motionReady();
   void factsReady();
+  void statisticsReady();
 
 private:
   void show(project::Stage stage);
@@ -59,12 +69,14 @@ private:
   void followCell();
   void drawMotion();
   void gatherFacts();
+  void measureKinds();
 
   document::Document& document_;
   viewer::Viewport& viewport_;
-  std::unique_ptr<jobs::JobRunner> drawingLayers_, drawingPaths_, gathering_;
+  std::unique_ptr<jobs::JobRunner> drawingLayers_, drawingPaths_, gathering_, measuring_;
   std::shared_ptr<const timeline::Clock> clock_;
   std::shared_ptr<const LayerFacts> facts_;
+  std::shared_ptr<const ShownStatistics> statistics_;
   std::shared_ptr<const scene::PathsDrawing> paths_;
   // Last drawn, so that the same data are not drawn twice.
   JobLayers drawnLayers_;

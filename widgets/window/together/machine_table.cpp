@@ -26,6 +26,7 @@ std::array<double, 4> valuesOf(const Eigen::Isometry3d& place) {
 
 MachineTable::MachineTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
   setObjectName("machineTable");
+  setAccessibleName(tr("Machines"));
   setHorizontalHeaderLabels({tr("Job"), tr("Cell"), QStringLiteral("X"), QStringLiteral("Y"),
                              QStringLiteral("Z"), tr("Turn")});
   setSelectionBehavior(QAbstractItemView::SelectRows);

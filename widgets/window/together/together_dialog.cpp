@@ -106,6 +106,7 @@ QWidget* TogetherDialog::buildSide() {
   places_->setWordWrap(true);
   places_->setMinimumHeight(kRows * (fontMetrics().height() + 6));
   placesTitle_->setBuddy(places_);
+  places_->setAccessibleName(placesTitle_->text());
 
   auto* added = new QHBoxLayout;
   for (QPushButton* one : {addFile_, addAgain_, remove_})
