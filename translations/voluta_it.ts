@@ -627,6 +627,34 @@
         <source>On the Prepare page, shows the arm whole instead of dimmed behind the part</source>
         <translation>Nella pagina Prepara mostra il braccio intero invece che attenuato dietro il pezzo</translation>
     </message>
+    <message>
+        <source>&amp;Find a command or setting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lists commands and settings while you type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quote…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cost of the print, and its page for a customer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The page of the manual about what is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9861,10 +9889,6 @@ facce %</translation>
         <translation>i supporti nelle cavità chiuse del pezzo non si possono togliere: {volume:.3g}</translation>
     </message>
     <message>
-        <source>open the hollow or turn the part; without supports (`supports=none`) the hollow&apos;s roof is unsupported</source>
-        <translation>apri la cavità o gira il pezzo; senza supporti (`supports=none`) la volta della cavità non è sostenuta</translation>
-    </message>
-    <message>
         <source>too many intersecting triangles to unite them ({pairs} pairs, at most {most}): shells stay as they are, overlaps count as one solid when layers are made</source>
         <translation>troppi triangoli si intersecano per unirli ({pairs} coppie, al massimo {most}): i gusci restano come sono, le sovrapposizioni contano come un solo solido quando si fanno gli strati</translation>
     </message>
@@ -10737,6 +10761,92 @@ facce %</translation>
         <source>write the program again, or use smaller cells for the part&apos;s map</source>
         <translation>scrivi di nuovo il programma, o usa celle più piccole per la mappa del pezzo</translation>
     </message>
+    <message>
+        <source>allow larger facets, or export less detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read: voluta-cad-reader is missing beside this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export the solid from the CAD program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give it the ending .stl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no solid and no surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has only curves, no solid and no surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is an STL, not a STEP or IGES file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is cut short: {lacking}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is damaged: Open CASCADE cannot read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs more than 4 GB of memory to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a STEP or IGES file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>omitted: {n} curves</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>omitted: {n} surfaces without facets</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one or several solids; read by a program of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open the hollow or turn the part; without supports (`supports=none`, `rimSupports=none`) the hollow&apos;s roof is unsupported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surfaces are read as facets, at most {chord:.3g} off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes longer than {time:.0f} to read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of a STEP file is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last line of an IGES file is missing, or names other numbers of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10770,6 +10880,29 @@ facce %</translation>
     <message>
         <source>Block height</source>
         <translation>Altezza del blocco</translation>
+    </message>
+</context>
+<context>
+    <name>LegendFigures</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Tempo</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished">Lunghezza</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished">Massa</translation>
+    </message>
+    <message>
+        <source>Travel and waits</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10922,6 +11055,61 @@ facce %</translation>
     <message>
         <source>Key: %1</source>
         <translation>Chiave: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Quote</name>
+    <message>
+        <source>Quote: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Price: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>printed in %1, %2 g of material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The price of a material is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished">Pezzo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Misure</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished">Materiale</translation>
+    </message>
+    <message>
+        <source>%1, %2 g at %3 per kg: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 per hour: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Price</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11687,6 +11875,37 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::CursorInfo</name>
+    <message>
+        <source>Line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation type="unfinished">Ugello</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">Velocità</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nozzle&apos;s tip, from the middle of the platform</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::ExportPanel</name>
     <message>
         <source>Replay of %1</source>
@@ -11947,6 +12166,18 @@ Fai clic per sceglierne un altro</translation>
         <source>Edges</source>
         <translation>Lati</translation>
     </message>
+    <message>
+        <source>Place along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn about %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::HeadDrawing</name>
@@ -12128,6 +12359,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Part and cell</source>
+        <translation type="unfinished">Pezzo e cella</translation>
     </message>
 </context>
 <context>
@@ -12838,6 +13073,17 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <source>Printing time so far / planned time</source>
         <translation>Tempo di stampa trascorso / tempo previsto</translation>
     </message>
+    <message>
+        <source>Time-line</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>voluta::viewer::MachinesView</name>
+    <message>
+        <source>View of the machines</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::viewer::ViewCube</name>
@@ -12868,6 +13114,64 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     <message>
         <source>Click a face to look from there, drag to turn the view</source>
         <translation>Clic su una faccia per guardare da lì, trascina per ruotare la vista</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::viewer::Viewport</name>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished">da %1 a %2</translation>
+    </message>
+    <message>
+        <source>All settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what would help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Algorithms</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12947,6 +13251,10 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     <message>
         <source>Use another name</source>
         <translation>Usa un altro nome</translation>
+    </message>
+    <message>
+        <source>Found in the file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13178,6 +13486,10 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <source>add the place for purges</source>
         <translation>aggiungi il punto di spurgo</translation>
     </message>
+    <message>
+        <source>Bodies of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ChoicesEditor</name>
@@ -13290,10 +13602,6 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <translation>fino a %1 mm³/s</translation>
     </message>
     <message>
-        <source>%1 per kg</source>
-        <translation>%1 al kg</translation>
-    </message>
-    <message>
         <source>tool added</source>
         <translation>utensile aggiunto</translation>
     </message>
@@ -13304,6 +13612,25 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1/kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CommandPalette</name>
+    <message>
+        <source>Commands and settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a command or a setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No command and no setting has these words.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13584,6 +13911,17 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::LegendView</name>
+    <message>
+        <source>Click to show these beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to hide these beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LibraryDialog</name>
     <message>
         <source>Processes and materials</source>
@@ -13803,6 +14141,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Turn</source>
         <translation>Rotazione</translation>
     </message>
+    <message>
+        <source>Machines</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::MainWindow</name>
@@ -13829,6 +14171,29 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>%1 parts</source>
         <translation>%1 pezzi</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation type="unfinished">&amp;Retro</translation>
     </message>
 </context>
 <context>
@@ -13961,6 +14326,69 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ObjectMenus</name>
+    <message>
+        <source>Show its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation type="unfinished">Nascondi</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished">Mostra</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished">Impostazioni</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished">Esporta…</translation>
+    </message>
+    <message>
+        <source>Select this part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only layer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show up to layer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide beads of this kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::ObstacleImport</name>
     <message>
         <source>Obstacle from a file</source>
@@ -13992,6 +14420,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>The settings have changed since: press Plan.</source>
         <translation>Le impostazioni sono cambiate nel frattempo: premi Pianifica.</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14256,6 +14692,105 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::QuoteDialog</name>
+    <message>
+        <source>Quote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Price of an hour of the machine, with power and operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Price of each print, whatever its size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the cost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine, per hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up, per print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save page…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A page for the customer, as PDF or HTML</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 g at %2 per kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 g; its price is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan the part first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the price of the material under Processes and materials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 quote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;HTML (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the part…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::ReachView</name>
     <message>
         <source>move to best place</source>
@@ -14490,6 +15025,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>This key was removed from “%1”.</source>
         <translation>Questi tasti sono stati tolti da “%1”.</translation>
     </message>
+    <message>
+        <source>New key</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SimulatePage</name>
@@ -14508,6 +15047,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>All files (*)</source>
         <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Follow the nozzle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the nozzle in the middle of the view</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14730,6 +15277,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>The part is moved by y %1, z %2 mm.</source>
         <translation>Il pezzo si sposta di y %1, z %2 mm.</translation>
+    </message>
+    <message>
+        <source>Touched points</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -26,10 +26,6 @@ QUrl manualPage(const QString& name) {
 }
 const QString kContents = "README";
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Manual", text);
-}
-
 QUrl settingsUrl() {
   return manualPage("all_settings");
 }
@@ -67,9 +63,10 @@ QString rangeOf(const base::ParameterSpec& spec) {
   using language::valueText;
   switch (spec.type) {
   case base::ParameterType::Number:
-    return tr("%1 to %2").arg(valueText(spec, spec.minimum), valueText(spec, spec.maximum));
+    return QCoreApplication::translate("Manual", "%1 to %2")
+        .arg(valueText(spec, spec.minimum), valueText(spec, spec.maximum));
   case base::ParameterType::Integer:
-    return tr("%1 to %2")
+    return QCoreApplication::translate("Manual", "%1 to %2")
         .arg(valueText(spec, static_cast<long long>(spec.minimum)),
              valueText(spec, static_cast<long long>(spec.maximum)));
   case base::ParameterType::Choice: {
@@ -97,11 +94,16 @@ QString settingsText() {
                             cell(language::valueText(spec, spec.defaultValue)),
                             QString::fromStdString(spec.key));
   }
-  QStringList text{QStringLiteral("# ") + tr("All settings"), QString()};
+  QStringList text{QStringLiteral("# ") + QCoreApplication::translate("Manual", "All settings"),
+                   QString()};
   for (const QString& group : groups)
     text << QStringLiteral("## ") + group << QString()
          << QStringLiteral("| %1 | %2 | %3 | %4 | %5 |")
-                .arg(tr("setting"), tr("meaning"), tr("range"), tr("default"), tr("key"))
+                .arg(QCoreApplication::translate("Manual", "setting"),
+                     QCoreApplication::translate("Manual", "meaning"),
+                     QCoreApplication::translate("Manual", "range"),
+                     QCoreApplication::translate("Manual", "default"),
+                     QCoreApplication::translate("Manual", "key"))
          << "|---|---|---|---|---|" << rows[group] << QString();
   return text.join('\n');
 }
@@ -113,8 +115,11 @@ QString withoutValues(QString sentence) {
 }
 
 QString findingsText() {
-  QStringList text{QStringLiteral("# ") + tr("All findings"), QString(),
-                   QStringLiteral("| %1 | %2 |").arg(tr("finding"), tr("what would help")),
+  QStringList text{QStringLiteral("# ") + QCoreApplication::translate("Manual", "All findings"),
+                   QString(),
+                   QStringLiteral("| %1 | %2 |")
+                       .arg(QCoreApplication::translate("Manual", "finding"),
+                            QCoreApplication::translate("Manual", "what would help")),
                    "|---|---|"};
   for (const plan::FindingRow& row : plan::findingRows()) {
     const QString reason = withoutValues(language::heading(row.reason));
@@ -129,10 +134,13 @@ QString findingsText() {
 
 std::vector<ManualChapter> manualChapters() {
   ManualChapter manual{{}, linkedPages(manualPage(kContents))};
-  manual.pages.insert(manual.pages.begin(), {tr("Contents"), manualPage(kContents)});
-  manual.pages.push_back({tr("All settings"), settingsUrl()});
-  manual.pages.push_back({tr("All findings"), findingsUrl()});
-  return {std::move(manual), {tr("Algorithms"), linkedPages(pageOf("algorithms", kContents))}};
+  manual.pages.insert(manual.pages.begin(),
+                      {QCoreApplication::translate("Manual", "Contents"), manualPage(kContents)});
+  manual.pages.push_back({QCoreApplication::translate("Manual", "All settings"), settingsUrl()});
+  manual.pages.push_back({QCoreApplication::translate("Manual", "All findings"), findingsUrl()});
+  return {std::move(manual),
+          {QCoreApplication::translate("Manual", "Algorithms"),
+           linkedPages(pageOf("algorithms", kContents))}};
 }
 
 QString madePage(const QUrl& url) {
