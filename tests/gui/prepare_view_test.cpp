@@ -119,13 +119,24 @@ TEST_F(PrepareViewTest, HiddenThingsDoNotCountForHome) {
   keepPicture(window(), "prepare_without_plate");
 }
 
+// Read by a program of its own, and drawn as any part.
+TEST_F(PrepareViewTest, AStepFileOpensAsAPart) {
+  openPart(QStringLiteral(VOLUTA_SOURCE_DIR "/tests/install/box.step"));
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(document().name(), QStringLiteral("box.step"));
+  const std::vector<std::string> shown = labels();
+  ASSERT_GE(shown.size(), 3u);
+  EXPECT_EQ(shown[0], "X 10.0 mm");
+  EXPECT_EQ(shown[2], "Z 30.0 mm");
+}
+
 TEST_F(PrepareViewTest, ToolsAreInTheViewWithTheirKeys) {
   EXPECT_FALSE(find<window::ViewTools>("viewTools")->isVisible()) << "no part";
   openFlat();
   EXPECT_TRUE(find<window::ViewTools>("viewTools")->isVisible());
   for (const char* action :
        {"addPart", "removePart", "duplicatePart", "copiesOfPart", "arrangeParts", "toolMove",
-        "toolTurn", "toolScale", "toolLayFlat", "dropToPlate", "centrePart"}) {
+        "toolTurn", "toolScale", "toolLayFlat", "toolMeasure", "dropToPlate", "centrePart"}) {
     QToolButton* button = tool(action);
     ASSERT_NE(button, nullptr) << action;
     EXPECT_TRUE(button->isVisible()) << action;

@@ -102,6 +102,7 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
   case Tool::None:
   case Tool::LayFlat:
   case Tool::PickPoint:
+  case Tool::Measure:
     break;
   }
   return found;

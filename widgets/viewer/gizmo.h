@@ -20,10 +20,14 @@ class QPalette;
 namespace voluta::viewer {
 
 // CutPlane: a plane moved along its normal and tilted about the two other axes of its frame. Frame:
-// moved along its axes and rotated about them. PickPoint: no handles; a click selects a point.
-enum class Tool { None, Move, Rotate, Scale, LayFlat, CutPlane, Frame, PickPoint };
+// moved along its axes and rotated about them. PickPoint, Measure: no handles; a click selects a
+// point.
+enum class Tool { None, Move, Rotate, Scale, LayFlat, CutPlane, Frame, PickPoint, Measure };
+inline bool takesClicks(Tool tool) {
+  return tool == Tool::LayFlat || tool == Tool::PickPoint || tool == Tool::Measure;
+}
 inline bool hasHandles(Tool tool) {
-  return tool != Tool::None && tool != Tool::LayFlat && tool != Tool::PickPoint;
+  return tool != Tool::None && !takesClicks(tool);
 }
 
 // The total effect of a drag since its start.

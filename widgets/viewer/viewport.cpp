@@ -32,10 +32,12 @@ public:
 
 protected:
   void paintEvent(QPaintEvent*) override {
-    if (!hasHandles(viewport_.gizmo_.tool()))
-      return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (!viewport_.marks_.empty())
+      paintMarks(painter);
+    if (!hasHandles(viewport_.gizmo_.tool()))
+      return;
     viewport_.gizmo_.paint(
         painter, [this](const Eigen::Vector3d& p) { return viewport_.projected(p); },
         viewport_.gizmoMmPerPixel(), palette());
@@ -51,6 +53,25 @@ protected:
   }
 
 private:
+  // Twice, so that they are seen on every ground.
+  void paintMarks(QPainter& painter) const {
+    constexpr double kDot = 4.0, kLine = 2.0, kRim = 2.0;
+    QPolygonF line;
+    for (const Eigen::Vector3d& place : viewport_.marks_)
+      line << viewport_.projected(place);
+    for (const bool isRim : {true, false}) {
+      const QColor colour = isRim ? palette().window().color() : palette().windowText().color();
+      const double more = isRim ? kRim : 0.0;
+      painter.setPen(QPen(colour, kLine + 2.0 * more, Qt::SolidLine, Qt::RoundCap));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawPolyline(line);
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colour);
+      for (const QPointF& at : line)
+        painter.drawEllipse(at, kDot + more, kDot + more);
+    }
+  }
+
   Viewport& viewport_;
 };
 
@@ -132,7 +153,7 @@ void Viewport::setTool(Tool tool) {
   gizmo_.setCentre(gizmoCentre_);
   gizmo_.setAxes(gizmoAxes_);
   gizmoText_.clear();
-  setCursor(tool == Tool::LayFlat || tool == Tool::PickPoint ? Qt::CrossCursor : Qt::ArrowCursor);
+  setCursor(takesClicks(tool) ? Qt::CrossCursor : Qt::ArrowCursor);
   overlay_->update();
   emit toolChanged(tool);
 }
@@ -145,6 +166,15 @@ void Viewport::setGizmoCentre(const Eigen::Vector3d& centre, const Eigen::Matrix
     gizmo_.setAxes(axes);
   }
   overlay_->update();
+}
+
+void Viewport::setMarks(std::vector<Eigen::Vector3d> places) {
+  marks_ = std::move(places);
+  overlay_->update();
+}
+
+double Viewport::mmPerPoint(const Eigen::Vector3d& place) const {
+  return camera_.mmPerPixel(place) * devicePixelRatioF();
 }
 
 void Viewport::setLegendWidget(QWidget* legend) {
@@ -261,7 +291,7 @@ QPointF Viewport::projected(const Eigen::Vector3d& world) const {
 }
 
 double Viewport::gizmoMmPerPixel() const {
-  return camera_.mmPerPixel(gizmoCentre_) * devicePixelRatioF();
+  return mmPerPoint(gizmoCentre_);
 }
 
 Ray Viewport::rayAt(const QPointF& place) const {

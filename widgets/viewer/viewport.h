@@ -37,6 +37,12 @@ public:
   void setGizmoCentre(const Eigen::Vector3d& centre,
                       const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
+  // Draws dots at these places of the world, and lines from each to the next, over the picture.
+  void setMarks(std::vector<Eigen::Vector3d> places);
+  const std::vector<Eigen::Vector3d>& marks() const { return marks_; }
+  // Returns the size of a point of the screen at that place of the world.
+  double mmPerPoint(const Eigen::Vector3d& place) const;
+
   // Leaves room for the widgets over the corners.
   void frameAll();
   // Frames the active part, or the print if that is shown.
@@ -106,6 +112,7 @@ private:
   Eigen::Matrix3d gizmoAxes_ = Eigen::Matrix3d::Identity();
   QString gizmoText_;
   QPointF gizmoTextAt_;
+  std::vector<Eigen::Vector3d> marks_;
   Overlay* overlay_;
   ViewCube* cube_;
   QWidget *legend_ = nullptr, *tools_ = nullptr;

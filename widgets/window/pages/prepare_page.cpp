@@ -23,6 +23,7 @@
 #include "window/mesh_summary.h"
 #include "window/milling/mill_dialog.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/measure_tool.h"
 #include "window/pages/parts_view.h"
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
@@ -50,8 +51,8 @@ std::string problemText(const base::Error& error) {
 
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
-      handles_(workspace, *this), parts_(new PartsView(work(), *this)),
-      stands_(new StandChooser(work(), handles_, this)),
+      handles_(workspace, *this), measure_(new MeasureTool(workspace, *this, this)),
+      parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)) {
   build();
@@ -126,11 +127,13 @@ QWidget* PreparePage::side() {
 }
 
 std::vector<ViewportInput*> PreparePage::inputs() {
-  return {&handles_, reach_};
+  return {&handles_, measure_, reach_};
 }
 
 std::vector<Command> PreparePage::commands() {
   std::vector<Command> commands = handles_.commands();
+  for (Command& command : measure_->commands())
+    commands.push_back(std::move(command));
   for (Command& command : parts_->commands())
     commands.push_back(std::move(command));
   commands.push_back({"resetParameters",
@@ -213,6 +216,7 @@ void PreparePage::retranslate() {
   tabs_->setTabText(0, tr("Settings"));
   tabs_->setTabText(1, tr("Part"));
   choices_->retranslate();
+  measure_->retranslate();
   parts_->show();
   showChoices();
 }

@@ -17,6 +17,7 @@ class PlacementPanel;
 
 namespace voluta::window {
 
+class MeasureTool;
 class PartsView;
 class ReachView;
 class StandChooser;
@@ -53,6 +54,7 @@ private:
   void showPart();
 
   PartHandles handles_;
+  MeasureTool* measure_;
   PartsView* parts_;
   StandChooser* stands_;
   ReachView* reach_;
