@@ -187,26 +187,6 @@ TEST(Mnemonics, AreDifferentLettersThatBeginWords) {
   EXPECT_EQ(window::withMnemonic(QStringLiteral("材料"), used), QStringLiteral("材料(&A)"));
 }
 
-TEST_F(DialogsTest, AltAndALetterReachAField) {
-  window::CopiesDialog dialog(3, &window());
-  dialog.open();
-  dialog.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
-  const QLabel* label = nullptr;
-  for (const QLabel* one : dialog.findChildren<QLabel*>())
-    if (one->buddy())
-      label = one;
-  ASSERT_NE(label, nullptr);
-  for (auto* button : dialog.findChildren<QAbstractButton*>())
-    if (button->isVisible())
-      button->setFocus();
-  ASSERT_FALSE(label->buddy()->hasFocus());
-  const QChar letter = label->text()[label->text().indexOf('&') + 1];
-  QTest::keyClick(&dialog, letter.toUpper().toLatin1(), Qt::AltModifier);
-  EXPECT_TRUE(label->buddy()->isAncestorOf(QApplication::focusWidget()) ||
-              label->buddy()->hasFocus());
-}
-
 // A dialog that is added is shown by the test above too.
 TEST_F(DialogsTest, NoDialogIsLeftOut) {
   const std::filesystem::path folder = std::filesystem::path(VOLUTA_SOURCE_DIR) / "widgets";

@@ -9,6 +9,7 @@
 #include "window/pages/page_stack.h"
 #include "window/window_commands.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -71,6 +72,10 @@ public:
         add(*field, forms::shownText(label->text()));
     for (QCheckBox* box : side.findChildren<QCheckBox*>())
       add(*box, forms::shownText(box->text()));
+    // Fields in a table or a row, which have a name of their own.
+    for (QWidget* field : side.findChildren<QWidget*>())
+      if (qobject_cast<const QAbstractSpinBox*>(field) || qobject_cast<const QComboBox*>(field))
+        add(*field, field->accessibleName());
     return std::move(entries_);
   }
 
