@@ -629,31 +629,39 @@
     </message>
     <message>
         <source>&amp;Find a command or setting…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trova un comando o un&apos;impostazione…</translation>
     </message>
     <message>
         <source>Lists commands and settings while you type</source>
-        <translation type="unfinished"></translation>
+        <translation>Elenca comandi e impostazioni mentre scrivi</translation>
     </message>
     <message>
         <source>&amp;Quote…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Preventivo…</translation>
     </message>
     <message>
         <source>Cost of the print, and its page for a customer</source>
-        <translation type="unfinished"></translation>
+        <translation>Costo della stampa, e la sua pagina per un cliente</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Manuale</translation>
     </message>
     <message>
         <source>The page of the manual about what is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>La pagina del manuale su ciò che è mostrato</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation type="unfinished"></translation>
+        <translation>Es&amp;porta…</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>M&amp;isura</translation>
+    </message>
+    <message>
+        <source>Click places on the part: radius, wall, distance, angle</source>
+        <translation>Fai clic sul pezzo: raggio, parete, distanza, angolo</translation>
     </message>
 </context>
 <context>
@@ -10763,89 +10771,89 @@ facce %</translation>
     </message>
     <message>
         <source>allow larger facets, or export less detail</source>
-        <translation type="unfinished"></translation>
+        <translation>consenti facce più grandi, o esporta meno dettagli</translation>
     </message>
     <message>
         <source>cannot be read: voluta-cad-reader is missing beside this program</source>
-        <translation type="unfinished"></translation>
+        <translation>non può essere letto: voluta-cad-reader manca accanto a questo programma</translation>
     </message>
     <message>
         <source>copy or export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>copialo o esportalo di nuovo</translation>
     </message>
     <message>
         <source>export the solid from the CAD program</source>
-        <translation type="unfinished"></translation>
+        <translation>esporta il solido dal programma CAD</translation>
     </message>
     <message>
         <source>give it the ending .stl</source>
-        <translation type="unfinished"></translation>
+        <translation>dagli l&apos;estensione .stl</translation>
     </message>
     <message>
         <source>has no solid and no surface</source>
-        <translation type="unfinished"></translation>
+        <translation>non ha né solidi né superfici</translation>
     </message>
     <message>
         <source>has only curves, no solid and no surface</source>
-        <translation type="unfinished"></translation>
+        <translation>ha solo curve, né solidi né superfici</translation>
     </message>
     <message>
         <source>is an STL, not a STEP or IGES file</source>
-        <translation type="unfinished"></translation>
+        <translation>è un STL, non un file STEP o IGES</translation>
     </message>
     <message>
         <source>is cut short: {lacking}</source>
-        <translation type="unfinished"></translation>
+        <translation>è troncato: {lacking}</translation>
     </message>
     <message>
         <source>is damaged: Open CASCADE cannot read it</source>
-        <translation type="unfinished"></translation>
+        <translation>è danneggiato: Open CASCADE non può leggerlo</translation>
     </message>
     <message>
         <source>needs more than 4 GB of memory to read</source>
-        <translation type="unfinished"></translation>
+        <translation>richiede più di 4 GB di memoria per la lettura</translation>
     </message>
     <message>
         <source>not a STEP or IGES file</source>
-        <translation type="unfinished"></translation>
+        <translation>non è un file STEP o IGES</translation>
     </message>
     <message numerus="yes">
         <source>omitted: {n} curves</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>tralasciata: una curva</numerusform>
+            <numerusform>tralasciate: {n} curve</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>omitted: {n} surfaces without facets</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>tralasciata: una superficie senza facce</numerusform>
+            <numerusform>tralasciate: {n} superfici senza facce</numerusform>
         </translation>
     </message>
     <message>
         <source>one or several solids; read by a program of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>uno o più solidi; letti da un programma a parte</translation>
     </message>
     <message>
         <source>open the hollow or turn the part; without supports (`supports=none`, `rimSupports=none`) the hollow&apos;s roof is unsupported</source>
-        <translation type="unfinished"></translation>
+        <translation>apri la cavità o ruota il pezzo; senza supporti (`supports=none`, `rimSupports=none`) il tetto della cavità non è sostenuto</translation>
     </message>
     <message>
         <source>surfaces are read as facets, at most {chord:.3g} off</source>
-        <translation type="unfinished"></translation>
+        <translation>le superfici sono lette come facce, con uno scarto di al massimo {chord:.3g}</translation>
     </message>
     <message>
         <source>takes longer than {time:.0f} to read</source>
-        <translation type="unfinished"></translation>
+        <translation>richiede più di {time:.0f} per la lettura</translation>
     </message>
     <message>
         <source>the end of a STEP file is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>manca la fine di un file STEP</translation>
     </message>
     <message>
         <source>the last line of an IGES file is missing, or names other numbers of lines</source>
-        <translation type="unfinished"></translation>
+        <translation>l&apos;ultima riga di un file IGES manca, o indica altri numeri di righe</translation>
     </message>
 </context>
 <context>
@@ -10886,23 +10894,74 @@ facce %</translation>
     <name>LegendFigures</name>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Tempo</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Share</source>
-        <translation type="unfinished"></translation>
+        <translation>Quota</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished">Lunghezza</translation>
+        <translation>Lunghezza</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished">Massa</translation>
+        <translation>Massa</translation>
     </message>
     <message>
         <source>Travel and waits</source>
-        <translation type="unfinished"></translation>
+        <translation>Spostamenti e attese</translation>
+    </message>
+</context>
+<context>
+    <name>Manual</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>All settings</source>
+        <translation>Tutte le impostazioni</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>impostazione</translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation>significato</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>intervallo</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>predefinito</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>chiave</translation>
+    </message>
+    <message>
+        <source>All findings</source>
+        <translation>Tutte le segnalazioni</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>segnalazione</translation>
+    </message>
+    <message>
+        <source>what would help</source>
+        <translation>che cosa aiuterebbe</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Indice</translation>
+    </message>
+    <message>
+        <source>Algorithms</source>
+        <translation>Algoritmi</translation>
     </message>
 </context>
 <context>
@@ -11061,55 +11120,55 @@ facce %</translation>
     <name>Quote</name>
     <message>
         <source>Quote: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Preventivo: %1</translation>
     </message>
     <message>
         <source>Price: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Prezzo: %1</translation>
     </message>
     <message>
         <source>printed in %1, %2 g of material</source>
-        <translation type="unfinished"></translation>
+        <translation>stampato in %1, %2 g di materiale</translation>
     </message>
     <message>
         <source>The price of a material is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manca il prezzo di un materiale.</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished">Pezzo</translation>
+        <translation>Pezzo</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Misure</translation>
+        <translation>Dimensioni</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished">Materiale</translation>
+        <translation>Materiale</translation>
     </message>
     <message>
         <source>%1, %2 g at %3 per kg: %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 g a %3 al kg: %4</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Macchina</translation>
     </message>
     <message>
         <source>%1 at %2 per hour: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a %2 all&apos;ora: %3</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione</translation>
     </message>
     <message>
         <source>Margin</source>
-        <translation type="unfinished"></translation>
+        <translation>Margine</translation>
     </message>
     <message>
         <source>Price</source>
-        <translation type="unfinished"></translation>
+        <translation>Prezzo</translation>
     </message>
 </context>
 <context>
@@ -11878,31 +11937,31 @@ Fai clic per sceglierne un altro</translation>
     <name>voluta::panels::CursorInfo</name>
     <message>
         <source>Line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Riga %1</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Riga</translation>
     </message>
     <message>
         <source>Nozzle</source>
-        <translation type="unfinished">Ugello</translation>
+        <translation>Ugello</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinazione</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">Velocità</translation>
+        <translation>Velocità</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Giunti</translation>
     </message>
     <message>
         <source>The nozzle&apos;s tip, from the middle of the platform</source>
-        <translation type="unfinished"></translation>
+        <translation>La punta dell&apos;ugello, dal centro della piattaforma</translation>
     </message>
 </context>
 <context>
@@ -12168,15 +12227,15 @@ Fai clic per sceglierne un altro</translation>
     </message>
     <message>
         <source>Place along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizione lungo %1</translation>
     </message>
     <message>
         <source>Turn about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotazione attorno a %1</translation>
     </message>
     <message>
         <source>Edge along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Spigolo lungo %1</translation>
     </message>
 </context>
 <context>
@@ -12362,7 +12421,7 @@ Fai clic per sceglierne un altro</translation>
     </message>
     <message>
         <source>Part and cell</source>
-        <translation type="unfinished">Pezzo e cella</translation>
+        <translation>Pezzo e cella</translation>
     </message>
 </context>
 <context>
@@ -13075,14 +13134,14 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
     <message>
         <source>Time-line</source>
-        <translation type="unfinished"></translation>
+        <translation>Linea del tempo</translation>
     </message>
 </context>
 <context>
     <name>voluta::viewer::MachinesView</name>
     <message>
         <source>View of the machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista delle macchine</translation>
     </message>
 </context>
 <context>
@@ -13120,58 +13179,7 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     <name>voluta::viewer::Viewport</name>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>voluta::window</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation type="unfinished">da %1 a %2</translation>
-    </message>
-    <message>
-        <source>All settings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>setting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>meaning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>default</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All findings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>finding</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what would help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Algorithms</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista</translation>
     </message>
 </context>
 <context>
@@ -13254,7 +13262,7 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
     <message>
         <source>Found in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Trovato nel file</translation>
     </message>
 </context>
 <context>
@@ -13488,7 +13496,7 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
     <message>
         <source>Bodies of the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Corpi della cella</translation>
     </message>
 </context>
 <context>
@@ -13615,22 +13623,22 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
     <message>
         <source>%1/kg</source>
-        <translation type="unfinished"></translation>
+        <translation>%1/kg</translation>
     </message>
 </context>
 <context>
     <name>voluta::window::CommandPalette</name>
     <message>
         <source>Commands and settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Comandi e impostazioni</translation>
     </message>
     <message>
         <source>Find a command or a setting</source>
-        <translation type="unfinished"></translation>
+        <translation>Trova un comando o un&apos;impostazione</translation>
     </message>
     <message>
         <source>No command and no setting has these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun comando e nessuna impostazione ha queste parole.</translation>
     </message>
 </context>
 <context>
@@ -13914,11 +13922,11 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <name>voluta::window::LegendView</name>
     <message>
         <source>Click to show these beads</source>
-        <translation type="unfinished"></translation>
+        <translation>Fai clic per mostrare questi cordoni</translation>
     </message>
     <message>
         <source>Click to hide these beads</source>
-        <translation type="unfinished"></translation>
+        <translation>Fai clic per nascondere questi cordoni</translation>
     </message>
 </context>
 <context>
@@ -14143,7 +14151,7 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Macchine</translation>
     </message>
 </context>
 <context>
@@ -14177,23 +14185,23 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <name>voluta::window::ManualWindow</name>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Manuale</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca nel manuale</translation>
     </message>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Indice</translation>
     </message>
     <message>
         <source>Page of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Pagina del manuale</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished">&amp;Retro</translation>
+        <translation>&amp;Indietro</translation>
     </message>
 </context>
 <context>
@@ -14217,6 +14225,65 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Rows</source>
         <translation>Righe</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MeasureTool</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Round edge: radius %1, diameter %2</source>
+        <translation>Spigolo rotondo: raggio %1, diametro %2</translation>
+    </message>
+    <message>
+        <source>Round face: radius %1, diameter %2</source>
+        <translation>Faccia rotonda: raggio %1, diametro %2</translation>
+    </message>
+    <message>
+        <source>Ball: radius %1, diameter %2</source>
+        <translation>Sfera: raggio %1, diametro %2</translation>
+    </message>
+    <message>
+        <source>Corner: X %1, Y %2, Z %3</source>
+        <translation>Vertice: X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Spigolo</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Faccia</translation>
+    </message>
+    <message>
+        <source>Wall behind the face: %1</source>
+        <translation>Parete dietro la faccia: %1</translation>
+    </message>
+    <message>
+        <source>Distance: %1</source>
+        <translation>Distanza: %1</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2, Z %3</source>
+        <translation>X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>Distance of the parallel faces: %1</source>
+        <translation>Distanza delle facce parallele: %1</translation>
+    </message>
+    <message>
+        <source>Angle: %1°</source>
+        <translation>Angolo: %1°</translation>
+    </message>
+    <message>
+        <source>Click a corner, an edge or a face of the part.</source>
+        <translation>Fai clic su un vertice, uno spigolo o una faccia del pezzo.</translation>
+    </message>
+    <message>
+        <source>Click a second place for distance and angle.</source>
+        <translation>Fai clic su un secondo punto per distanza e angolo.</translation>
     </message>
 </context>
 <context>
@@ -14329,63 +14396,63 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <name>voluta::window::ObjectMenus</name>
     <message>
         <source>Show its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra il posto</translation>
     </message>
     <message>
         <source>Copy text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia il testo</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished">Nascondi</translation>
+        <translation>Nascondi</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished">Mostra</translation>
+        <translation>Mostra</translation>
     </message>
     <message>
         <source>Show everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra tutto</translation>
     </message>
     <message>
         <source>Show only this</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra solo questo</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">Impostazioni</translation>
+        <translation>Impostazioni</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished">Esporta…</translation>
+        <translation>Esporta…</translation>
     </message>
     <message>
         <source>Select this part</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli questo pezzo</translation>
     </message>
     <message>
         <source>Show all beads</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra tutti i cordoni</translation>
     </message>
     <message>
         <source>Show only layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra solo lo strato %1</translation>
     </message>
     <message>
         <source>Show up to layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra fino allo strato %1</translation>
     </message>
     <message>
         <source>Show all layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra tutti gli strati</translation>
     </message>
     <message>
         <source>Go to this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Vai a questo momento</translation>
     </message>
     <message>
         <source>Hide beads of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Nascondi i cordoni di questo tipo</translation>
     </message>
 </context>
 <context>
@@ -14423,11 +14490,11 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Strato %1</translation>
     </message>
     <message>
         <source>Total</source>
-        <translation type="unfinished"></translation>
+        <translation>Totale</translation>
     </message>
 </context>
 <context>
@@ -14695,99 +14762,99 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <name>voluta::window::QuoteDialog</name>
     <message>
         <source>Quote</source>
-        <translation type="unfinished"></translation>
+        <translation>Preventivo</translation>
     </message>
     <message>
         <source>Price of an hour of the machine, with power and operator</source>
-        <translation type="unfinished"></translation>
+        <translation>Prezzo di un&apos;ora di macchina, con energia e operatore</translation>
     </message>
     <message>
         <source>Price of each print, whatever its size</source>
-        <translation type="unfinished"></translation>
+        <translation>Prezzo di ogni stampa, qualunque sia la dimensione</translation>
     </message>
     <message>
         <source>Added to the cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Aggiunto al costo</translation>
     </message>
     <message>
         <source>Cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Costo</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>Voce</translation>
     </message>
     <message>
         <source>Amount</source>
-        <translation type="unfinished"></translation>
+        <translation>Importo</translation>
     </message>
     <message>
         <source>Machine, per hour</source>
-        <translation type="unfinished"></translation>
+        <translation>Macchina, all&apos;ora</translation>
     </message>
     <message>
         <source>Set-up, per print</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione, per stampa</translation>
     </message>
     <message>
         <source>Margin</source>
-        <translation type="unfinished"></translation>
+        <translation>Margine</translation>
     </message>
     <message>
         <source>Save page…</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva la pagina…</translation>
     </message>
     <message>
         <source>A page for the customer, as PDF or HTML</source>
-        <translation type="unfinished"></translation>
+        <translation>Una pagina per il cliente, in PDF o HTML</translation>
     </message>
     <message>
         <source>%1 g at %2 per kg</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g a %2 al kg</translation>
     </message>
     <message>
         <source>%1 g; its price is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g; il prezzo non è noto</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Macchina</translation>
     </message>
     <message>
         <source>Set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Plan the part first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima pianifica il pezzo.</translation>
     </message>
     <message>
         <source>Enter the price of the material under Processes and materials.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inserisci il prezzo del materiale in Processi e materiali.</translation>
     </message>
     <message>
         <source>Save page</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva la pagina</translation>
     </message>
     <message>
         <source>%1 quote</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 preventivo</translation>
     </message>
     <message>
         <source>PDF (*.pdf);;HTML (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf);;HTML (*.html)</translation>
     </message>
     <message>
         <source>Drawing the part…</source>
-        <translation type="unfinished"></translation>
+        <translation>Disegno del pezzo…</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Salvato come %1.</translation>
     </message>
 </context>
 <context>
@@ -15027,7 +15094,7 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>New key</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuovo tasto</translation>
     </message>
 </context>
 <context>
@@ -15050,11 +15117,11 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Follow the nozzle</source>
-        <translation type="unfinished"></translation>
+        <translation>Segui l&apos;ugello</translation>
     </message>
     <message>
         <source>Keeps the nozzle in the middle of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiene l&apos;ugello al centro della vista</translation>
     </message>
 </context>
 <context>
@@ -15280,7 +15347,7 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Touched points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti toccati</translation>
     </message>
 </context>
 <context>

@@ -52,10 +52,9 @@ TEST_F(AutomaticTest, ChosenWayIsShown) {
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
   EXPECT_EQ(mode(), "auto");
-  const auto& first = pipeline::automaticStrategies().front();
-  EXPECT_EQ(document().choices().item().mode, first.mode);
+  EXPECT_EQ(document().choices().item().mode, "flat");
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
-  EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
+  EXPECT_TRUE(notice().startsWith("Chosen: flat layers (")) << qPrintable(notice());
   expectFormShowsWhatWasUsed();
 }
 
@@ -72,7 +71,7 @@ TEST_F(AutomaticTest, PlanByHandIsOutOfDateAndANewPlanTriesTheWays) {
   EXPECT_NE(document().state(Stage::Layers), document::StageState::Done);
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
-  EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
+  EXPECT_TRUE(notice().startsWith("Chosen: flat layers (")) << qPrintable(notice());
   expectFormShowsWhatWasUsed();
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
 }

@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -144,10 +145,16 @@ void WindowTest::answerBox(const char* name, QMessageBox::ButtonRole role) {
         continue;
       for (QAbstractButton* button : box->buttons())
         if (box->buttonRole(button) == role) {
-          timer->deleteLater();
           timer->stop();
-          ++answeredBoxes_;
+          const QPointer<QMessageBox> clicked = box;
           QTest::mouseClick(button, Qt::LeftButton);
+          // A box that is not laid out yet misses the click.
+          if (clicked && clicked->isVisible()) {
+            timer->start();
+          } else {
+            timer->deleteLater();
+            ++answeredBoxes_;
+          }
           return;
         }
     }

@@ -366,7 +366,8 @@ TEST_F(CommandLine, RobotAnswersInDegreesAndMillimetres) {
 TEST_F(CommandLine, SmallPartIsPlannedFromMeshToPrograms) {
   const std::string part = smallBox();
   const std::string out = (folder_ / "out").string();
-  const Ended ended = run({"plan", part, "-o", out, "--set", "output.debug=true"});
+  const Ended ended =
+      run({"plan", part, "-o", out, "--mode", "curved", "--set", "output.debug=true"});
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
   for (const char* name : {"job.voluta", "report.json", "box.script", "box.gcode", "voxels.vti",
                            "layers.vtp", "toolpath.vtp", "trajectory.csv"})

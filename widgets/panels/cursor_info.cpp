@@ -30,6 +30,7 @@ CursorInfo::CursorInfo(QWidget* parent) : QWidget(parent) {
     values_[row]->setTextFormat(Qt::PlainText);
     values_[row]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     values_[row]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    values_[row]->setMinimumWidth(1);
     grid->addWidget(names_[row], static_cast<int>(row), 0, Qt::AlignTop);
     grid->addWidget(values_[row], static_cast<int>(row), 1);
   }

@@ -20,7 +20,6 @@
 
 #include <QCheckBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -45,13 +44,13 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   cursor_ = new panels::CursorInfo(side_);
   cursor_->setObjectName("cursorInfo");
   lines_ = new ProgramPreview(this);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(6, 4, 6, 0);
-  row->addWidget(solids_);
-  row->addWidget(follow_);
+  auto* boxes = new QVBoxLayout; // side by side they are too wide in some languages
+  boxes->setContentsMargins(6, 4, 6, 0);
+  boxes->addWidget(solids_);
+  boxes->addWidget(follow_);
   auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addLayout(row);
+  column->addLayout(boxes);
   column->addWidget(cursor_);
   column->addWidget(area, 1);
   column->addWidget(resume_);
