@@ -41,6 +41,7 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   solids_->setObjectName("simulateSolids");
   follow_ = new QCheckBox(side_);
   follow_->setObjectName("followNozzle");
+  plots_->setMinimumWidth(1); // on a narrow screen they are drawn narrower
   cursor_ = new panels::CursorInfo(side_);
   cursor_->setObjectName("cursorInfo");
   lines_ = new ProgramPreview(this);
