@@ -2,8 +2,9 @@
 // facets of its bodies to standard output. CHORD [mm] is the largest distance of a facet from its
 // surface, ANGLE [rad] the largest angle between neighbouring facets of one. Run by
 // geometry/formats/cad_reader.cpp, which explains the output and the exit codes.
-#include "cad_facets.h"
 #include "cad_bodies.h"
+#include "cad_facets.h"
+#include "reader_limits.h"
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESCAFControl_Reader.hxx>
@@ -15,15 +16,12 @@
 #include <XCAFApp_Application.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
@@ -31,14 +29,9 @@ namespace {
 using namespace voluta::cad_reader;
 using Document = opencascade::handle<TDocStd_Document>;
 
-constexpr rlim_t kMaxMemory = rlim_t(4) << 30, kMaxSeconds = 600;
+constexpr rlim_t kMaxSeconds = 600;
 // Repeated in geometry/formats/cad_reader.cpp.
 enum Code { Read = 0, BadCall = 2, Damaged = 3, NothingToRead = 4, NoFaces = 5, NoMemory = 6 };
-
-void limit(int what, rlim_t maximum) {
-  const rlimit limits{maximum, maximum};
-  setrlimit(what, &limits);
-}
 
 void put(std::FILE* out, const void* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, out) != count)
@@ -115,12 +108,7 @@ int main(int argc, char** argv) {
   const double chordMm = std::strtod(argv[2], nullptr), angleRad = std::strtod(argv[3], nullptr);
   if (!(chordMm > 0.0) || !(angleRad > 0.0))
     return BadCall;
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, kMaxMemory); // A sanitizer maps terabytes of addresses
-#endif
-  limit(RLIMIT_CPU, kMaxSeconds);
-  limit(RLIMIT_CORE, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody reads the result of a cancelled program
+  voluta::limitReader(kMaxSeconds);
   // Open CASCADE reports to standard output.
   std::FILE* out = fdopen(dup(STDOUT_FILENO), "wb");
   if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)

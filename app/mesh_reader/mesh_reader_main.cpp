@@ -1,32 +1,26 @@
 // voluta-mesh-reader as-written|upright FILE: reads a mesh file with assimp and writes its
 // triangles to standard output as nine doubles each. Run by geometry/formats/foreign_reader.cpp,
 // which explains the two words.
+#include "reader_limits.h"
+
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <vector>
 
 namespace {
 
-constexpr rlim_t kMaxMemory = rlim_t(4) << 30, kMaxSeconds = 120;
+constexpr rlim_t kMaxSeconds = 120;
 
 bool endsWith(std::string text, const char* end) {
   for (char& c : text)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text.ends_with(end);
-}
-
-void limit(int what, rlim_t maximum) {
-  const rlimit limits{maximum, maximum};
-  setrlimit(what, &limits);
 }
 
 void append(const aiNode& node, const aiMatrix4x4& above, const aiScene& scene,
@@ -54,12 +48,7 @@ void append(const aiNode& node, const aiMatrix4x4& above, const aiScene& scene,
 int main(int argc, char** argv) {
   if (argc != 3)
     return 2;
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, kMaxMemory); // A sanitizer maps terabytes of addresses
-#endif
-  limit(RLIMIT_CPU, kMaxSeconds);
-  limit(RLIMIT_CORE, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody reads the result of a cancelled program
+  voluta::limitReader(kMaxSeconds);
   const bool upright = std::strcmp(argv[1], "upright") == 0;
   const std::string file = argv[2];
   const bool collada = endsWith(file, ".dae");

@@ -17,8 +17,8 @@ namespace voluta::layers {
 // with most; nullopt if there is none. `part`: closed, its hollows are shells that face inwards.
 std::optional<plan::Finding> walledSupport(const LayerStack& stack,
                                            const geometry::TriangleMesh& part);
-// The same for support beads below beads of the part's own layers (toolpath/rim_supports.h).
-// `plan`: of the layers in `stack`.
+// The same for support beads below beads of the part's own layers
+// (toolpath/unsupported/rim_supports.h). `plan`: of the layers in `stack`.
 std::optional<plan::Finding> walledSupport(const plan::ToolPlan& plan, const LayerStack& stack,
                                            const geometry::TriangleMesh& part);
 

@@ -25,8 +25,9 @@ bool isTerraced(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& rotat
     if (area <= 0.0)
       continue;
     const double slope = up.dot(geometry::triangleNormal(mesh, t));
-    const bool isVertical = std::abs(slope)<kVertical, facesUp = slope> 1.0 - kLevel,
-               lies = slope < kLevel - 1.0 &&
+    const bool isVertical = std::abs(slope) < kVertical;
+    const bool facesUp = slope > 1.0 - kLevel;
+    const bool lies = slope < kLevel - 1.0 &&
                       up.dot(mesh.corner(t, 0)) - lowest <= kLowestShare * (highest - lowest);
     if (!isVertical && !facesUp && !lies)
       other += area;

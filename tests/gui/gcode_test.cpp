@@ -94,10 +94,7 @@ TEST_F(GcodeTest, BentOntoACylinderByItsOwnParameters) {
 
 TEST_F(GcodeTest, AFileIsAddedBesideAPart) {
   openPart(writePart("box.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
-  project::Choices choices = document().choices();
-  choices.item().automatic = false;
-  choices.item().mode = "flat";
-  document().setChoices(choices, "flat");
+  chooseFlat();
   ASSERT_TRUE(planned(Stage::Load));
   answerFileDialog(writeGcode());
   clickMenu("fileMenu", "addPart");

@@ -19,11 +19,7 @@ class MeasureTest : public WindowTest {
 protected:
   void openFlat(const QString& file) {
     openPart(file);
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    choices.item().platform = project::Platform("rect:200x200");
-    document().setChoices(choices, "flat");
+    chooseFlat("rect:200x200");
     ASSERT_TRUE(settled());
     viewport().framePart();
     picture();

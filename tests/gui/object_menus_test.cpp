@@ -32,10 +32,7 @@ class ObjectMenusTest : public WindowTest {
 protected:
   void planFlat() {
     openPart(writePart("plinth.stl", box({0, 0, 0}, {24, 18, 6})));
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    document().setChoices(choices, "flat");
+    chooseFlat();
     ASSERT_TRUE(planned(Stage::Load));
     clickToolBar("plan");
     ASSERT_TRUE(planned(Stage::Replay));

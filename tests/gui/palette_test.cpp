@@ -45,10 +45,7 @@ class PaletteTest : public WindowTest {
 protected:
   void openFlat() {
     openPart(writePart("plinth.stl", box({0, 0, 0}, {20, 20, 6})));
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    document().setChoices(choices, "flat");
+    chooseFlat();
     ASSERT_TRUE(planned(Stage::Load));
   }
   // By its key, from wherever the focus is.

@@ -29,11 +29,7 @@ class PrepareViewTest : public WindowTest {
 protected:
   void openFlat(const Eigen::Vector3d& size = {20.0, 30.0, 12.0}) {
     openPart(writePart("plinth.stl", box({0, 0, 0}, size)));
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    choices.item().platform = project::Platform("rect:200x200");
-    document().setChoices(choices, "flat");
+    chooseFlat("rect:200x200");
     ASSERT_TRUE(settled());
     QTest::qWait(50); // the plate is drawn and framed
   }

@@ -30,10 +30,7 @@ class SettingsTest : public WindowTest {
 protected:
   void openFlat() {
     openPart(writePart("plinth.stl", box({0, 0, 0}, {20, 20, 6})));
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    document().setChoices(choices, "flat");
+    chooseFlat();
     ASSERT_TRUE(waitFor([&] {
       return document().upToDate(Stage::Load) && !window().planning().running() &&
              !window().presenter().busy();

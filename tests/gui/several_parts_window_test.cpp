@@ -32,10 +32,7 @@ protected:
   // Flat layers: mode auto would plan several ways.
   void openFlat() {
     openPart(writePart("plinth.stl", box({0, 0, 0}, {20.0, 20.0, 6.0})));
-    project::Choices choices = document().choices();
-    choices.item().automatic = false;
-    choices.item().mode = "flat";
-    document().setChoices(choices, "flat");
+    chooseFlat();
     ASSERT_TRUE(planned(Stage::Load));
   }
   void addByMenu() {

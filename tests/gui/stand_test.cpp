@@ -164,10 +164,7 @@ TEST_F(StandTest, ThereAreNoneAroundARod) {
 // A vase has a wall and a bottom; its card shows that as soon as it is chosen.
 TEST_F(StandTest, TheTimeOnACardIsThatOfThePlan) {
   openStanding(writePart("column.stl", box({0, 0, 0}, {30.0, 30.0, 24.0})));
-  project::Choices choices = document().choices();
-  choices.item().automatic = false;
-  choices.item().mode = "flat";
-  document().setChoices(choices, "flat");
+  chooseFlat();
   ASSERT_TRUE(settled());
   const auto minutes = [&] {
     const QRegularExpression about("About (\\d+) min");

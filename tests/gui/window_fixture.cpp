@@ -111,6 +111,15 @@ void WindowTest::openPart(const QString& file) {
   }));
 }
 
+void WindowTest::chooseFlat(const std::string& platform) {
+  project::Choices choices = document().choices();
+  choices.item().automatic = false;
+  choices.item().mode = "flat";
+  if (!platform.empty())
+    choices.item().platform = project::Platform(platform);
+  document().setChoices(choices, "flat");
+}
+
 void WindowTest::clickMenu(const char* menuName, const char* actionName) {
   auto* menu = find<QMenu>(menuName);
   auto* action = find<QAction>(actionName);

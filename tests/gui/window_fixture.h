@@ -64,6 +64,8 @@ protected:
   bool planned(project::Stage stage);
   // Opens a part and waits until it is on the plate.
   void openPart(const QString& file);
+  // Flat layers instead of mode auto, which would plan several ways. `platform`: "" keeps it.
+  void chooseFlat(const std::string& platform = {});
   // By the mouse: menu bar, then the entry.
   void clickMenu(const char* menu, const char* action);
   void clickToolBar(const char* action);
