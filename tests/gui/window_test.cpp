@@ -389,7 +389,7 @@ TEST_P(NarrowPanelTest, ScrollsNothingSideways) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, NarrowPanelTest,
-                         testing::Combine(testing::Values("it", "nb", "zh"), testing::Bool()),
+                         testing::Combine(testing::Values("it", "nb", "nl", "zh"), testing::Bool()),
                          [](const testing::TestParamInfo<std::tuple<std::string, bool>>& test) {
                            return std::get<std::string>(test.param) +
                                   (std::get<bool>(test.param) ? "LargeText" : "LargeEverything");
