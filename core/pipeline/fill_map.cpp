@@ -2,15 +2,57 @@
 
 #include "collision/growing_part.h"
 #include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "plan/tool_plan.h"
 #include "voxel/column_parity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 namespace voluta::pipeline {
 
-FillMap fillMap(const geometry::TriangleMesh& part, const collision::GrowingPart& growing,
+namespace {
+
+// Returns the intended share of each cube that contains some of the part, and 1 of the others.
+// `partMm3`: of the part per cube.
+std::vector<double> intendedShares(const geometry::TriangleMesh& part,
+                                   std::span<const std::size_t> firstTriangle,
+                                   const plan::ToolPlan& plan, const voxel::VoxelGrid& cubes,
+                                   const std::vector<double>& partMm3) {
+  std::vector<double> shares(cubes.cellCount(), 1.0);
+  if (std::ranges::all_of(plan.fill, &plan::FillIntent::isSolid))
+    return shares;
+  const geometry::MeshQuery query(part);
+  const auto itemOf = [&](int triangle) {
+    const auto after = std::ranges::upper_bound(firstTriangle, static_cast<std::size_t>(triangle));
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - firstTriangle.begin() - 1));
+  };
+  std::map<std::size_t, std::vector<std::size_t>> sparse; // cubes by item
+  std::map<std::size_t, double> volumeMm3;
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    if (partMm3[c] <= 0.0)
+      continue;
+    const Eigen::Vector3i cell = cubes.cell(c);
+    const geometry::MeshQuery::Closest nearest =
+        query.closest(cubes.centre(cell.x(), cell.y(), cell.z()));
+    const std::size_t item = itemOf(nearest.triangle);
+    if (nearest.distance > plan.fillOf(item).shellMm) {
+      sparse[item].push_back(c);
+      volumeMm3[item] += partMm3[c];
+    }
+  }
+  for (const auto& [item, cells] : sparse)
+    for (const std::size_t c : cells)
+      shares[c] = std::max(0.0, 1.0 - plan.fillOf(item).openMm3 / volumeMm3[item]);
+  return shares;
+}
+
+} // namespace
+
+FillMap fillMap(const geometry::TriangleMesh& part, std::span<const std::size_t> firstTriangle,
+                const plan::ToolPlan& plan, const collision::GrowingPart& growing,
                 const base::RunContext& ctx) {
   constexpr double kAcross = 40.0;
   const Eigen::AlignedBox3d box = geometry::bounds(part);
@@ -46,6 +88,11 @@ FillMap fillMap(const geometry::TriangleMesh& part, const collision::GrowingPart
             collision::GrowingPart::kNeverFilled)
       filled[cube] += 1.0;
   }
+  const double cellMm3 = std::pow(grid.pitch, 3);
+  std::vector<double> partMm3(there);
+  for (double& volume : partMm3)
+    volume *= cellMm3;
+  map.intended = intendedShares(part, firstTriangle, plan, cubes, partMm3);
   for (std::size_t c = 0; c < there.size(); ++c)
     map.filled.push_back(there[c] > 0.0 ? filled[c] / there[c] : -1.0);
   return map;

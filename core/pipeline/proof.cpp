@@ -430,7 +430,10 @@ void writeProofs(const PlanResult& result, const Programs& programs,
   const auto printed = project::printedOf(result.job);
   sideBySide(ctx,
              {[&] { measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx); },
-              [&] { measured.fill = fillMap(*printed, growing, ctx); },
+              [&] {
+                measured.fill =
+                    fillMap(*printed, project::firstTriangles(result.job), plan, growing, ctx);
+              },
               [&] { measured.pictures = picturesOf(result.job, style); },
               [&] {
                 base::writeFile(

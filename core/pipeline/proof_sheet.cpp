@@ -47,25 +47,29 @@ int fillClassOf(double filled) {
       std::min<std::ptrdiff_t>(found - kFillClasses.begin(), std::ssize(kFillClasses) - 1));
 }
 
-// Returns the mean along the view. `across`: the axis that points right; z is up.
+// Returns the filled share of what is meant to be filled along the view. `across`: the axis that
+// points right; z is up.
 page::CellMap viewOf(const FillMap& fill, int across) {
   const int along = 1 - across;
   page::CellMap map{fill.size[across], fill.size.z(), {}, {}};
   for (int k = map.height - 1; k >= 0; --k)
     for (int i = 0; i < map.width; ++i) {
-      double sum = 0.0, count = 0.0;
+      double sum = 0.0, intended = 0.0;
+      bool isPart = false;
       for (int j = 0; j < fill.size[along]; ++j) {
         Eigen::Vector3i cell(0, 0, k);
         cell[across] = i;
         cell[along] = j;
-        const double filled = fill.filled[static_cast<std::size_t>(
-            cell.x() + fill.size.x() * (cell.y() + fill.size.y() * k))];
-        if (filled >= 0.0) {
-          sum += filled;
-          count += 1.0;
+        const auto cube =
+            static_cast<std::size_t>(cell.x() + fill.size.x() * (cell.y() + fill.size.y() * k));
+        if (fill.filled[cube] >= 0.0) {
+          isPart = true;
+          sum += fill.filled[cube];
+          intended += fill.intended[cube];
         }
       }
-      map.swatch.push_back(count > 0.0 ? fillClassOf(sum / count) : page::CellMap::kNothing);
+      const double share = sum < intended ? sum / intended : 1.0;
+      map.swatch.push_back(isPart ? fillClassOf(share) : page::CellMap::kNothing);
     }
   return map;
 }
@@ -411,8 +415,8 @@ private:
   }
 
   void maps() {
-    sheet_.mapsTitle =
-        say("Fill of the part: mean along the view, for beads with round edges"_text);
+    sheet_.mapsTitle = say(
+        "Fill of what is meant to be solid: mean along the view, for beads with round edges"_text);
     sheet_.maps = {viewOf(proof_.fill, 0), viewOf(proof_.fill, 1)};
     sheet_.maps[0].caption = say("from the front (x to the right, z up)"_text);
     sheet_.maps[1].caption = say("from the side (y to the right, z up)"_text);

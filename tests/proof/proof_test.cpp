@@ -159,7 +159,7 @@ TEST(Proof, AProgramOfAnotherPartThanAskedHasNotPassed) {
 
 TEST(Proof, TheLegendHasTheColoursOfTheMap) {
   Proof proof;
-  proof.fill = {1.0, Eigen::Vector3d::Zero(), {3, 2, 2}, {}};
+  proof.fill = {1.0, Eigen::Vector3d::Zero(), {3, 2, 2}, {}, std::vector<double>(12, 1.0)};
   proof.fill.filled = {1.0, 0.83, -1.0, 1.0, 0.83, -1.0, 0.75, 0.6, 0.1, 0.75, 0.6, 0.1};
   const page::Sheet sheet = proofSheet(proof, base::Language());
   ASSERT_EQ(sheet.maps.size(), 2u);
@@ -215,8 +215,8 @@ TEST(Proof, FillMapShowsEmptyPlaces) {
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const double pitch =
       collision::growingPitch(whole, process::Tooling(plan.tooling().first().process));
-  const FillMap full =
-      fillMap(plan.job.item().printed(), collision::GrowingPart(whole, pitch, kCtx), kCtx);
+  const FillMap full = fillMap(plan.job.item().printed(), {}, whole,
+                               collision::GrowingPart(whole, pitch, kCtx), kCtx);
   double mean = 0.0, count = 0.0;
   for (const double share : full.filled)
     if (share >= 0.0) {
@@ -227,13 +227,43 @@ TEST(Proof, FillMapShowsEmptyPlaces) {
   plan::ToolPlan half = whole; // lower layers only
   std::erase_if(half.paths, [](const plan::ToolPath& p) { return p.layer > 4; });
   const FillMap left =
-      fillMap(plan.job.item().printed(), collision::GrowingPart(half, pitch, kCtx), kCtx);
+      fillMap(plan.job.item().printed(), {}, half, collision::GrowingPart(half, pitch, kCtx), kCtx);
   const auto at = [](const FillMap& map, int k) {
     return map.filled[static_cast<std::size_t>(
         map.size.x() / 2 + map.size.x() * (map.size.y() / 2 + map.size.y() * k))];
   };
   EXPECT_GT(at(left, 1), 0.8);
   EXPECT_EQ(at(left, left.size.z() - 2), 0.0);
+}
+
+// Infill of 20 % that is whole is shown as full, and its absence as empty.
+TEST(Proof, FillMapMeasuresSparseInfillByItsShare) {
+  PlanRequest request = test::boxRequest({{"infillDensity", "0.2"}});
+  request.item().loaded = test::loadedBox({-15, -15, 0}, {15, 15, 24});
+  request.choices.item().mode = "flat";
+  const PlanResult result = planPart(request, kCtx);
+  const plan::ToolPlan& whole = *result.job.toolPlan;
+  const double pitch =
+      collision::growingPitch(whole, process::Tooling(result.tooling().first().process));
+  const auto lowSwatches = [&](const plan::ToolPlan& printed) {
+    Proof proof;
+    proof.fill = fillMap(result.job.item().printed(), {}, whole,
+                         collision::GrowingPart(printed, pitch, kCtx), kCtx);
+    constexpr int kHalf = 3; // the swatch of less than 70 %
+    double low = 0.0, all = 0.0;
+    for (const page::CellMap& map : proofSheet(proof, base::Language()).maps)
+      for (const int swatch : map.swatch) {
+        all += 1.0;
+        low += swatch >= kHalf ? 1.0 : 0.0;
+      }
+    return low / all;
+  };
+  EXPECT_LT(lowSwatches(whole), 0.2);
+  plan::ToolPlan hollow = whole;
+  std::erase_if(hollow.paths, [](const plan::ToolPath& path) {
+    return path.kind == plan::PathKind::SparseInfill;
+  });
+  EXPECT_GT(lowSwatches(hollow), 0.3);
 }
 
 } // namespace
