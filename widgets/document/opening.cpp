@@ -139,8 +139,9 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
                           bool unsaved) {
   giveUpRepair();
   using Opened = std::shared_ptr<const pipeline::PlanResult>;
+  const auto cache = std::make_shared<pipeline::StageCache>();
   runner_.run(
-      [file, cache = planning_.cache()](const base::RunContext& ctx) -> Opened {
+      [file, cache](const base::RunContext& ctx) -> Opened {
         ctx.report(0.0, "open"_text);
         base::finishStaged(std::filesystem::absolute(pathOf(file)).parent_path());
         project::Job job = project::readJob(pathOf(file), pipeline::allParameters());
@@ -148,9 +149,9 @@ void Opening::readProject(const QString& file, const QString& projectFile, const
         pipeline::seedCache(*cache, job);
         return std::make_shared<const pipeline::PlanResult>(pipeline::resultOf(std::move(job)));
       },
-      [this, projectFile, shownFile, unsaved](const base::Outcome<Opened>& outcome) {
+      [this, projectFile, shownFile, unsaved, cache](const base::Outcome<Opened>& outcome) {
         if (const auto* result = std::get_if<Opened>(&outcome)) {
-          planning_.cancel();
+          planning_.startAfresh(cache);
           document_.openJob(**result, projectFile, unsaved);
           emit opened(projectFile, true);
         } else if (const auto* error = std::get_if<base::Error>(&outcome)) {

@@ -1,5 +1,6 @@
 #include "document/planning.h"
 
+#include "base/memory.h"
 #include "curved/decomposition.h"
 #include "document/document.h"
 #include "language/words.h"
@@ -15,6 +16,8 @@ using project::Stage;
 
 namespace {
 constexpr int kStartOverMs = 300;
+// By then the views have dropped what they showed.
+constexpr int kReturnMemoryMs = 1000;
 using Result = std::shared_ptr<const pipeline::PlanResult>;
 } // namespace
 
@@ -29,7 +32,17 @@ jobs::Progress progressOfStrategy(jobs::Progress progress,
 
 Planning::Planning(Document& document, QObject* parent)
     : QObject(parent), document_(document), cache_(std::make_shared<pipeline::StageCache>()),
-      startOver_(new QTimer(this)) {
+      startOver_(new QTimer(this)), returnMemory_(new QTimer(this)) {
+  returnMemory_->setSingleShot(true);
+  returnMemory_->setInterval(kReturnMemoryMs);
+  connect(returnMemory_, &QTimer::timeout, this, [this] {
+    memory_.run(
+        [](const base::RunContext&) {
+          base::returnFreedMemory();
+          return true;
+        },
+        [](const base::Outcome<bool>&) {}, 1);
+  });
   startOver_->setSingleShot(true);
   startOver_->setInterval(kStartOverMs);
   connect(startOver_, &QTimer::timeout, this, [this] {
@@ -42,6 +55,12 @@ Planning::Planning(Document& document, QObject* parent)
 }
 
 Planning::~Planning() = default;
+
+void Planning::startAfresh(std::shared_ptr<pipeline::StageCache> cache) {
+  cancel();
+  cache_ = cache ? std::move(cache) : std::make_shared<pipeline::StageCache>();
+  returnMemory_->start();
+}
 
 bool Planning::running() const {
   return runner_.running() || waiting_.has_value();

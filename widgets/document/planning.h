@@ -48,6 +48,9 @@ public:
   project::Stage until() const { return until_; }
   // Cached results, to be seeded from an opened project; thread-safe.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
+  // Cancels, drops the results of the document that is closed, and returns its memory to the
+  // system. `cache`: of the next document; null: an empty one.
+  void startAfresh(std::shared_ptr<pipeline::StageCache> cache = nullptr);
 
 signals:
   void started(voluta::project::Stage until);
@@ -69,8 +72,10 @@ private:
   Document& document_;
   std::shared_ptr<pipeline::StageCache> cache_;
   jobs::JobRunner runner_;
+  jobs::JobRunner memory_; // returns freed memory
   std::optional<pipeline::StrategyProgress> strategy_; // that mode auto is trying
   QTimer* startOver_;
+  QTimer* returnMemory_;
   std::optional<project::Stage> waiting_; // for the repair
   project::Stage until_ = project::Stage::Replay;
   bool startsOver_ = false;

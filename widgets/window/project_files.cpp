@@ -354,6 +354,7 @@ void ProjectFiles::newProject() {
     planning_.cancel();
     opening_.cancel();
     document_.clear();
+    planning_.startAfresh();
     emit said({}); // Clear the message of the last run
     emit cleared();
   });
