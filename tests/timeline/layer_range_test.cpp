@@ -1,6 +1,7 @@
 #include "timeline/layer_range_slider.h"
 
 #include <QApplication>
+#include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -40,6 +41,18 @@ TEST_F(LayerRangeTest, ShowsAllLayersAtFirst) {
   slider_.setLayers(0);
   expectRange(0, 0);
   EXPECT_FALSE(slider_.isEnabled());
+}
+
+TEST_F(LayerRangeTest, MarksAreShortNumbers) {
+  for (const double low : {2.75, 0.2, 13.37, 480.0})
+    for (const double span : {0.75, 3.2, 29.0, 800.0}) {
+      slider_.setLayers(4, {low, low + 0.3 * span, low + 0.6 * span, low + span}, true);
+      const std::vector<double> marks = slider_.ruledMm();
+      EXPECT_GE(marks.size(), 3U) << low << " " << span;
+      for (const double mark : marks)
+        EXPECT_LE(QLocale::c().toString(mark, 'g', QLocale::FloatingPointShortest).size(), 6)
+            << mark;
+    }
 }
 
 TEST_F(LayerRangeTest, ItsLabelsGrowWithoutMovingThePictureBesideIt) {

@@ -278,15 +278,18 @@ std::vector<double> LayerRangeSlider::ruledMm() const {
   if (span <= 0.0 || most < 1.0)
     return {};
   // The smallest of 1, 2, 5, 10, 20 ... whose marks have room.
-  double step = std::pow(10.0, std::floor(std::log10(span / most)));
-  for (const double factor : {1.0, 2.0, 5.0, 10.0})
-    if (span / (factor * step) <= most) {
-      step *= factor;
-      break;
-    }
+  const double exponent = std::floor(std::log10(span / most));
+  const double power = std::pow(10.0, std::abs(exponent));
+  // A division gives the decimal number that is meant: 335 / 100, but not 335 * 0.01, is 3.35.
+  const auto inMm = [&](double steps) { return exponent < 0.0 ? steps / power : steps * power; };
+  double factor = 1.0;
+  for (const double larger : {2.0, 5.0, 10.0})
+    if (span / inMm(factor) > most)
+      factor = larger;
   std::vector<double> marks;
-  for (double at = std::ceil(topMm_.front() / step); at * step <= topMm_.back(); ++at)
-    marks.push_back(at * step);
+  for (double at = std::ceil(topMm_.front() / inMm(factor)); inMm(at * factor) <= topMm_.back();
+       ++at)
+    marks.push_back(inMm(at * factor));
   return marks;
 }
 
