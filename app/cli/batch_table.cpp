@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "cli/batch_page.h"
 #include "cli/batch_workflow.h"
 #include "cli/exit_code.h"
 
@@ -132,6 +133,7 @@ BatchTable writeBatchTable(const fs::path& folder) {
   }
   base::writeFile(folder / "table.json", rows.dump(2) + "\n");
   base::writeFile(folder / "table.csv", csvOf(rows, settings));
+  base::writeFile(folder / "compare.html", batchPage(rows, settings));
   return table;
 }
 

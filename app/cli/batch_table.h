@@ -14,8 +14,8 @@ struct BatchTable {
   std::vector<std::string> missing;    // Names of jobs that have not ended
 };
 
-// Writes table.csv and table.json to the folder of a batch: the jobs in the order of its
-// config.json. Throws Error{UnreadableFile} if the folder has none.
+// Writes table.csv, table.json and compare.html to the folder of a batch: the jobs in the order of
+// its config.json. Throws Error{UnreadableFile} if the folder has none.
 BatchTable writeBatchTable(const std::filesystem::path& folder);
 
 } // namespace voluta::cli

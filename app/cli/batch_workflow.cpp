@@ -38,7 +38,7 @@ rule table:
     input:
         expand("results/{job}.json", job=list(JOBS))
     output:
-        "table.csv", "table.json"
+        "table.csv", "table.json", "compare.html"
     shell:
         "{PROGRAM} batch --table -o ."
 

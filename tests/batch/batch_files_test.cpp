@@ -1,6 +1,7 @@
 // The workflow that voluta-cli batch writes, and the table of its results; neither needs Snakemake.
 #include "batch/batch_folder.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <string>
 #include <vector>
@@ -132,6 +133,30 @@ TEST(BatchTable, HasTheFiguresOfTheReports) {
   const std::string csv = folder.read("out/table.csv");
   EXPECT_THAT(csv, HasSubstr(",2,\"\"\"too\"\", small\"\n"));
   EXPECT_THAT(csv, HasSubstr(",not planned\n"));
+}
+
+TEST(BatchTable, IsAPageThatMarksTheBestJobs) {
+  const BatchFolder folder;
+  folder.writeBar("parts/a.stl", 8, 4);
+  folder.write("study.csv", "name,mode\nfast,flat\nslow,flat\nbad,flat\n");
+  ASSERT_EQ(folder.batch("parts --study study.csv -o out --write-only").code, 0);
+  fs::create_directories(folder / "out/results");
+  for (const auto& [job, seconds, code] :
+       {std::tuple{"a-fast", 60.0, 0}, {"a-slow", 90.0, 0}, {"a-bad", 5.0, 4}}) {
+    const std::string name = job;
+    fs::create_directories(folder / ("out/jobs/" + name));
+    folder.write("out/results/" + name + ".json", fmt::format(R"({{"exitCode": {}}})", code));
+    folder.write("out/jobs/" + name + "/report.json",
+                 fmt::format(R"({{"verdict": "{}", "motion": {{"durationS": {}}}}})",
+                             code == 0 ? "passed" : "differs", seconds));
+  }
+  ASSERT_EQ(folder.batch("--table -o out").code, 0) << folder.read("err");
+  const std::string page = folder.read("out/compare.html");
+  EXPECT_THAT(page, HasSubstr("2 of 3 jobs passed"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"number best\">1 min 0 s</td>"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"number\">5 s</td>"));
+  EXPECT_THAT(page, HasSubstr("safe to run, not as asked"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"jobs/a-slow\">"));
 }
 
 } // namespace
