@@ -38,6 +38,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(voluta_flags INTERFACE -Wno-array-bounds -Wno-restrict
     -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
+# GCC 14 does not see that Eigen initialises vectors with a largest size.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  target_compile_options(voluta_flags INTERFACE -Wno-maybe-uninitialized)
+endif()
 if(VOLUTA_WERROR)
   target_compile_options(voluta_flags INTERFACE -Werror)
 endif()

@@ -5,8 +5,6 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <array>
-#include <boost/optional.hpp>
 #include <exception>
 
 namespace voluta::geometry {
@@ -20,17 +18,15 @@ std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const Triang
   // Corefinement crashes on triangles without area, which its own results may contain.
   if (!pmp::remove_degenerate_faces(*a) || !pmp::remove_degenerate_faces(*b))
     return std::nullopt;
-  const std::size_t slot = operation == BooleanOperation::Union ? pmp::Corefinement::UNION
-                           : operation == BooleanOperation::Intersection
-                               ? pmp::Corefinement::INTERSECTION
-                               : pmp::Corefinement::TM1_MINUS_TM2;
   CgalMesh result;
-  std::array<boost::optional<CgalMesh*>, 4> wanted;
-  wanted[slot] = &result;
+  const auto strictly = CGAL::parameters::throw_on_self_intersection(refuseSelfIntersections);
   try {
-    const std::array<bool, 4> made = pmp::corefine_and_compute_boolean_operations(
-        *a, *b, wanted, CGAL::parameters::throw_on_self_intersection(refuseSelfIntersections));
-    if (!made[slot])
+    const bool made = operation == BooleanOperation::Union
+                          ? pmp::corefine_and_compute_union(*a, *b, result, strictly)
+                      : operation == BooleanOperation::Intersection
+                          ? pmp::corefine_and_compute_intersection(*a, *b, result, strictly)
+                          : pmp::corefine_and_compute_difference(*a, *b, result, strictly);
+    if (!made)
       return std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;

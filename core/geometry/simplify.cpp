@@ -2,10 +2,20 @@
 
 #include "geometry/cgal_mesh.h"
 
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 namespace voluta::geometry {
+
+namespace {
+// CGAL's own predicate has another name in each of its versions.
+struct StopsAtEdges {
+  std::size_t edges = 0;
+  template <typename Cost, typename Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t current) const {
+    return current < edges;
+  }
+};
+} // namespace
 
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles) {
   if (mesh.triangles.size() <= triangles)
@@ -13,8 +23,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles) {
   std::optional<CgalMesh> collapsing = toCgal(mesh);
   if (!collapsing)
     return mesh;
-  const CGAL::Surface_mesh_simplification::Count_stop_predicate<CgalMesh> stop(3 * triangles / 2);
-  CGAL::Surface_mesh_simplification::edge_collapse(*collapsing, stop);
+  CGAL::Surface_mesh_simplification::edge_collapse(*collapsing, StopsAtEdges{3 * triangles / 2});
   collapsing->collect_garbage();
   return fromCgal(*collapsing);
 }

@@ -17,6 +17,15 @@ namespace {
 
 constexpr char kBetween = '|';
 
+// Expat renames it in 2.9, and warns of the old name.
+long long lineNumber(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  return static_cast<long long>(XML_GetCurrentLineNumber64(parser));
+#else
+  return static_cast<long long>(XML_GetCurrentLineNumber(parser));
+#endif
+}
+
 XmlName nameOf(std::string_view whole) {
   const std::size_t at = whole.rfind(kBetween);
   return at == std::string_view::npos ? XmlName{{}, whole}
@@ -115,7 +124,7 @@ std::size_t XmlAttributes::size() const {
 }
 
 long long XmlAttributes::line() const {
-  return static_cast<long long>(XML_GetCurrentLineNumber(parser_));
+  return lineNumber(parser_);
 }
 
 std::string_view XmlAttributes::text(std::string_view word, std::string_view space) const {
@@ -163,8 +172,7 @@ void scanXml(std::string_view text, const std::string& where, const XmlHandler& 
   Scan scan(handler, parser.get());
   const XML_Status status =
       XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
-  const base::Message line =
-      base::lineOf(where, static_cast<long long>(XML_GetCurrentLineNumber(parser.get())));
+  const base::Message line = base::lineOf(where, lineNumber(parser.get()));
   scan.rethrow(line);
   if (status != XML_STATUS_OK)
     throw Error(

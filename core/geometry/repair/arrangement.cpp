@@ -16,6 +16,7 @@
 #include <optional>
 #include <tuple>
 #include <unordered_map>
+#include <variant>
 
 namespace voluta::geometry {
 
@@ -25,6 +26,15 @@ using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Exact::Point_3;
 using Index = std::size_t;
+
+// Returns what an intersection is, nullptr if it is none of that kind. CGAL holds it in a variant
+// of Boost up to version 5, and in one of the standard library from 6 on.
+template <typename T, typename Held> const T* heldAs(const Held& held) {
+  if constexpr (requires { boost::get<T>(&held); })
+    return boost::get<T>(&held);
+  else
+    return std::get_if<T>(&held);
+}
 
 Index index(int i) {
   return static_cast<Index>(i);
@@ -119,7 +129,7 @@ private:
                                exact(vertex(other, 2)));
     const auto cut =
         CGAL::intersection(plane, Exact::Line_3(exact(std::get<0>(key)), exact(std::get<1>(key))));
-    return pierced_.emplace(key, points_.idOf(boost::get<Point>(*cut))).first->second;
+    return pierced_.emplace(key, points_.idOf(*heldAs<Point>(*cut))).first->second;
   }
 
   // Returns the common segment of triangles in general position; nullopt if they are not.
@@ -145,17 +155,17 @@ private:
     const auto common = CGAL::intersection(triangle(a), triangle(b));
     if (!common)
       return {};
-    if (const auto* point = boost::get<Point>(&*common)) {
+    if (const auto* point = heldAs<Point>(*common)) {
       const int id = points_.idOf(*point);
       return {{id, id}};
     }
-    if (const auto* segment = boost::get<Exact::Segment_3>(&*common))
+    if (const auto* segment = heldAs<Exact::Segment_3>(*common))
       return {{points_.idOf(segment->source()), points_.idOf(segment->target())}};
     std::vector<Point> polygon;
-    if (const auto* whole = boost::get<Exact::Triangle_3>(&*common))
+    if (const auto* whole = heldAs<Exact::Triangle_3>(*common))
       polygon = {whole->vertex(0), whole->vertex(1), whole->vertex(2)};
     else
-      polygon = boost::get<std::vector<Point>>(*common);
+      polygon = *heldAs<std::vector<Point>>(*common);
     std::vector<Segment> sides;
     for (std::size_t i = 0; i < polygon.size(); ++i)
       sides.emplace_back(points_.idOf(polygon[i]), points_.idOf(polygon[(i + 1) % polygon.size()]));
