@@ -537,6 +537,7 @@ int run(int argc, char** argv) {
   addResume(app, parsed, threads);
   addTogether(app, parsed.run, threads);
   addRender(app, parsed.run);
+  addFilm(app, parsed.run);
   addInspect(app, parsed, threads);
   addOrient(app, parsed, threads);
   addRobot(app, parsed, threads);

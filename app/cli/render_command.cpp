@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/run_interruptibly.h"
+#include "pictures/job_film.h"
 #include "pictures/job_picture.h"
 #include "pipeline/stage_options.h"
 #include "project/job.h"
@@ -60,7 +61,45 @@ ExitCode renderCommand(const RenderOptions& options) {
   return kDone;
 }
 
+struct FilmCommandOptions {
+  std::filesystem::path job, film;
+  std::string size = "1280x720";
+  pictures::FilmOptions how;
+};
+
+// Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
+ExitCode filmCommand(const FilmCommandOptions& options) {
+  pictures::FilmOptions film = options.how;
+  std::tie(film.look.width, film.look.height) = sizeOf(options.size);
+  film.look.where = options.job.string();
+  pictures::checkNames(film.look);
+  const auto done = endedWith(runInterruptibly(
+      [film, &options](const base::RunContext& ctx) {
+        const project::Job read = project::readJob(options.job, pipeline::allParameters());
+        pictures::writeFilm(read, film, options.film, ctx);
+        return true;
+      },
+      1, {}, [] {}));
+  return done ? kDone : kCancelled;
+}
+
 } // namespace
+
+void addFilm(CLI::App& app, std::function<ExitCode()>& run) {
+  auto options = std::make_shared<FilmCommandOptions>();
+  pictures::FilmOptions& film = options->how;
+  CLI::App* command = app.add_subcommand("film", "draw the robot printing a job; needs no display");
+  command->add_option("JOB", options->job, "job.voluta")->required();
+  command->add_option("-o", options->film, "WebM file to write")->required();
+  command->add_option("--length", film.lengthS, "seconds of the film, in which all is printed");
+  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+  command->add_option("--colour", film.look.colour,
+                      "layer, group, kind, height, width, speed, time or direction");
+  command->add_option("--view", film.look.view,
+                      "isometric, front, back, left, right, top or bottom");
+  command->add_flag("--dark", film.look.dark, "dark background");
+  command->callback([options, &run] { run = [options] { return filmCommand(*options); }; });
+}
 
 void addRender(CLI::App& app, std::function<ExitCode()>& run) {
   auto options = std::make_shared<RenderOptions>();

@@ -1,4 +1,4 @@
-// The sub-command "render": a picture of a job, with or without a display.
+// The sub-commands "render" and "film": a picture of a job, and the robot that prints it.
 #pragma once
 
 #include "cli/exit_code.h"
@@ -11,7 +11,8 @@ class App;
 
 namespace voluta::cli {
 
-// Adds the command; `run` is set when it is given.
+// Each adds its command; `run` is set when it is given.
 void addRender(CLI::App& app, std::function<ExitCode()>& run);
+void addFilm(CLI::App& app, std::function<ExitCode()>& run);
 
 } // namespace voluta::cli

@@ -12,6 +12,7 @@
 #include "window/cell/measure_dialog.h"
 #include "window/cell/touch_dialog.h"
 #include "window/copies_dialog.h"
+#include "window/film/film_dialog.h"
 #include "window/library/compare_items_dialog.h"
 #include "window/library/head_numbers_dialog.h"
 #include "window/library/library_dialog.h"
@@ -107,6 +108,8 @@ protected:
          }},
         {"QuoteDialog",
          [plan](QWidget* w) { return new window::QuoteDialog(plan, "part", "9 × 9 × 5 mm", w); }},
+        {"FilmDialog",
+         [plan](QWidget* w) { return new window::FilmDialog(plan, "part", false, w); }},
         {"CopiesDialog", [](QWidget* w) { return new window::CopiesDialog(3, w); }},
         {"RunDialog", [=](QWidget* w) { return new window::RunDialog(missing, plan, w); }},
     };

@@ -7,17 +7,23 @@
 #include "pipeline/plan_result.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/film/film_dialog.h"
 #include "window/presenters/presenter.h"
 #include "window/quote/quote_dialog.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
+#include <QPointer>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolBar>
 #include <QTreeWidget>
@@ -162,6 +168,34 @@ TEST_F(ObjectMenusTest, TheSummaryBeginsWithTimeMassLengthAndCost) {
               document().lastResult()->tooling().printedG(*document().lastResult()->job.trajectory),
               1e-6);
   EXPECT_NEAR(quote->materialCost(), quote->massG() * 20.0 / 1000.0, 1e-9) << "PLA costs 20 per kg";
+}
+
+TEST_F(ObjectMenusTest, AFilmIsSavedAndACancelledOneIsNot) {
+  EXPECT_FALSE(find<QAction>("exportFilm")->isEnabled());
+  planFlat();
+  const auto film = [&](const char* name) {
+    clickMenu("exportMenu", "exportFilm");
+    auto* dialog = find<window::FilmDialog>("filmDialog");
+    dialog->findChild<QComboBox*>("filmSize")->setCurrentIndex(2);
+    auto* length = dialog->findChild<QSpinBox*>("filmLength");
+    length->setFocus();
+    length->selectAll();
+    QTest::keyClicks(length, "1"); // and not left
+    answerFileDialog(path(name));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("filmSave"), Qt::LeftButton);
+    return QPointer<window::FilmDialog>(dialog);
+  };
+  const QPointer<window::FilmDialog> cancelled = film("cut.webm");
+  ASSERT_TRUE(
+      waitFor([&] { return cancelled->findChild<QProgressBar*>("filmProgress")->value() > 0; }));
+  keepPicture(*cancelled, "film");
+  cancelled->reject();
+  ASSERT_TRUE(waitFor([&] { return cancelled.isNull(); }));
+  const QPointer<window::FilmDialog> saved = film("whole.webm");
+  ASSERT_TRUE(waitFor([&] { return saved.isNull(); }));
+  EXPECT_TRUE(QFileInfo(path("whole.webm")).size() > 1000);
+  EXPECT_TRUE(waitFor([&] { return !QFileInfo::exists(path("cut.webm.part")); }, 10000));
+  EXPECT_FALSE(QFileInfo::exists(path("cut.webm")));
 }
 
 TEST_F(ObjectMenusTest, AQuoteAddsMachineSetUpAndMarginAndIsSaved) {

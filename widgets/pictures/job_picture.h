@@ -3,6 +3,7 @@
 
 #include "project/job.h"
 #include "scene/offscreen_target.h"
+#include "scene/scene.h"
 
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ std::vector<std::string> pictureNames(); // Returns part, voxels, pieces, layers
 // Throws Error{Usage} for an unknown name, layer or time; Error{UnusableInput} if the job does not
 // contain the requested results. Thread-safe.
 scene::Image jobPicture(const project::Job& job, const PictureOptions& options);
+// Throws Error{Usage} for an unknown name.
+scene::StandardView standardViewOf(const std::string& view);
 // Throws Error{Usage} for unknown names, before a job is read.
 void checkNames(const PictureOptions& options);
 

@@ -9,6 +9,7 @@
 #include "timeline/timeline_bar.h"
 #include "window/data_labels.h"
 #include "window/dialog_fit.h"
+#include "window/film/film_dialog.h"
 #include "window/flow_bar.h"
 #include "window/log_dialog.h"
 #include "window/manual/manual_window.h"
@@ -237,6 +238,17 @@ std::vector<Command> MainWindow::ownCommands() {
                        tr("%1 cannot be written. Choose another folder.").arg(file));
          });
        }},
+      {"exportFilm",
+       "exportMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Film…"),
+       QT_TRANSLATE_NOOP("Commands", "Save a film of the robot that prints the part (WebM)"),
+       {},
+       [this] { openFilm(); },
+       [this] {
+         const auto plan = document_.presentResult();
+         return plan && plan->job.trajectory;
+       }},
       {"quote",
        "exportMenu",
        1,
@@ -404,6 +416,14 @@ void MainWindow::openPalette() {
   for (PaletteEntry& setting : settingEntries(*pages_))
     entries.push_back(std::move(setting));
   (new CommandPalette(std::move(entries), this))->open();
+}
+
+void MainWindow::openFilm() {
+  auto* dialog = new FilmDialog(document_.presentResult(), document_.name(),
+                                appearance_ == Appearance::Dark, this);
+  connect(dialog, &FilmDialog::saved, this,
+          [this](const QString& file) { status_->showIdle(tr("Saved the film %1").arg(file)); });
+  dialog->open();
 }
 
 void MainWindow::openQuote() {

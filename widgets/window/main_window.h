@@ -71,6 +71,7 @@ private:
   void switchAppearance();
   void editShortcuts();
   void openPalette();
+  void openFilm();
   void openQuote();
   void showMessage(const QString& title, const QString& message);
   void retranslate();
