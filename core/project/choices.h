@@ -43,6 +43,9 @@ struct Choices {
   std::vector<std::string> formats;               // empty: the cell's controller, gcode-extended
   int seed = 1;
   layers::PrintOrder printOrder = layers::PrintOrder::OneAfterAnother; // of several items
+  // Preset that the parameters began with: an id, or the text of an own one (pipeline/presets). The
+  // parameters alone determine the results.
+  std::string preset = "usual";
   // Non-default values as text, of parameters that all items share
   std::map<std::string, std::string> parameters;
   std::vector<ItemChoices> items = {ItemChoices{}}; // one or more, in the order of the job's items

@@ -75,6 +75,8 @@ Json choicesJson(const Choices& c) {
   j["jobParameters"] = c.parameters;
   if (c.printOrder == layers::PrintOrder::ByLayer)
     j["printOrder"] = "byLayer";
+  if (c.preset != Choices().preset)
+    j["preset"] = c.preset;
   for (std::size_t i = 1; i < c.items.size(); ++i)
     j["moreItems"].push_back(itemJson(c.item(i)));
   for (std::size_t i = 1; i < c.tools.size(); ++i)
@@ -111,6 +113,7 @@ Choices readChoices(const Json& j) {
     given->get_to(c.parameters);
   if (j.value("printOrder", "") == "byLayer")
     c.printOrder = layers::PrintOrder::ByLayer;
+  c.preset = j.value("preset", c.preset);
   for (const Json& item : j.value("moreItems", Json::array()))
     c.items.push_back(readItem(item));
   for (const Json& tool : j.value("moreTools", Json::array()))

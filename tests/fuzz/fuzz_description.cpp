@@ -1,7 +1,8 @@
-// Descriptions of robots, cells and processes in JSON.
+// Descriptions of robots, cells, processes and presets in JSON.
 #include "fuzz_target.h"
 
 #include "base/files.h"
+#include "pipeline/presets/print_preset.h"
 #include "process/process.h"
 #include "process/process_text.h"
 #include "robot/cell.h"
@@ -29,7 +30,8 @@ std::vector<std::string> fuzz::seeds() {
           base::readFile(kResources / "robots" / "irb1200.json"),
           base::readFile(kResources / "cells" / "ur5-fixed.json"),
           base::readFile(kResources / "cells" / "lathe.json"),
-          base::readFile(kResources / "processes" / "fdm-1.0.json")};
+          base::readFile(kResources / "processes" / "fdm-1.0.json"),
+          base::readFile(kResources / "presets" / "draft.json")};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -65,6 +67,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string written = process::processText(process);
     fuzz::expect(process::sameProcess(process::readProcessText(written, "written"), process),
                  "a process comes back from its text");
+  });
+  fuzz::takenOrRefused([&] {
+    const pipeline::PrintPreset preset = pipeline::readPreset(text, "draft.json");
+    fuzz::expect(pipeline::readPreset(pipeline::presetText(preset), "written") == preset,
+                 "a preset comes back from its text");
   });
   return 0;
 }
