@@ -16,6 +16,7 @@
 #include "cli/together_options.h"
 #include "curved/growth_scheme.h"
 #include "layers/print_order.h"
+#include "pipeline/presets/chosen_preset.h"
 #include "pipeline/stage_options.h"
 #include "process/own_materials.h"
 #include "project/choices.h"
@@ -88,6 +89,7 @@ struct Parsed {
 struct PlanValues {
   std::string until = "replay", progress = "bar";
   std::string material; // empty: the process's
+  std::string preset;   // empty: none
   std::vector<std::string> sets, tools, accepted;
 };
 
@@ -152,6 +154,9 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
           "PROCESS or PROCESS:MATERIAL of a further tool; tools are numbered from 1, which is "
           "--process (see parameters tool, supportTool, infillTool, pieceTools)")
       ->allow_extra_args(false);
+  command.add_option("--preset", values.preset,
+                     "preset of settings (see: list presets), or FILE.json; --set changes single "
+                     "ones");
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command
@@ -181,6 +186,8 @@ void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   pipeline::takeOwnFiles(choices);
   if (!values.material.empty())
     choices.tool().process = process::processTextWith(choices.tool().process, values.material);
+  if (!values.preset.empty())
+    choices = pipeline::withPreset(std::move(choices), values.preset);
   for (const base::Message& note :
        pipeline::setParameters(choices, withAccepted(values.sets, values.accepted)))
     fmt::print(stderr, "note: {}\n", base::english(note));

@@ -1,6 +1,7 @@
 #include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "modes/mode_table.h"
+#include "pipeline/presets/print_preset.h"
 #include "pipeline/stage_options.h"
 #include "process/library.h"
 #include "program/dialect.h"
@@ -101,6 +102,23 @@ Json listMaterials() {
   return rows;
 }
 
+Json listPresets() {
+  Json rows = Json::array();
+  for (const std::string& id : pipeline::presetIds()) {
+    Json row{{"id", id}, {"label", ""}, {"own", !pipeline::presetComesWithProgram(id)}};
+    try {
+      const pipeline::PrintPreset preset = pipeline::loadPreset(id);
+      row["label"] = preset.label;
+      row["parent"] = preset.parent;
+      row["settings"] = pipeline::presetSettings(preset);
+    } catch (const base::Error& error) {
+      row["label"] = error.what();
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 Json valueJson(const base::ParameterValue& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
@@ -136,7 +154,8 @@ struct Listing {
 constexpr Listing kListings[] = {{"modes", listModes},           {"cells", listCells},
                                  {"robots", listRobots},         {"formats", listFormats},
                                  {"processes", listProcesses},   {"materials", listMaterials},
-                                 {"parameters", listParameters}, {"parts", listParts}};
+                                 {"presets", listPresets},       {"parameters", listParameters},
+                                 {"parts", listParts}};
 
 std::string materialText(const Json& row) {
   std::string text = fmt::format(", {} g/cm3", row.at("densityGPerCm3").get<double>());
