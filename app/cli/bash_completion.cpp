@@ -13,13 +13,14 @@ namespace voluta::cli {
 namespace {
 
 // Options and positional values whose words "voluta-cli list" prints.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kListed{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kListed{
     {{"--cell", "cells"},
      {"--cells", "cells"},
      {"--process", "processes"},
      {"--tool", "processes"},
      {"--material", "materials"},
      {"--cut", "materials"},
+     {"--preset", "presets"},
      {"--format", "formats"},
      {"--mode", "modes"},
      {"--modes", "modes"},

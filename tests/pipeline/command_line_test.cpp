@@ -304,7 +304,8 @@ TEST_F(CommandLine, NumbersThatAreNoneAreRefused) {
 }
 
 TEST_F(CommandLine, ListsAnswerInTextAndJson) {
-  for (const char* what : {"modes", "cells", "robots", "formats", "processes", "parameters"}) {
+  for (const char* what :
+       {"modes", "cells", "robots", "formats", "processes", "presets", "parameters"}) {
     const Ended text = run({"list", what});
     EXPECT_EQ(text.code, 0);
     EXPECT_FALSE(text.out.empty()) << what;

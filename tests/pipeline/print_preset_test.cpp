@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "helpers/other_text.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/command_line_fixture.h"
 #include "pipeline/presets/chosen_preset.h"
 #include "pipeline/sample_job.h"
 #include "pipeline/stage_options.h"
@@ -286,6 +287,63 @@ TEST_F(Presets, AreKeptInAProject) {
   EXPECT_EQ(loadPreset(read.choices.preset).label, "Mine");
   EXPECT_EQ(givenParameters(read.choices), givenParameters(job.choices));
   EXPECT_EQ(settingsOfPreset(read.choices).at("walls"), "6");
+}
+
+class PresetCommands : public test::CommandLine {
+protected:
+  void SetUp() override { setenv("VOLUTA_DATA", (folder_ / "data").c_str(), 1); }
+  void TearDown() override { unsetenv("VOLUTA_DATA"); }
+
+  // Plans a box up to its layers with the words, and returns the choices of the project.
+  project::Choices planned(std::vector<std::string> words) const {
+    std::vector<std::string> all{"plan",     smallBox(), "-o",      (folder_ / "out").string(),
+                                 "--mode",   "flat",     "--until", "layers",
+                                 "--replace"};
+    all.insert(all.end(), words.begin(), words.end());
+    const test::Ended ended = run(all);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return project::readJob(folder_ / "out" / "job.voluta", allParameters()).choices;
+  }
+};
+
+TEST_F(PresetCommands, APresetIsPlannedByIdNameAndFile) {
+  for (const char* name : {"strong", "Strong"}) {
+    const project::Choices choices = planned({"--preset", name, "--set", "walls=3"});
+    EXPECT_EQ(choices.preset, "strong") << name;
+    EXPECT_EQ(givenParameters(choices).at("seam"), "spread") << name;
+    EXPECT_EQ(givenParameters(choices).at("walls"), "3") << name;
+  }
+  const std::string file = (folder_ / "mine.json").string();
+  base::writeFile(file, R"({"id": "mine", "label": "Mine", "parent": "light",)"
+                        R"( "settings": {"walls": 5}})");
+  const project::Choices choices = planned({"--preset", file});
+  EXPECT_EQ(loadPreset(choices.preset).label, "Mine") << "the project needs no file";
+  EXPECT_EQ(givenParameters(choices).at("walls"), "5");
+  EXPECT_EQ(givenParameters(choices).at("infillDensity"), "0.2");
+}
+
+TEST_F(PresetCommands, WrongOnesAreRefusedInOneLine) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  const auto refused = [&](const std::string& preset) {
+    const test::Ended ended = run({"plan", part, "-o", out, "--preset", preset});
+    EXPECT_NE(ended.code, 0);
+    EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1) << ended.err;
+    return ended.err;
+  };
+  EXPECT_NE(refused("strng").find("did you mean strong?"), std::string::npos);
+  EXPECT_NE(refused("/nowhere.json").find("/nowhere.json"), std::string::npos);
+  base::writeFile(folder_ / "x.json", R"({"id": "x", "label": "X", "settings": {"wals": 3}})");
+  const std::string line = refused((folder_ / "x.json").string());
+  EXPECT_NE(line.find("x.json"), std::string::npos) << line;
+  EXPECT_NE(line.find("did you mean walls?"), std::string::npos) << line;
+  EXPECT_FALSE(std::filesystem::exists(out));
+  // A torn file of one's own does not keep the others from being listed.
+  std::filesystem::create_directories(folder_ / "data" / "presets");
+  base::writeFile(folder_ / "data" / "presets" / "torn.json", "{");
+  const test::Ended listed = run({"list", "presets"});
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_NE(listed.out.find("torn"), std::string::npos);
+  EXPECT_NE(listed.out.find("Fast draft"), std::string::npos);
 }
 
 } // namespace
