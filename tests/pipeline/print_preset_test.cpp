@@ -208,7 +208,7 @@ TEST_F(Presets, AFolderThatCannotBeWrittenChangesNothing) {
 TEST_F(Presets, AreImportedWholeOrNotAtAll) {
   const std::filesystem::path file = folder_.path() / "given.json";
   base::writeFile(file, R"({"id": "given", "label": "Given", "parent": "gone", "settings": {}})");
-  refused([&] { importablePreset(file); }, {"gone", "does not exist"});
+  refused([&] { importablePreset(file); }, {"given.json", "gone", "does not exist"});
   base::writeFile(file, R"({"id": "strong", "label": "Stronger", "settings": {"walls": 9}})");
   refused([&] { importablePreset(file); }, {"strong", "comes with the program"});
   base::writeFile(file, R"({"id": "given", "label": "Given", "parent": "strong",)"

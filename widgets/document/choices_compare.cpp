@@ -22,7 +22,7 @@ bool sameItem(const project::ItemChoices& a, const project::ItemChoices& b) {
 
 bool sameChoices(const Choices& a, const Choices& b) {
   const auto tied = [](const Choices& c) {
-    return std::tie(c.cell, c.tools, c.formats, c.seed, c.printOrder, c.parameters);
+    return std::tie(c.cell, c.tools, c.formats, c.seed, c.printOrder, c.preset, c.parameters);
   };
   return tied(a) == tied(b) && std::ranges::equal(a.items, b.items, sameItem);
 }

@@ -8,6 +8,7 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
+#include "pipeline/presets/chosen_preset.h"
 #include "pipeline/stage_options.h"
 
 #include <QFileInfo>
@@ -178,6 +179,9 @@ void Document::resetParameter(const QString& key) {
   project::Choices choices = activeChoices_;
   choices.parameters.erase(key.toStdString());
   choices.item().parameters.erase(key.toStdString());
+  const pipeline::Settings preset = pipeline::settingsOfPreset(choices);
+  if (const auto at = preset.find(key.toStdString()); at != preset.end())
+    pipeline::setParameters(choices, {at->first + '=' + at->second});
   const base::ParameterTable table = pipeline::allParameters();
   const base::ParameterSpec* spec = table.find(key.toStdString());
   setChoices(choices, tr("Reset %1").arg(spec ? language::words(spec->label) : key));
@@ -187,7 +191,7 @@ void Document::resetParameters() {
   project::Choices choices = activeChoices_;
   choices.parameters.clear();
   choices.item().parameters.clear();
-  setChoices(choices, tr("Reset all parameters"));
+  setChoices(withPresetOr(choices, choices.preset), tr("Reset all parameters"));
 }
 
 void Document::place(const geometry::Placement& placement, const QString& editName) {

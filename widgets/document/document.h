@@ -87,6 +87,7 @@ public:
   // A text of base::ParameterTable. The text of the default resets the parameter. Throws
   // Error{Usage} for an unknown key or an invalid value; then nothing changes.
   void setParameter(const QString& key, const QString& text);
+  // Back to the value of the preset, or else to the default.
   void resetParameter(const QString& key);
   void resetParameters();
   void place(const geometry::Placement& placement, const QString& editName);

@@ -347,7 +347,8 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   same.item().scale = usual.item().scale;
   if (!parts_ || (!path.isEmpty() && path == sourcePath()))
     return same;
-  project::Choices next = start_;
+  project::Choices next =
+      choices_.preset == start_.preset ? start_ : withPresetOr(start_, choices_.preset);
   // A cell and a process that were set by the way of building are reset with it.
   const modes::Mode* mode =
       choices().item().automatic ? nullptr : modes::modeNamed(choices().item().mode);

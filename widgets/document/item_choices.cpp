@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "modes/mode_table.h"
+#include "pipeline/presets/chosen_preset.h"
 
 #include <utility>
 
@@ -37,10 +38,18 @@ Choices withNewItem(const Choices& job, std::size_t item, const ItemChoices& usu
   made.mode = like.mode;
   made.growth = like.growth;
   made.platform = like.platform;
-  made.parameters.clear();
+  made.parameters = pipeline::itemSettingsOfPreset(job);
   Choices next = job;
   next.items.push_back(std::move(made));
   return next;
+}
+
+Choices withPresetOr(const Choices& choices, const std::string& preset) {
+  try {
+    return pipeline::withPreset(choices, preset);
+  } catch (const base::Error&) {
+    return choices;
+  }
 }
 
 } // namespace voluta::document

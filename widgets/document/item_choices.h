@@ -14,9 +14,13 @@ namespace voluta::document {
 project::Choices withItem(const project::Choices& job, std::size_t item,
                           const project::Choices& edited);
 
-// Returns `job` with another item, built as `item` is: with its mode, growth and platform, and
-// otherwise the choices of a new part, `usual`.
+// Returns `job` with another item, built as `item` is: with its mode, growth and platform, the
+// settings of the job's preset, and otherwise the choices of a new part, `usual`.
 project::Choices withNewItem(const project::Choices& job, std::size_t item,
                              const project::ItemChoices& usual);
+
+// Returns the choices with a preset and its settings (pipeline::withPreset()); unchanged if it
+// cannot be read.
+project::Choices withPresetOr(const project::Choices& choices, const std::string& preset);
 
 } // namespace voluta::document

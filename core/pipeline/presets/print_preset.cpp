@@ -42,12 +42,12 @@ bool isFileName(const std::string& id) {
   return !id.empty() && id.front() != '.' && id.find_first_not_of(kAllowed) == std::string::npos;
 }
 
-void checkOwnId(const std::string& id, const std::string& where) {
+void checkOwnId(const std::string& id) {
   if (!isFileName(id))
-    throw unusable(base::message("'{id}' cannot be a preset's id"_text, id), where,
+    throw unusable(base::message("'{id}' cannot be a preset's id"_text, id), {},
                    "use small letters, digits, '-', '_' and '.'"_text);
   if (presetComesWithProgram(id))
-    throw unusable(base::message("a preset '{id}' comes with the program"_text, id), where,
+    throw unusable(base::message("a preset '{id}' comes with the program"_text, id), {},
                    "choose another id"_text);
 }
 
@@ -136,8 +136,8 @@ bool isBlank(const std::string& label) {
   return label.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-void checkCanBeSaved(const PrintPreset& preset, const std::string& where) {
-  checkOwnId(preset.id, where);
+void checkCanBeSaved(const PrintPreset& preset) {
+  checkOwnId(preset.id);
   checkPresetLabel(preset.label, preset.id);
   presetSettings(preset);
 }
@@ -266,7 +266,7 @@ std::string freePresetId(const std::string& label) {
 }
 
 std::filesystem::path saveOwnPreset(const PrintPreset& preset) {
-  checkCanBeSaved(preset, preset.id);
+  checkCanBeSaved(preset);
   const std::filesystem::path file = fileIn(base::userDataFolder(), preset.id);
   std::error_code none;
   std::filesystem::create_directories(file.parent_path(), none); // writeFile() reports a failure
@@ -276,7 +276,11 @@ std::filesystem::path saveOwnPreset(const PrintPreset& preset) {
 
 PrintPreset importablePreset(const std::filesystem::path& file) {
   PrintPreset preset = readPreset(base::readFile(file), file.string());
-  checkCanBeSaved(preset, file.string());
+  try {
+    checkCanBeSaved(preset);
+  } catch (const base::Error& error) {
+    throw base::Error(error.code(), error.message(), file.string(), error.remedy());
+  }
   return preset;
 }
 
@@ -302,7 +306,7 @@ void handDown(const PrintPreset& removed) {
 } // namespace
 
 void removeOwnPreset(const std::string& id) {
-  checkOwnId(id, id);
+  checkOwnId(id);
   try {
     handDown(loadPreset(id));
   } catch (const base::Error& error) {

@@ -28,6 +28,7 @@
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenters/presenter.h"
+#include "window/presets/preset_editor.h"
 
 #include <QScrollArea>
 #include <QTabWidget>
@@ -54,7 +55,8 @@ PreparePage::PreparePage(const Workspace& workspace)
       handles_(workspace, *this), measure_(new MeasureTool(workspace, *this, this)),
       parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
-      choices_(new ChoicesEditor(workspace.document, this)) {
+      choices_(new ChoicesEditor(workspace.document, this)),
+      presets_(new PresetEditor(workspace.document, this)) {
   build();
   listen();
 }
@@ -82,7 +84,13 @@ void PreparePage::build() {
   tabs_ = new QTabWidget;
   tabs_->setObjectName("prepareTabs");
   tabs_->setDocumentMode(true);
-  tabs_->addTab(parameters_, QString());
+  auto* settings = new QWidget;
+  auto* settingsColumn = new QVBoxLayout(settings);
+  settingsColumn->setContentsMargins(0, 0, 0, 0);
+  settingsColumn->setSpacing(0);
+  settingsColumn->addWidget(presets_->bar());
+  settingsColumn->addWidget(parameters_, 1);
+  tabs_->addTab(settings, QString());
   tabs_->addTab(scrolled(part), QString());
   side_ = new QWidget;
   auto* both = new QVBoxLayout(side_);
@@ -282,8 +290,10 @@ base::ParameterTable withoutEffect(const document::Document& document) {
 void PreparePage::showChoices() {
   const project::Choices& c = work().document.choices();
   choices_->show();
+  presets_->show();
   const base::ParameterTable table = document::parametersFor(c);
-  parameters_->setDefaults(table);
+  // Changed settings are those that differ from the preset.
+  parameters_->setDefaults(pipeline::withPresetDefaults(table, presets_->settings()));
   const base::ParameterTable ofPrograms = program::programParameters(); // shown on the Export page
   const base::ParameterTable ofPaths = pipeline::pathShapeParameters();
   const auto source = work().document.source();
@@ -296,7 +306,11 @@ void PreparePage::showChoices() {
         (hasPaths_ || !ofPaths.find(spec.key)) && !ofPlanning.find(spec.key))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
-  parameters_->setValues(pipeline::givenParameters(c));
+  pipeline::Settings values = pipeline::givenParameters(c);
+  for (const auto& [key, text] : presets_->settings())
+    if (const base::ParameterSpec* spec = table.find(key))
+      values.emplace(key, base::formatParameter(spec->defaultValue));
+  parameters_->setValues(values);
   showProblems();
   placement_->setOnPlate(!modes::findMode(c.item().mode).aroundRod);
   placement_->setPlacement(handles_.placed());

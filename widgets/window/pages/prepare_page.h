@@ -19,6 +19,7 @@ namespace voluta::window {
 
 class MeasureTool;
 class PartsView;
+class PresetEditor;
 class ReachView;
 class StandChooser;
 
@@ -59,6 +60,7 @@ private:
   StandChooser* stands_;
   ReachView* reach_;
   ChoicesEditor* choices_;
+  PresetEditor* presets_;
   panels::PlacementPanel* placement_;
   panels::MeshPanel* mesh_;
   forms::ParameterForm* parameters_;
