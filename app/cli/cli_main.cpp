@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
 #include "cli/joined_values.h"
+#include "cli/cut_command.h"
 #include "cli/mill_command.h"
 #include "cli/option_texts.h"
 #include "cli/own_data_options.h"
@@ -554,6 +555,8 @@ int run(int argc, char** argv) {
   addList(app, parsed);
   addMill(app, parsed.run, threads);
   addPith(app, parsed.run, threads);
+  addCut(app, parsed.run, threads);
+  addSplit(app, parsed.run, threads);
   addReference(app, parsed.run);
   std::reverse(words.begin(), words.end());
   try {

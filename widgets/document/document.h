@@ -116,6 +116,18 @@ public:
   // Adds what copyParts() has remembered beside the others; also after it was removed, or another
   // project was opened. Precondition: hasCopiedParts().
   void pasteParts();
+  // A part that takes the place of another one.
+  struct Successor {
+    std::shared_ptr<const project::LoadedPart> part; // its mesh in mm
+    geometry::Placement placement;
+    bool keepsPlace = false; // otherwise it is moved beside all parts before it
+  };
+  // Replaces a part by others, at scale 1, with its choices; the first one is active. Precondition:
+  // item < partCount(), there is at least one successor.
+  void replacePart(std::size_t item, const std::vector<Successor>& by, const QString& editName);
+  // Gives the active part another name; the ending of the present one stays. An empty name changes
+  // nothing. Precondition: there is a part, and sourceReady().
+  void renamePart(const QString& name);
   // Removes the active part. Precondition: there is one.
   void removePart() { removeParts({active_}); }
   // Removes several parts; if all, the document has none, as a new one. Precondition: `items` are

@@ -227,6 +227,69 @@ void Document::addParts(const std::vector<project::PartInFile>& parts, const QSt
        tr("Add %1").arg(shownName(parts, path)));
 }
 
+void Document::replacePart(std::size_t item, const std::vector<Successor>& by,
+                           const QString& editName) {
+  base::require(item < partCount() && !by.empty(), "Document: a part and its successors");
+  std::vector<Eigen::AlignedBox2d> others;
+  std::vector<pipeline::Footprint> heights;
+  for (std::size_t i = 0; i < parts_->items.size(); ++i)
+    if (i != item) {
+      const Eigen::AlignedBox3d box = placedBox(i);
+      others.push_back(onPlate(box));
+      heights.push_back({{}, box.max().z(), pipeline::mayLean(choices_.item(i))});
+    }
+  project::ItemChoices own = choices_.item(item);
+  own.scale = "1";
+  own.units = "mm";
+  for (const char* ofPlaces : {"cutPlanes", "pieceRoot"}) // on the mesh that is replaced
+    own.parameters.erase(ofPlaces);
+  project::Choices choices = choices_;
+  const auto parts = std::make_shared<Parts>();
+  parts->items = parts_->items;
+  const auto at = static_cast<std::ptrdiff_t>(item);
+  choices.items.erase(choices.items.begin() + at);
+  parts->items.erase(parts->items.begin() + at);
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    own.placement = by[k].placement;
+    const Eigen::AlignedBox3d box =
+        geometry::bounds(geometry::place(*by[k].part->mesh, 1.0, own.placement));
+    const pipeline::Footprint added{{}, box.max().z(), pipeline::mayLean(own)};
+    if (!by[k].keepsPlace) {
+      project::Choices last = choices;
+      last.items.push_back(own);
+      own.placement.centreMm = nextFreePlace(others, box.sizes().head<2>(),
+                                             gapFor(added, heights, last), platesFor(last));
+    }
+    others.push_back(
+        onPlate(geometry::bounds(geometry::place(*by[k].part->mesh, 1.0, own.placement))));
+    heights.push_back(added);
+    const auto to = at + static_cast<std::ptrdiff_t>(k);
+    choices.items.insert(choices.items.begin() + to, own);
+    parts->items.insert(parts->items.begin() + to, newSource(by[k].part, {}, true));
+  }
+  push({std::move(choices), parts, item}, editName);
+}
+
+void Document::renamePart(const QString& name) {
+  base::require(parts_ && sourceReady(), "Document: a part to rename");
+  QString own = name.trimmed();
+  own.replace('/', '-').replace('\\', '-');
+  if (own.isEmpty())
+    return;
+  const project::LoadedPart& before = *activeSource()->part;
+  const QString ending = QFileInfo(QString::fromStdString(before.name)).suffix();
+  if (!ending.isEmpty() || own.contains('.'))
+    own += '.' + (ending.isEmpty() ? QStringLiteral("stl") : ending);
+  if (own == QString::fromStdString(before.name))
+    return;
+  auto named = std::make_shared<project::LoadedPart>(before);
+  named->name = own.toStdString();
+  const auto parts = std::make_shared<Parts>();
+  parts->items = parts_->items;
+  parts->items[active_] = newSource(std::move(named), activeSource()->path, true);
+  push({choices_, parts, active_}, tr("Rename %1").arg(QString::fromStdString(before.name)));
+}
+
 void Document::duplicatePart() {
   base::require(parts_ != nullptr, "Document: a part to duplicate");
   project::Choices choices = choices_;

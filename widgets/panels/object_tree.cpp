@@ -3,9 +3,11 @@
 #include "forms/colours.h"
 #include "forms/icons.h"
 
+#include <QAbstractItemDelegate>
 #include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 
 namespace voluta::panels {
@@ -46,6 +48,21 @@ ObjectTree::ObjectTree(QWidget* parent) : QTreeWidget(parent) {
   connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
     if (column == kEye)
       toggle(sceneItemOf(item));
+  });
+  // The shown name is that of the document again, whether it takes the new one or not.
+  connect(itemDelegate(), &QAbstractItemDelegate::commitData, this, [this](QWidget* editor) {
+    const auto* line = qobject_cast<QLineEdit*>(editor);
+    QMetaObject::invokeMethod(
+        this,
+        [this, name = line ? line->text() : QString()] {
+          emit renamed(name);
+          showEntry(SceneItem::Part);
+        },
+        Qt::QueuedConnection);
+  });
+  connect(itemDelegate(), &QAbstractItemDelegate::closeEditor, this, [this] {
+    QTreeWidgetItem* part = entry(SceneItem::Part).item;
+    part->setFlags(part->flags() & ~Qt::ItemIsEditable);
   });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item)
@@ -101,6 +118,13 @@ void ObjectTree::isolate(SceneItem item) {
     if (const bool shown = isolated || belongsTo(one, item); shown != isShown(one))
       toggle(one);
   }
+}
+
+void ObjectTree::editPartName() {
+  QTreeWidgetItem* part = entry(SceneItem::Part).item;
+  part->setFlags(part->flags() | Qt::ItemIsEditable);
+  setCurrentItem(part);
+  editItem(part, kName);
 }
 
 void ObjectTree::toggle(SceneItem which) {

@@ -30,8 +30,11 @@ public:
   // Hides all other items, or shows all if they are hidden.
   void isolate(SceneItem item);
   bool isIsolated(SceneItem item) const;
+  // Lets the user edit the part's name; `renamed` follows.
+  void editPartName();
 
 signals:
+  void renamed(const QString& name);
   void visibilityChanged(voluta::panels::SceneItem item, bool shown);
   void selected(voluta::panels::SceneItem item);
 

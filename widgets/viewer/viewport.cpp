@@ -1,5 +1,6 @@
 #include "viewer/viewport.h"
 
+#include "base/units.h"
 #include "viewer/view_cube.h"
 
 #include <QGuiApplication>
@@ -285,6 +286,25 @@ std::optional<scene::Hit> Viewport::hitAt(const QPointF& place) const {
   return scene_.pick(static_cast<int>(display.x()), static_cast<int>(display.y()));
 }
 
+// Measured are corners and edges too, of which one half of the places around is beside the part.
+std::optional<scene::Hit> Viewport::clickedAt(const QPointF& place) const {
+  const std::optional<scene::Hit> hit = hitAt(place);
+  const auto isPart = [](const std::optional<scene::Hit>& h) {
+    return h && h->what == scene::Hit::What::Part;
+  };
+  if (tool() != Tool::Measure || isPart(hit))
+    return hit;
+  constexpr int kAround = 8;
+  for (const double points : {3.0, 6.0, 9.0})
+    for (int k = 0; k < kAround; ++k) {
+      const double angle = base::kTwoPi * k / kAround;
+      const auto near = hitAt(place + points * QPointF(std::cos(angle), std::sin(angle)));
+      if (isPart(near))
+        return near;
+    }
+  return hit;
+}
+
 QPointF Viewport::projected(const Eigen::Vector3d& world) const {
   const Eigen::Vector3d display = camera_.project(world);
   return fromDisplay({display.x(), display.y()});
@@ -374,7 +394,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   turning_ = moving_ = false;
   applyDetail();
   if (!dragged_ && event->button() == Qt::LeftButton)
-    emit clicked(hitAt(event->position()));
+    emit clicked(clickedAt(event->position()));
   if (!dragged_ && event->button() == Qt::RightButton)
     emit menuAsked(hitAt(event->position()), event->globalPosition().toPoint());
 }

@@ -100,6 +100,7 @@ private:
   bool type(const QKeyEvent& event); // a number for the handles
   void applyDetail();
   std::optional<scene::Hit> hitAt(const QPointF& place) const;
+  std::optional<scene::Hit> clickedAt(const QPointF& place) const;
   QPointF projected(const Eigen::Vector3d& world) const;
   double gizmoMmPerPixel() const;
   Ray rayAt(const QPointF& place) const;

@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "panels/findings_panel.h"
 #include "plan/tool_plan.h"
+#include "project/length_unit.h"
 #include "timeline/layer_range_slider.h"
 #include "viewer/viewport.h"
 #include "window/pages/page_stack.h"
@@ -78,8 +79,11 @@ void ObjectMenus::addItem(QMenu& menu, SceneItem item) {
     addCommand(menu, "open");
   } else if (item == SceneItem::Part) {
     menu.addAction(tr("Settings"), this, [this] { on_.pages.show(*on_.pages.find("prepare")); });
-    for (const char* id : {"framePart", "duplicatePart", "copiesOfPart", "removePart"})
+    for (const char* id : {"renamePart", "framePart", "duplicatePart", "copiesOfPart", "toolCut",
+                           "splitPart", "removePart"})
       addCommand(menu, id);
+    menu.addSeparator();
+    addMesh(menu);
     menu.addSeparator();
     menu.addAction(tr("Export…"), this, [this] { on_.pages.show(*on_.pages.find("export")); });
     addCommand(menu, "quote");
@@ -93,6 +97,34 @@ void ObjectMenus::addItem(QMenu& menu, SceneItem item) {
     addCommand(menu, "editCell");
     addCommand(menu, "showArm");
   }
+}
+
+// The unit in which the file's lengths are read, and whether the mesh is repaired.
+void ObjectMenus::addMesh(QMenu& menu) {
+  const project::ItemChoices& own = on_.document.choices().item();
+  if (on_.document.source()->cells)
+    return;
+  QMenu* units = menu.addMenu(tr("Unit of the file"));
+  for (const project::LengthUnit& unit : project::lengthUnits()) {
+    const std::string word(unit.word);
+    QAction* action = units->addAction(
+        word == "in" ? tr("inch")
+                     : QString::fromStdString(word).replace(QLatin1Char('u'), QChar(u'µ')),
+        this, [this, word] {
+          project::Choices choices = on_.document.choices();
+          choices.item().units = word;
+          on_.document.setChoices(choices, tr("unit of the file"));
+        });
+    action->setCheckable(true);
+    action->setChecked(own.units == word);
+  }
+  QAction* repair = menu.addAction(tr("Repair the mesh"), this, [this](bool on) {
+    project::Choices choices = on_.document.choices();
+    choices.item().repair = on;
+    on_.document.setChoices(choices, on ? tr("repair the mesh") : tr("mesh as read"));
+  });
+  repair->setCheckable(true);
+  repair->setChecked(own.repair);
 }
 
 void ObjectMenus::askInView(const std::optional<scene::Hit>& hit, const QPoint& global) {

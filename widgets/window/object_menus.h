@@ -52,6 +52,7 @@ private:
   void askInTree(const QPoint& place);
   void askInView(const std::optional<scene::Hit>& hit, const QPoint& global);
   void addItem(QMenu& menu, panels::SceneItem item);
+  void addMesh(QMenu& menu);
   void addLayer(QMenu& menu, int layer);
   void addBead(QMenu& menu, const scene::Hit& hit);
   void addCommand(QMenu& menu, const char* id);

@@ -165,13 +165,23 @@ void PartHandles::clicked(const std::optional<scene::Hit>& hit) {
   layOnFace(hit->normal);
 }
 
+// Whether the handles are the part's own.
+bool PartHandles::areHandles() const {
+  const Tool tool = work_.viewport.tool();
+  return tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
+}
+
 void PartHandles::gizmoStarted() {
+  if (!areHandles())
+    return;
   before_ = placed();
   const auto placed = work_.document.itemResult(Stage::Load);
   scaleBefore_ = placed ? placed->job.item().scale : 1.0;
 }
 
 void PartHandles::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
+  if (!areHandles())
+    return;
   const Eigen::AlignedBox3d& box = work_.presenter.partBox();
   const Eigen::Vector3d centre =
       box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center().eval();

@@ -25,6 +25,7 @@ public:
 
 private:
   std::vector<Command> toolCommands();
+  bool areHandles() const;
   void drop();
   void centre();
   void layOnFace(const Eigen::Vector3d& normal);

@@ -7,11 +7,13 @@
 #include "language/words.h"
 #include "modes/mode_stages.h"
 #include "modes/mode_table.h"
+#include "panels/object_tree.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/stage_options.h"
 #include "window/copies_dialog.h"
 #include "window/presenters/presenter.h"
 
+#include <QDockWidget>
 #include <QLocale>
 #include <variant>
 
@@ -61,6 +63,10 @@ PartsView::PartsView(const Workspace& workspace, Page& page)
   connect(list_, &PartList::removeRequested, this,
           [this] { work_.document.removeParts(selected()); });
   connect(list_, &PartList::arrangeRequested, this, &PartsView::arrange);
+  connect(&work_.tree, &panels::ObjectTree::renamed, this, [this](const QString& name) {
+    if (work_.document.source() && work_.document.sourceReady())
+      work_.document.renamePart(name);
+  });
   connect(list_, &PartList::printOrderChosen, document, &Document::setPrintOrder);
 }
 
@@ -90,6 +96,14 @@ std::vector<Command> PartsView::commands() {
        {},
        "remove-part",
        BarGroup::Parts},
+      {"renamePart",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "Re&name part"),
+       QT_TRANSLATE_NOOP("Commands", "Edits the name of the part in the tree"),
+       {QKeySequence("F2")},
+       [this] { editName(); },
+       [&document] { return document.source() && document.sourceReady(); }},
       {"copiesOfPart",
        "editMenu",
        3,
@@ -141,6 +155,17 @@ std::vector<Command> PartsView::commands() {
        {QKeySequence::SelectAll},
        [this] { list_->selectAll(); },
        [this] { return page_.isShown() && work_.document.partCount() > 1; }}};
+}
+
+// In the tree, which may be in a closed dock.
+void PartsView::editName() {
+  for (QWidget* around = &work_.tree; around; around = around->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(around)) {
+      dock->show();
+      dock->raise();
+      break;
+    }
+  work_.tree.editPartName();
 }
 
 std::vector<std::size_t> PartsView::selected() const {

@@ -29,6 +29,7 @@ public:
 
 private:
   void arrange();
+  void editName();
   void chooseCopies();
   void makeCopies(std::optional<std::size_t> count); // none: as many as there is room for
   void takeCopies(const pipeline::PlanRequest& made);

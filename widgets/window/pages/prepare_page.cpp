@@ -23,6 +23,7 @@
 #include "window/mesh_summary.h"
 #include "window/milling/mill_dialog.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/cut_tool.h"
 #include "window/pages/measure_tool.h"
 #include "window/pages/parts_view.h"
 #include "window/pages/reach_view.h"
@@ -53,7 +54,7 @@ std::string problemText(const base::Error& error) {
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
       handles_(workspace, *this), measure_(new MeasureTool(workspace, *this, this)),
-      parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
+      cut_(new CutTool(workspace, *this, this)), parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)),
       presets_(new PresetEditor(workspace.document, this)) {
@@ -98,6 +99,14 @@ void PreparePage::build() {
   both->setSpacing(0);
   both->addWidget(parts_->list());
   both->addWidget(tabs_, 1);
+  QScrollArea* cut = scrolled(cut_->panel());
+  cut->hide();
+  both->addWidget(cut, 1);
+  connect(cut_, &CutTool::opened, this, [this, cut](bool open) {
+    cut->setVisible(open);
+    tabs_->setVisible(!open);
+    work().shell.showStates();
+  });
 }
 
 void PreparePage::listen() {
@@ -135,12 +144,14 @@ QWidget* PreparePage::side() {
 }
 
 std::vector<ViewportInput*> PreparePage::inputs() {
-  return {&handles_, measure_, reach_};
+  return {&handles_, measure_, cut_, reach_};
 }
 
 std::vector<Command> PreparePage::commands() {
   std::vector<Command> commands = handles_.commands();
   for (Command& command : measure_->commands())
+    commands.push_back(std::move(command));
+  for (Command& command : cut_->commands())
     commands.push_back(std::move(command));
   for (Command& command : parts_->commands())
     commands.push_back(std::move(command));
@@ -244,6 +255,7 @@ void PreparePage::draw(scene::ViewState& view) {
   view.otherParts = part;
   drawCellAtRest(view, work());
   reach_->draw(view);
+  cut_->draw(view);
 }
 
 int PreparePage::interest(const plan::Finding& finding) const {

@@ -17,6 +17,7 @@ class PlacementPanel;
 
 namespace voluta::window {
 
+class CutTool;
 class MeasureTool;
 class PartsView;
 class PresetEditor;
@@ -56,6 +57,7 @@ private:
 
   PartHandles handles_;
   MeasureTool* measure_;
+  CutTool* cut_;
   PartsView* parts_;
   StandChooser* stands_;
   ReachView* reach_;

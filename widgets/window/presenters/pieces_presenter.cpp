@@ -76,6 +76,11 @@ void PiecesPresenter::setPieces(std::shared_ptr<const planar::PlanarDecompositio
       });
 }
 
+void PiecesPresenter::showAgain() {
+  viewport_.scene().setPieces(drawing_);
+  viewport_.requestFrame();
+}
+
 int PiecesPresenter::cutOf(int piece) const {
   const auto at =
       std::find(pieceOfCut_.begin(), pieceOfCut_.end(), static_cast<std::size_t>(piece));

@@ -27,6 +27,8 @@ public:
   // Null: removes the shown pieces immediately. `choices` determine which faces need support.
   void setPieces(std::shared_ptr<const planar::PlanarDecomposition> pieces,
                  const project::Choices& choices);
+  // Shows the pieces again after something else has drawn others.
+  void showAgain();
   // Of the shown drawing; 0: none.
   int count() const { return drawing_ ? scene::pieceCount(*drawing_) : 0; }
   // Returns the maximum number of pieces on top of each other; 0: none shown.
