@@ -254,7 +254,11 @@ void Document::replacePart(std::size_t item, const std::vector<Successor>& by,
     const Eigen::AlignedBox3d box =
         geometry::bounds(geometry::place(*by[k].part->mesh, 1.0, own.placement));
     const pipeline::Footprint added{{}, box.max().z(), pipeline::mayLean(own)};
-    if (!by[k].keepsPlace) {
+    const bool isTaken = std::any_of(
+        others.end() - static_cast<std::ptrdiff_t>(k), others.end(), [&](const auto& before) {
+          return (before.intersection(onPlate(box)).sizes().array() > 1e-6).all();
+        });
+    if (!by[k].keepsPlace || isTaken) {
       project::Choices last = choices;
       last.items.push_back(own);
       own.placement.centreMm = nextFreePlace(others, box.sizes().head<2>(),

@@ -107,12 +107,12 @@ void CutPanel::buildPlane(QGridLayout& grid) {
     retranslate(); // the tilts name their axes
     emit axisChosen();
   });
-  position_ = number("cutPosition", "mm", 0.0, 1.0,
-                     [this](double mm) { choices_.positionMm = mm; });
+  position_ =
+      number("cutPosition", "mm", 0.0, 1.0, [this](double mm) { choices_.positionMm = mm; });
   for (std::size_t k = 0; k < 2; ++k)
-    tilt_[k] = number(k == 0 ? "cutTilt1" : "cutTilt2", "°", k == 0 ? -90.0 : -180.0,
-                      k == 0 ? 90.0 : 180.0,
-                      [this, k](double degrees) { choices_.tiltDeg[k] = degrees; });
+    tilt_[k] =
+        number(k == 0 ? "cutTilt1" : "cutTilt2", "°", k == 0 ? -90.0 : -180.0,
+               k == 0 ? 90.0 : 180.0, [this, k](double degrees) { choices_.tiltDeg[k] = degrees; });
   face_ = new QPushButton(this);
   face_->setObjectName(QStringLiteral("cutFace"));
   face_->setCheckable(true);
@@ -201,8 +201,8 @@ void CutPanel::buildButtons(QGridLayout& grid) {
 
 void CutPanel::setPart(const QString& name, const Eigen::Vector3d& sizeMm) {
   name_ = name;
-  const QSignalBlocker quiet(position_);
-  position_->setRange(0.0, std::max(1e-3, sizeMm[choices_.axis]));
+  sizeMm_ = sizeMm;
+  showChoices();
   retranslate();
 }
 
@@ -225,6 +225,10 @@ void CutPanel::setState(const QString& text, bool isProblem, bool canCut) {
 
 void CutPanel::showChoices() {
   axis_->setCurrentIndex(choices_.axis);
+  {
+    const QSignalBlocker quiet(position_);
+    position_->setRange(0.0, std::max(1e-3, sizeMm_[choices_.axis]));
+  }
   setQuietly(position_, choices_.positionMm);
   for (std::size_t k = 0; k < 2; ++k)
     setQuietly(tilt_[k], choices_.tiltDeg[k]);

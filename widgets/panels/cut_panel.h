@@ -28,7 +28,7 @@ struct CutChoices {
   std::array<double, 2> tiltDeg{}; // about the next two axes
   Keep keep = Keep::Both;
   planar::Joint joint;
-  bool laysFlat = false;  // each half on its cut face
+  bool laysFlat = false;   // each half on its cut face
   bool showsApart = false; // in the view
 };
 
@@ -74,6 +74,7 @@ private:
 
   CutChoices choices_;
   QString name_;
+  Eigen::Vector3d sizeMm_ = Eigen::Vector3d::Ones();
   QLabel *title_, *axisLabel_, *positionLabel_, *keepLabel_, *jointLabel_, *sizeLabel_,
       *depthLabel_, *clearanceLabel_, *countLabel_, *directionLabel_, *icon_, *state_;
   std::array<QLabel*, 2> tiltLabel_{};

@@ -63,6 +63,7 @@ ObjectTree::ObjectTree(QWidget* parent) : QTreeWidget(parent) {
   connect(itemDelegate(), &QAbstractItemDelegate::closeEditor, this, [this] {
     QTreeWidgetItem* part = entry(SceneItem::Part).item;
     part->setFlags(part->flags() & ~Qt::ItemIsEditable);
+    showEntry(SceneItem::Part);
   });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item)
@@ -120,8 +121,9 @@ void ObjectTree::isolate(SceneItem item) {
   }
 }
 
-void ObjectTree::editPartName() {
+void ObjectTree::editPartName(const QString& name) {
   QTreeWidgetItem* part = entry(SceneItem::Part).item;
+  part->setText(kName, name);
   part->setFlags(part->flags() | Qt::ItemIsEditable);
   setCurrentItem(part);
   editItem(part, kName);

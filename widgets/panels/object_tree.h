@@ -30,8 +30,8 @@ public:
   // Hides all other items, or shows all if they are hidden.
   void isolate(SceneItem item);
   bool isIsolated(SceneItem item) const;
-  // Lets the user edit the part's name; `renamed` follows.
-  void editPartName();
+  // Lets the user edit that name of the part; `renamed` follows.
+  void editPartName(const QString& name);
 
 signals:
   void renamed(const QString& name);

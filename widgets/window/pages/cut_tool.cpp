@@ -1,9 +1,11 @@
 #include "window/pages/cut_tool.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "document/planning.h"
 #include "geometry/measures.h"
 #include "geometry/placement.h"
+#include "language/translated.h"
 #include "language/words.h"
 #include "planar/pieces.h"
 #include "planar/plane_cut.h"
@@ -36,7 +38,7 @@ struct CutTool::Preview {
 
 namespace {
 
-constexpr double kApartShare = 0.25; // of the part's diagonal
+constexpr double kApartShare = 0.12; // of the part's diagonal
 constexpr std::size_t kMaxBodies = 100;
 constexpr double kMm3PerCm3 = 1000.0;
 
@@ -48,6 +50,8 @@ std::shared_ptr<const scene::PiecesDrawing> drawingOf(planar::PartHalves halves,
   pieces[0].solid = planar::tagged(halves.below);
   pieces[1].solid = planar::tagged(halves.above);
   pieces[1].base = plane;
+  for (planar::Piece& half : pieces)
+    half.base.normal *= 1.0 - 1e-9; // so that rounding makes no face need support
   pieces[1].baseTag = 0;
   pieces[1].parent = 0;
   planar::TaggedMesh& upper = pieces[1].solid;
@@ -65,7 +69,7 @@ std::shared_ptr<const scene::PiecesDrawing> drawingOf(planar::PartHalves halves,
     pieces.push_back(std::move(loose));
   }
   planar::RiskRule none;
-  none.overhangRad = 2.0;
+  none.overhangRad = 0.5 * base::kPi;
   return scene::drawPieces(pieces, none);
 }
 
@@ -164,29 +168,30 @@ void CutTool::listen() {
 }
 
 std::vector<Command> CutTool::commands() {
-  return {{"toolCut",
-           "editMenu",
-           1,
-           QT_TRANSLATE_NOOP("Commands", "C&ut…"),
-           QT_TRANSLATE_NOOP("Commands", "Cuts the part in two with a plane, with dowels, pegs or a "
-                                         "dovetail"),
-           {QKeySequence("K")},
-           [this] { setOpen(!open_); },
-           [this] { return page_.isShown() && work_.document.source(); },
-           [this] { return open_; },
-           "cut",
-           BarGroup::Tools},
-          {"splitPart",
-           "editMenu",
-           3,
-           QT_TRANSLATE_NOOP("Commands", "Split to &parts"),
-           QT_TRANSLATE_NOOP("Commands", "Makes a part of each body of the mesh"),
-           {},
-           [this] { split(); },
-           [this] { return page_.isShown() && placedPart() && work_.document.sourceReady(); },
-           {},
-           "split",
-           BarGroup::Tools}};
+  return {
+      {"toolCut",
+       "editMenu",
+       1,
+       QT_TRANSLATE_NOOP("Commands", "C&ut…"),
+       QT_TRANSLATE_NOOP("Commands", "Cuts the part in two with a plane, with dowels, pegs or a "
+                                     "dovetail"),
+       {QKeySequence("K")},
+       [this] { setOpen(!open_); },
+       [this] { return page_.isShown() && work_.document.source(); },
+       [this] { return open_; },
+       "cut",
+       BarGroup::Tools},
+      {"splitPart",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "Split to &parts"),
+       QT_TRANSLATE_NOOP("Commands", "Makes a part of each body of the mesh"),
+       {},
+       [this] { split(); },
+       [this] { return canCut() && placedPart() && work_.document.sourceReady(); },
+       {},
+       "split",
+       BarGroup::Tools}};
 }
 
 CutTool::Mesh CutTool::placedPart() const {
@@ -194,12 +199,18 @@ CutTool::Mesh CutTool::placedPart() const {
   return placed && work_.document.upToDate(Stage::Load) ? placed->job.item().part : nullptr;
 }
 
+// The paths of a file would not be those of the halves.
+bool CutTool::canCut() const {
+  const auto source = work_.document.source();
+  return page_.isShown() && source && !source->toolPaths;
+}
+
 QString CutTool::partName() const {
   return QFileInfo(QString::fromStdString(work_.document.source()->name)).completeBaseName();
 }
 
 void CutTool::setOpen(bool open) {
-  if (open && !work_.document.source())
+  if (open && !canCut())
     return;
   if (!open) {
     work_.viewport.setTool(Tool::None);
@@ -246,7 +257,7 @@ void CutTool::takePart() {
   if (!open_)
     return;
   const auto source = work_.document.source();
-  if (!source) {
+  if (!source || source->toolPaths) {
     work_.viewport.setTool(Tool::None);
     return;
   }
@@ -371,7 +382,7 @@ void CutTool::startPreview() {
         try {
           halves = planar::cutPart(*part, plane, joint, ctx);
         } catch (const base::Error& error) {
-          made.problem = language::words(error.whole());
+          made.problem = language::capitalized(language::words(error.whole()));
           if (joint.kind == Joint::Kind::None)
             return made;
           try {
@@ -390,7 +401,7 @@ void CutTool::startPreview() {
         if (const auto* made = std::get_if<Preview>(&outcome))
           show(*made);
         else if (const auto* error = std::get_if<base::Error>(&outcome))
-          panel_->setState(language::words(error->whole()), true, false);
+          panel_->setState(language::capitalized(language::words(error->whole())), true, false);
         if (again_)
           startPreview();
       },
@@ -418,10 +429,11 @@ void CutTool::draw(scene::ViewState& view) const {
   view.pieces = true;
   view.part = view.voxels = false;
   view.basePlanes = true;
-  view.pieceNumbers = false;
+  view.pieceNumbers = view.partSize = false;
   const CutChoices& choices = panel_->choices();
   if (choices.showsApart)
-    view.explodeMm = kApartShare * box_.diagonal().norm();
+    view.explodeMm = kApartShare * box_.diagonal().norm() +
+                     (choices.joint.kind == Joint::Kind::None ? 0.0 : 2.0 * choices.joint.depthMm);
   if (choices.keep != CutChoices::Keep::Both)
     view.piece = choices.keep == CutChoices::Keep::Lower ? 0 : 1;
 }

@@ -57,9 +57,10 @@ private:
   void show(const Preview& made);
   void cut();
   void split();
-  void makeParts(const QString& title, const QString& editName,
-                 std::function<std::vector<document::Document::Successor>(const base::RunContext&)>
-                     work);
+  void makeParts(
+      const QString& title, const QString& editName,
+      std::function<std::vector<document::Document::Successor>(const base::RunContext&)> work);
+  bool canCut() const;
   QString partName() const;
 
   const Workspace work_;

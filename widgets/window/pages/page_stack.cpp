@@ -268,11 +268,16 @@ void PageStack::showView() {
   showBadge();
 }
 
+// Returns whether a tool of the page draws what is shown, so that it is no result.
+bool PageStack::isToolsPicture() const {
+  return page_->layout().aboutPart && workspace_.viewport.tool() != viewer::Tool::None;
+}
+
 // Beads by kind have their statistics beside them: those of a layer that is shown alone, else of
 // the whole print.
 void PageStack::showLegend() {
   const scene::ViewState& view = workspace_.viewport.view();
-  if (!isColoured(view)) {
+  if (!isColoured(view) || isToolsPicture()) {
     legend_.setLegend({});
     return;
   }
@@ -295,7 +300,7 @@ void PageStack::showBadge() {
   const document::Document& document = workspace_.document;
   const std::optional<Stage> stage = stageOf(workspace_.viewport.view());
   const bool preview = stage == Stage::Decompose && document.voxelsAhead();
-  if (!stage || page_->centre())
+  if (!stage || page_->centre() || isToolsPicture())
     badge_.setText({}, {});
   else if (preview && document.voxelsInPlace())
     badge_.setText(tr("Preview"),

@@ -63,6 +63,7 @@ private:
   void listenToPresenter();
   void listenToBars();
   void showBadge();
+  bool isToolsPicture() const;
   void showLegend();
   void lookAtMarker(const Eigen::Vector3d& place);
   void keepPlatformInView(const Eigen::Vector3d& sizeMm);

@@ -14,6 +14,7 @@
 #include "window/presenters/presenter.h"
 
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QLocale>
 #include <variant>
 
@@ -165,7 +166,8 @@ void PartsView::editName() {
       dock->raise();
       break;
     }
-  work_.tree.editPartName();
+  work_.tree.editPartName(
+      QFileInfo(QString::fromStdString(work_.document.source()->name)).completeBaseName());
 }
 
 std::vector<std::size_t> PartsView::selected() const {

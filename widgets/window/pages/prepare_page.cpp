@@ -54,7 +54,8 @@ std::string problemText(const base::Error& error) {
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
       handles_(workspace, *this), measure_(new MeasureTool(workspace, *this, this)),
-      cut_(new CutTool(workspace, *this, this)), parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
+      cut_(new CutTool(workspace, *this, this)), parts_(new PartsView(work(), *this)),
+      stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)),
       presets_(new PresetEditor(workspace.document, this)) {
