@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "pipeline/stage_options.h"
 #include "process/library.h"
 #include "process/process.h"
 #include "project/station.h"
@@ -22,6 +23,8 @@
 #include "window/milling/mill_dialog.h"
 #include "window/mnemonics.h"
 #include "window/palette/command_palette.h"
+#include "window/presets/compare_presets_dialog.h"
+#include "window/presets/preset_name_dialog.h"
 #include "window/quote/quote_dialog.h"
 #include "window/run_dialog.h"
 #include "window/shortcuts_dialog.h"
@@ -110,6 +113,14 @@ protected:
          [plan](QWidget* w) { return new window::QuoteDialog(plan, "part", "9 × 9 × 5 mm", w); }},
         {"FilmDialog",
          [plan](QWidget* w) { return new window::FilmDialog(plan, "part", false, w); }},
+        {"PresetNameDialog",
+         [](QWidget* w) { return new window::PresetNameDialog("Save preset as", "Usual", {}, w); }},
+        {"ComparePresetsDialog",
+         [](QWidget* w) {
+           return new window::ComparePresetsDialog(
+               {{"Present settings", {{"walls", "4"}}}, {"Usual", {}}}, pipeline::allParameters(),
+               0, 1, w);
+         }},
         {"CopiesDialog", [](QWidget* w) { return new window::CopiesDialog(3, w); }},
         {"RunDialog", [=](QWidget* w) { return new window::RunDialog(missing, plan, w); }},
     };

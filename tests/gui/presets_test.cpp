@@ -271,6 +271,29 @@ TEST_F(PresetsTest, AnOwnOneIsSavedRenamedAndDeleted) {
   EXPECT_FALSE(listed().contains("In this project"));
 }
 
+TEST_F(PresetsTest, AHalfTypedNumberIsSavedToo) {
+  openFlat();
+  type("walls", "7", false);
+  saveAs("Seven");
+  EXPECT_EQ(shown(), "Seven");
+  EXPECT_EQ(pipeline::loadPreset("seven").settings.at("walls"), "7");
+  type("walls", "8", false);
+  answerBox("presetChanges", QMessageBox::AcceptRole);
+  choose("Usual"); // the click leaves the field
+  ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 1; }, 5000));
+  EXPECT_EQ(shown(), "Usual (changed)");
+  EXPECT_EQ(value("walls"), "8");
+  // The name that is proposed next is free.
+  saveAs("Usual, own");
+  inDialog("presetName", [](QDialog& dialog) {
+    EXPECT_TRUE(dialog.findChild<QPushButton*>("presetNameAccept")->isEnabled());
+    dialog.reject();
+  });
+  choose("Usual");
+  ask("savePresetAs");
+  EXPECT_EQ(shown(), "Usual");
+}
+
 TEST_F(PresetsTest, ANameThatIsTakenOrBlankIsRefused) {
   openFlat();
   inDialog("presetName", [](QDialog& dialog) {

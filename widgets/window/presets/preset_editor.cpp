@@ -290,11 +290,24 @@ void PresetEditor::save() {
   });
 }
 
+// Returns a name that no preset has.
+QString PresetEditor::proposedName(const std::string& label) const {
+  const QString stem = tr("%1, own").arg(named(label));
+  QString name = stem;
+  for (int count = 2;
+       std::ranges::any_of(listed_,
+                           [&](const Listed& one) {
+                             return named(one.preset.label).compare(name, Qt::CaseInsensitive) == 0;
+                           });
+       ++count)
+    name = stem + u' ' + QString::number(count);
+  return name;
+}
+
 void PresetEditor::saveAs() {
   tried([&] {
     PrintPreset base = present();
-    PresetNameDialog dialog(tr("Save preset as"), tr("%1, own").arg(named(base.label)), {},
-                            bar_->window());
+    PresetNameDialog dialog(tr("Save preset as"), proposedName(base.label), {}, bar_->window());
     if (dialog.exec() != QDialog::Accepted)
       return;
     const std::string label = dialog.name().toStdString();

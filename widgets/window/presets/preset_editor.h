@@ -71,6 +71,7 @@ private:
   // Asks about changes before another preset is chosen. Returns false to keep the preset, else the
   // settings that stay in `kept`.
   bool askAboutChanges(const QString& label, std::vector<pipeline::Settings>& kept);
+  QString proposedName(const std::string& label) const;
   void store(const pipeline::PrintPreset& preset, const QString& editName);
   // Runs work that reads or writes files; shows an error in a box. Returns whether it succeeded.
   bool tried(const std::function<void()>& work);
