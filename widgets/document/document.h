@@ -120,7 +120,7 @@ public:
   struct Successor {
     std::shared_ptr<const project::LoadedPart> part; // its mesh in mm
     geometry::Placement placement;
-    bool keepsPlace = false; // otherwise it is moved beside all parts before it
+    bool keepsPlace = false; // if no successor before it is there; else it goes beside all
   };
   // Replaces a part by others, at scale 1, with its choices; the first one is active. Precondition:
   // item < partCount(), there is at least one successor.
