@@ -218,6 +218,9 @@ void CutTool::setOpen(bool open) {
   }
   picking_ = false;
   open_ = true;
+  CutChoices choices = panel_->choices();
+  choices.keep = CutChoices::Keep::Both; // the joint stays, for the next cut
+  panel_->setChoices(choices);
   work_.viewport.setTool(Tool::CutPlane);
   work_.viewport.setFocus(Qt::OtherFocusReason);
   emit opened(true);
