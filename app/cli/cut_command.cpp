@@ -117,8 +117,9 @@ void addCut(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   std::vector<std::string> words;
   for (const auto& [word, kind] : jointWords())
     words.push_back(word);
-  cut->add_option("--joint", options->joint,
-                  "loose dowels, pegs of the lower half, or a dovetail of the lower half")
+  cut->add_option(
+         "--joint", options->joint,
+         "none (default), loose dowels, pegs of the lower half, or a dovetail of the lower half")
       ->check(CLI::IsMember(words));
   Joint& sizes = options->sizes;
   cut->add_option("--size", sizes.sizeMm, "diameter of a pin, width of a dovetail [mm]")
