@@ -378,6 +378,9 @@ private:
       if (const auto purge =
               purgeEvent(tooling_.at(tool).process, primeMm3(tooling_.at(tool).process)))
         add(*purge);
+      break;
+    case ToolStep::Kind::Pause:
+      add({.kind = plan::EventKind::Pause});
     }
   }
 

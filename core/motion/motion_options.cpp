@@ -1,6 +1,11 @@
 #include "motion/motion_options.h"
 
+#include "base/error.h"
+
 #include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <string>
 
 namespace voluta::motion {
@@ -80,13 +85,43 @@ base::ParameterTable motionParameters() {
        base::numberParameter(
            "purgeMm3", "mm3", d.purge.changeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
            "Material that flows out at the place of the tool change after each change of the tool."_text),
-       base::numberParameter("stitchFlow", "mm3/s", d.shotFlowMm3PerS, 0.0, 10000.0,
+       base::textParameter(
+           kPauseLayers, "Tools"_text, "pauses before layers"_text,
+           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert."_text),
+       base::numberParameter("stitchFlow", "mm3/s", d.shot.flowMm3PerS, 0.0, 10000.0,
                              "Stitches"_text, "flow of a shot"_text,
                              "Flow into a pocket, at most that of the process. 0: as much."_text),
-       base::numberParameter("stitchWait", "s", d.shotWaitS, 0.0, 60.0, "Stitches"_text,
+       base::numberParameter("stitchWait", "s", d.shot.waitS, 0.0, 60.0, "Stitches"_text,
                              "wait after a shot"_text,
                              "Time that the nozzle stays in the pocket after the shot, so that "
                              "the material does not come out again."_text)});
+}
+
+std::vector<int> pauseLayersOf(std::string_view text) {
+  std::vector<int> layers;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    std::string_view item = text.substr(from, to - from);
+    from = to + 1;
+    const std::size_t begin = item.find_first_not_of(' ');
+    if (begin == std::string_view::npos)
+      continue;
+    item = item.substr(begin, item.find_last_not_of(' ') + 1 - begin);
+    int layer = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), layer);
+    if (error != std::errc() || end != item.data() + item.size() || layer < 1)
+      throw base::Error(base::ErrorCode::Usage,
+                        base::message("'{text}' is not a list of layers"_text, std::string(text)),
+                        std::string(kPauseLayers), "give numbers, such as 12, 40"_text);
+    layers.push_back(layer);
+  }
+  std::ranges::sort(layers);
+  layers.erase(std::ranges::unique(layers).begin(), layers.end());
+  return layers;
+}
+
+std::string pauseLayersText(const std::vector<int>& layers) {
+  return fmt::format("{}", fmt::join(layers, ", "));
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -109,8 +144,9 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.minLayerTimeS = layerTimes(values).minS;
   o.purge.changeMm3 = values.number("purgeMm3");
   o.purge.primesBeside = true;
-  o.shotFlowMm3PerS = values.number("stitchFlow");
-  o.shotWaitS = values.number("stitchWait");
+  o.pauseLayers = pauseLayersOf(values.text(kPauseLayers));
+  o.shot.flowMm3PerS = values.number("stitchFlow");
+  o.shot.waitS = values.number("stitchWait");
   return o;
 }
 

@@ -7,6 +7,9 @@
 #include "plan/layer_times.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace voluta::motion {
 
@@ -30,6 +33,12 @@ struct PurgeOptions {
   double changeMm3 = 100.0; // after each tool change
   // Whether a nozzle that would be primed above the part goes beside it for that
   bool primesBeside = false;
+};
+
+// Shots into pockets.
+struct ShotOptions {
+  double flowMm3PerS = 0.0; // 0: the limit of the process
+  double waitS = 0.0;       // after each
 };
 
 struct MotionOptions {
@@ -61,8 +70,9 @@ struct MotionOptions {
   double wipeMm = 0.0;        // Along the bead before the lift, extruder off
   double minLayerTimeS = 0.0; // plan::LayerTimes
   PurgeOptions purge;
-  // Of shots into pockets: their flow, 0: the limit of the process; and the wait after each.
-  double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
+  // Layers before which the arm goes home and waits for the operator, from 1, ascending
+  std::vector<int> pauseLayers;
+  ShotOptions shot;
 
   // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asAngle; 0: none
   // (jerk_limit.h)
@@ -79,9 +89,15 @@ struct MotionOptions {
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
 // rotationSmoothing, tiltToleranceDeg, maxJerk, collisionModel, branchChange, minLayerTimeS,
-// maxLayerTimeS, purgeMm3, stitchFlow, stitchWait.
+// maxLayerTimeS, purgeMm3, pauseLayers, stitchFlow, stitchWait.
 base::ParameterTable motionParameters();
-// Does not throw if `values` are over a table with motionParameters().
+inline constexpr const char* kPauseLayers = "pauseLayers";
+// Returns the layers that a value of pauseLayers lists, from 1, ascending. Throws Error{Usage} if
+// it is no list of layers.
+std::vector<int> pauseLayersOf(std::string_view text);
+// The inverse: "12, 40".
+std::string pauseLayersText(const std::vector<int>& layers);
+// Throws as pauseLayersOf(). Precondition: `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);
 // Same precondition.
 plan::LayerTimes layerTimes(const base::ParameterValues& values);

@@ -100,7 +100,7 @@ private:
   std::optional<Transfer> between(const Run& a, const Run& b) const {
     const RunPoint &last = a.points.back(), &first = b.points.front();
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
-    if (pathA.tool != pathB.tool) // The tool is changed at rest
+    if (pathA.tool != pathB.tool || pausesBetween(a, b)) // The arm rests in between
       return std::nullopt;
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
@@ -210,6 +210,8 @@ private:
   // tool, if another one is mounted.
   void setOut(Transfer& transfer, const Run& run) {
     const std::size_t before = run.points.front().next;
+    if (!kept().empty() && pausesBetween(kept().back(), run))
+      transfer.toolSteps.insert(transfer.toolSteps.begin(), {0, ToolStep::Kind::Pause});
     if (kept().empty())
       prepend(prime(before), transfer);
     else if (toolOf(kept().back()) != toolOf(run))
@@ -220,6 +222,16 @@ private:
   }
 
   int toolOf(const Run& run) const { return scene_.plan.paths[run.path].tool; }
+
+  // Returns whether the operator is awaited before the second run. For a change of tools by hand
+  // the arm stops anyway.
+  bool pausesBetween(const Run& a, const Run& b) const {
+    if (toolOf(a) != toolOf(b) && scene_.cell.toolChange().by == robot::ToolChange::By::Hand)
+      return false;
+    const int from = scene_.plan.paths[a.path].layer, to = scene_.plan.paths[b.path].layer;
+    return std::ranges::any_of(scene_.options.pauseLayers,
+                               [&](int layer) { return from < layer - 1 && layer - 1 <= to; });
+  }
 
   static void prepend(const Transfer& first, Transfer& transfer) {
     for (ToolStep& step : transfer.toolSteps)

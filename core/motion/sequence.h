@@ -45,7 +45,8 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // Finds the transfers. Between runs of different tools the arm goes home and to a place beside the
 // part (change_place.h), where the tool is changed and purged, and wipes its nozzle there. With
 // purge.primesBeside it also goes there first if the nozzle has to be primed at rest, and would
-// drop onto the part at home. If no transfer leads from a run to the next, the arm goes via home
+// drop onto the part at home. Before a layer of options.pauseLayers it goes home and pauses there,
+// unless the operator changes the tool then. If no transfer leads from a run to the next, the arm goes via home
 // too. If that fails too, the run is planned again from home in another branch of the arm, and
 // later runs are planned again from its end.
 //

@@ -21,15 +21,15 @@ double addShotEvents(plan::Trajectory& trajectory, double volumeMm3,
   // As short as possible: a long stay melts the layers around (Castelli 6.2).
   const double limit = process::flowLimit(process);
   const double flow =
-      options.shotFlowMm3PerS > 0.0 ? std::min(options.shotFlowMm3PerS, limit) : limit;
+      options.shot.flowMm3PerS > 0.0 ? std::min(options.shot.flowMm3PerS, limit) : limit;
   const std::size_t point = trajectory.pointCount();
   const double seconds = volumeMm3 / flow;
   trajectory.events.push_back(
       {.point = point, .kind = plan::EventKind::Shot, .seconds = seconds, .volumeMm3 = volumeMm3});
-  if (options.shotWaitS > 0.0)
+  if (options.shot.waitS > 0.0)
     trajectory.events.push_back(
-        {.point = point, .kind = plan::EventKind::Wait, .seconds = options.shotWaitS});
-  return seconds + std::max(0.0, options.shotWaitS);
+        {.point = point, .kind = plan::EventKind::Wait, .seconds = options.shot.waitS});
+  return seconds + std::max(0.0, options.shot.waitS);
 }
 
 std::optional<plan::Finding> longShots(const plan::Trajectory& trajectory,

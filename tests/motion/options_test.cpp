@@ -1,5 +1,7 @@
 #include "motion/motion_options.h"
 
+#include "base/error.h"
+
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -63,4 +65,14 @@ TEST(MotionOptions, TakeTheValuesOfTheParameters) {
       optionsWith({("rotationSmoothing=" + ways[1].id).c_str(), "tiltToleranceDeg=2"});
   EXPECT_EQ(whole.smoothing, SmoothingMethod::WholePath);
   EXPECT_NEAR(whole.leans(), base::degreesToRadians(2.0), 1e-12);
+}
+
+TEST(MotionOptions, ListTheLayersBeforeWhichTheArmPauses) {
+  EXPECT_TRUE(optionsWith({}).pauseLayers.empty());
+  EXPECT_EQ(optionsWith({"pauseLayers= 40, 3,3 ,12,"}).pauseLayers, (std::vector{3, 12, 40}));
+  EXPECT_EQ(motion::pauseLayersText({3, 12, 40}), "3, 12, 40");
+  EXPECT_EQ(motion::pauseLayersText({}), "");
+  for (const char* wrong : {"pauseLayers=0", "pauseLayers=-2", "pauseLayers=3;4",
+                            "pauseLayers=2.5", "pauseLayers=layer 3"})
+    EXPECT_THROW(optionsWith({wrong}), base::Error) << wrong;
 }

@@ -63,13 +63,13 @@ TEST(ShotEvents, LastAsLongAsTheFlowNeeds) {
   MotionOptions options;
   ASSERT_EQ(events(options).size(), 1u);
   EXPECT_DOUBLE_EQ(events(options)[0].seconds, 5.0);
-  options.shotFlowMm3PerS = 10.0;
-  options.shotWaitS = 1.5;
+  options.shot.flowMm3PerS = 10.0;
+  options.shot.waitS = 1.5;
   ASSERT_EQ(events(options).size(), 2u);
   EXPECT_DOUBLE_EQ(events(options)[0].seconds, 20.0);
   EXPECT_DOUBLE_EQ(events(options)[0].volumeMm3, 200.0);
   EXPECT_EQ(events(options)[1].kind, plan::EventKind::Wait);
-  options.shotFlowMm3PerS = 400.0;
+  options.shot.flowMm3PerS = 400.0;
   EXPECT_DOUBLE_EQ(events(options)[0].seconds, 5.0) << "beyond the process";
 }
 
@@ -83,7 +83,7 @@ TEST(ShotEvents, LongShotsGiveAFinding) {
     t.timeS = {0.0, 1.0};
     t.waypoint = {2, 3};
     MotionOptions options;
-    options.shotWaitS = waitS;
+    options.shot.waitS = waitS;
     addShotEvents(t, volumeMm3, process, options);
     return longShots(t, plan);
   };
