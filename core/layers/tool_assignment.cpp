@@ -48,11 +48,11 @@ base::ParameterTable toolParameters() {
           "Number of the tool that prints the part. The tips of all tools are in one "
           "place, that of the cell's nozzle."_text,
           true),
-      base::integerParameter(kSupportTool, 0, 0, kMaxTool, "Tools"_text, "tool of supports"_text,
+      base::integerParameter(kSupportTool, 0, 0, kMaxTool, "Tools"_text, "support tool"_text,
                              "Number of the tool that prints supports; 0: that of the part."_text,
                              true),
       base::integerParameter(
-          kInfillTool, 0, 0, kMaxTool, "Tools"_text, "tool of the interior"_text,
+          kInfillTool, 0, 0, kMaxTool, "Tools"_text, "infill tool"_text,
           "Number of the tool that fills the interior within walls and skins; 0: that of "
           "the part."_text,
           true),

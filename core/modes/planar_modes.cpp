@@ -217,9 +217,11 @@ plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,
       const Eigen::Vector3i cell = solid.grid.cell(c);
       where = solid.grid.centre(cell.x(), cell.y(), cell.z());
     }
-  return plan::makeFinding(plan::FindingKind::UniformMisses,
-                           {{"missed", misses.count}, {"voxels", solid.count}}, where,
-                           misses.count);
+  const double share = static_cast<double>(misses.count) / static_cast<double>(solid.count);
+  return plan::makeFinding(
+      plan::FindingKind::UniformMisses,
+      {{"share", base::percent(100.0 * share)}, {"missed", misses.count}, {"voxels", solid.count}},
+      where, misses.count);
 }
 
 std::shared_ptr<const DecomposeStage>

@@ -76,6 +76,9 @@ base::ParameterTable motionParameters() {
            {{"lift", "with the nozzle lifted"_text}, {kBlend, "while printing, if possible"_text}},
            "Motion"_text, "change of the arm's branch"_text,
            "Where the arm cannot print a whole path in one branch: whether the path is interrupted there, or the wrist changes over several points while printing, with the nozzle tilted within the tilt tolerance."_text),
+       base::textParameter(
+           kPauseLayers, "Motion"_text, "pauses before layers"_text,
+           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert."_text),
        base::numberParameter(
            kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),
@@ -85,9 +88,6 @@ base::ParameterTable motionParameters() {
        base::numberParameter(
            "purgeMm3", "mm3", d.purge.changeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
            "Material that flows out at the place of the tool change after each change of the tool."_text),
-       base::textParameter(
-           kPauseLayers, "Tools"_text, "pauses before layers"_text,
-           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert."_text),
        base::numberParameter("stitchFlow", "mm3/s", d.shot.flowMm3PerS, 0.0, 10000.0,
                              "Stitches"_text, "flow of a shot"_text,
                              "Flow into a pocket, at most that of the process. 0: as much."_text),

@@ -88,8 +88,8 @@ struct MotionOptions {
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
-// rotationSmoothing, tiltToleranceDeg, maxJerk, collisionModel, branchChange, minLayerTimeS,
-// maxLayerTimeS, purgeMm3, pauseLayers, stitchFlow, stitchWait.
+// rotationSmoothing, tiltToleranceDeg, maxJerk, collisionModel, branchChange, pauseLayers,
+// minLayerTimeS, maxLayerTimeS, purgeMm3, stitchFlow, stitchWait.
 base::ParameterTable motionParameters();
 inline constexpr const char* kPauseLayers = "pauseLayers";
 // Returns the layers that a value of pauseLayers lists, from 1, ascending. Throws Error{Usage} if

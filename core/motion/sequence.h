@@ -46,9 +46,9 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // part (change_place.h), where the tool is changed and purged, and wipes its nozzle there. With
 // purge.primesBeside it also goes there first if the nozzle has to be primed at rest, and would
 // drop onto the part at home. Before a layer of options.pauseLayers it goes home and pauses there,
-// unless the operator changes the tool then. If no transfer leads from a run to the next, the arm goes via home
-// too. If that fails too, the run is planned again from home in another branch of the arm, and
-// later runs are planned again from its end.
+// unless the operator changes the tool then. If no transfer leads from a run to the next, the arm
+// goes via home too. If that fails too, the run is planned again from home in another branch of the
+// arm, and later runs are planned again from its end.
 //
 // A transfer to the next run begins with a wipe if options.wipeMm is positive and the wipe is
 // collision-free. If the arm cannot leave a run's end, the run is shortened to a point that it can

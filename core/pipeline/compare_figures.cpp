@@ -93,9 +93,9 @@ const std::vector<Figure>& figures() {
   constexpr auto kMotion = &project::Report::motion;
   static const std::vector<Figure> kFigures{
       figure<kDecomposition, &DecompositionReport::missedVoxels, hasVoxels>(
-          "missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, 4.0, false),
+          "missedVoxels", "missed voxels"_text, "Unprinted\nvoxels"_text, 4.0, false),
       figure<kDecomposition, &DecompositionReport::riskyAreaMm2, hasPieces>(
-          "riskyAreaMm2", "risky area"_text, "Risky\nmm²"_text, 4.0, false),
+          "riskyAreaMm2", "risky area"_text, "Overhang\nmm²"_text, 4.0, false),
       figure<kDecomposition, &DecompositionReport::supportVolumeMm3, decomposed>(
           "supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, 1.0),
       figure<kDecomposition, &DecompositionReport::pieces, decomposed>("pieces", "pieces"_text,

@@ -113,7 +113,8 @@ void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
     if (!hasWordFor(dialect, kind))
       throw base::Error(
           base::ErrorCode::Usage,
-          base::message("format {format} has no word for {event}"_text, dialect.id, nameOf(kind)),
+          base::message("format {format} has no command for {event}"_text, dialect.id,
+                        nameOf(kind)),
           {}, useFormats(formatsThat([&](const Dialect& d) { return hasWordFor(d, kind); })));
   };
   if (trajectory.firstTool != 0)

@@ -110,8 +110,8 @@ base::ParameterTable toolpathParameters() {
           "Cooling"_text, "slowest speed for cooling"_text,
           "Down to this speed beads are printed slower to keep the minimum layer time, before the robot waits. 0: it only waits."_text),
       base::textParameter("loadDirection", "Strength"_text, "direction of the load"_text,
-                          "x,y,z in the part's file, for example 1,0,0: the report then states "
-                          "how layers and beads carry a load in it. Empty: no load."_text),
+                          "x,y,z in the part's file, for example 1,0,0: reports the "
+                          "strength for a load in this direction. Empty: no load."_text),
       base::integerParameter("fibreLayers", FibreOptions{}.everyLayers, 0, 1000, "Fibre"_text,
                              "tapes after every n-th layer"_text,
                              "Irons tapes of continuous fibre onto every n-th layer but the last; "

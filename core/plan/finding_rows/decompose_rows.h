@@ -108,13 +108,13 @@ inline constexpr FindingRow kDecomposeRows[] = {
     info(BlockedPieces, "blockedPieces",
          "blocked pieces: {blocked} of {pieces}; earlier pieces are in the print head's way"_text,
          "use other cutting planes (`cutPlanes`), turn the part, or use curved mode"_text),
+    info(SmallFoot, "smallFoot",
+         "small contact with the plate: {foot:.3g}; uncut, the part has {whole:.3g#}"_text,
+         "place the part on a larger face, or use other cutting planes (`cutPlanes`)"_text),
     info(
-        SmallFoot, "smallFoot",
-        "small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}"_text,
-        "place the part on a larger face, or use other cutting planes (`cutPlanes`)"_text),
-    info(UniformMisses, "uniformMisses",
-         "unsupported voxels: {missed} of {voxels}|unsupported voxels: {missed} of {voxels}"_plural,
-         kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
+        UniformMisses, "uniformMisses",
+        "{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels|{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels"_plural,
+        kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
 };
 
 } // namespace voluta::plan::finding_rows

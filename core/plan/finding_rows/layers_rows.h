@@ -39,8 +39,7 @@ inline constexpr FindingRow kLayersRows[] = {
           "not covered by layers: {left:.3g#} of {whole:.4g} of the part"_text,
           "choose layers that reach all of it (`layerShape`, `layerCentre`, `endSurface`)"_text,
           {.remedies = kForAirOverGround}),
-    info(UnheldOverhang, "unheldOverhang",
-         "{area:.3g} overhangs where a support would have no footing"_text,
+    info(UnheldOverhang, "unheldOverhang", "no platform below the overhang: {area:.3g}"_text,
          "use a larger platform (fit:MARGIN), or turn the part"_text,
          {.remedies = kOffers<WidenPlatform, RotateToMinRiskyArea>}),
     info(

@@ -16,8 +16,7 @@ inline constexpr FindingRow kMillingRows[] = {
     mismatch(FeedChanged, "feedChanged", "another feed than planned"_text,
              {.reportId = "speedChanged"}),
     mismatch(CutterBelowBlock, "cutterBelowBlock",
-             "the cutter goes through the block into what holds it"_text,
-             {.reportId = "collision"}),
+             "the cutter cuts into the fixture below the block"_text, {.reportId = "collision"}),
     mismatch(BlockTurnedBelow, "blockTurnedBelow",
              "the block turns while the cutter is not home"_text, {.reportId = "blockTurned"}),
     mismatch(BlockTurnedElsewhere, "blockTurnedElsewhere",
@@ -29,7 +28,7 @@ inline constexpr FindingRow kMillingRows[] = {
     error(
         MaterialLeft, "materialLeft",
         "{volume:.0f} of the block stay in slots, undercuts or holes that should be free, up to {height:.1f} high"_text,
-        "use a smaller cutter or a smaller distance of lines, or turn the part"_text,
+        "use a smaller cutter or a smaller stepover, or rotate the part"_text,
         {.whyNoRemedy = kPassValues}),
 };
 

@@ -17,7 +17,7 @@ inline constexpr base::Text kDepositedShare = "deposited volume: {share:.2f} of 
 inline constexpr base::Text kUnsupportedLength =
     "{length:.1f} of bead ({share:.2f}) is unsupported"_text;
 inline constexpr base::Text kSupportBeads =
-    "add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building"_text;
+    "add supports, make sparse infill denser, rotate the part, or choose mode auto"_text;
 inline constexpr base::Text kBridgeLength =
     "{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}"_text;
 inline constexpr std::span<const RemedyId> kForFill =
@@ -151,7 +151,7 @@ inline constexpr FindingRow kReplayRows[] = {
          {.remedies = kOffers<ChooseStrategy>, .concern = Concern::Part}),
     error(
         CoolingTime, "coolingTime",
-        "the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads"_text,
+        "the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; on {length:.0f} of beads in all"_text,
         "lower the minimum layer time, print slower, or print without a spiral"_text,
         {.whyNoRemedy =
              "only you know how long a bead has to cool: change the minimum layer time"_text,
