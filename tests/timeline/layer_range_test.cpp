@@ -78,6 +78,37 @@ TEST_F(LayerRangeTest, KeysMoveTheHandles) {
   expectRange(0, 100);
 }
 
+TEST_F(LayerRangeTest, ThePlusAsksForAPauseBeforeTheUpperLayer) {
+  QSignalSpy wished(&slider_, &LayerRangeSlider::pauseWished);
+  EXPECT_TRUE(slider_.pauseButton().isEmpty()) << "not of these layers";
+  slider_.setPauses({}, true);
+  EXPECT_TRUE(QRectF(slider_.rect()).contains(slider_.pauseButton()));
+  slider_.setRange(0, 40);
+  const auto click = [&] {
+    QTest::mouseClick(&slider_, Qt::LeftButton, {}, slider_.pauseButton().center().toPoint());
+  };
+  click();
+  ASSERT_EQ(wished.size(), 1);
+  EXPECT_EQ(wished[0], (QVariantList{40, true}));
+  expectRange(0, 40); // the handle stays
+  EXPECT_TRUE(slider_.pauses().empty()) << "whether it comes is the document's";
+  slider_.setPauses({12, 40}, true);
+  EXPECT_TRUE(slider_.accessibleDescription().contains("pause"));
+  const QImage with = slider_.grab().toImage();
+  click();
+  EXPECT_EQ(wished[1], (QVariantList{40, false}));
+  QTest::keyClick(&slider_, Qt::Key_Minus);
+  EXPECT_EQ(wished.size(), 3);
+  QTest::keyClick(&slider_, Qt::Key_Plus);
+  EXPECT_EQ(wished.size(), 3) << "it is there";
+  slider_.setPauses({}, true);
+  EXPECT_NE(slider_.grab().toImage(), with);
+  slider_.setRange(0, 0);
+  EXPECT_TRUE(slider_.pauseButton().isEmpty()) << "nothing is printed before";
+  QTest::keyClick(&slider_, Qt::Key_Plus);
+  EXPECT_EQ(wished.size(), 3);
+}
+
 TEST_F(LayerRangeTest, TheHandlesNeverPass) {
   slider_.setRange(50, 52);
   QTest::keyClick(&slider_, Qt::Key_PageDown);

@@ -48,17 +48,18 @@ QIcon swatch(const QColor& colour) {
   return QIcon(drawn);
 }
 
-struct Span {
+struct ValueSpan {
   double low, high;
 };
 
 // Returns the range that contains the curves of one quantity.
-Span spanOf(const std::vector<ChartCurve>& curves, const std::vector<ValueRange>& ranges,
-            bool withLimits) {
-  Span span{0.0, 0.0};
+ValueSpan spanOf(const std::vector<ChartCurve>& curves, const std::vector<ValueRange>& ranges,
+                 bool withLimits) {
+  ValueSpan span{0.0, 0.0};
   bool any = false;
   const auto hold = [&](double value) {
-    span = any ? Span{std::min(span.low, value), std::max(span.high, value)} : Span{value, value};
+    span = any ? ValueSpan{std::min(span.low, value), std::max(span.high, value)}
+               : ValueSpan{value, value};
     any = true;
   };
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -328,7 +329,7 @@ void JointPlots::refresh() {
       ranges.push_back(angles ? curves_->angleRange(joint) : curves_->speedRange(joint));
       curves.push_back(std::move(curve));
     }
-    const Span span = spanOf(curves, ranges, limits);
+    const ValueSpan span = spanOf(curves, ranges, limits);
     canvas->setHint(curves.empty() ? tr("No joint selected.") : QString());
     canvas->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
   }
@@ -354,7 +355,7 @@ void JointPlots::refreshJerk() {
   if (earlier_ && earlierButton_->isChecked())
     add(*earlier_, true);
   add(*curves_, false);
-  const Span span = spanOf(curves, ranges, false);
+  const ValueSpan span = spanOf(curves, ranges, false);
   jerk_->setHint(curves.empty() ? tr("No joint selected.") : QString());
   jerk_->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
 }

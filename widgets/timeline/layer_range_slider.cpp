@@ -1,10 +1,12 @@
 #include "timeline/layer_range_slider.h"
 
 #include <QEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@ constexpr int kPage = 10;
 constexpr double kUsualRadiusMm = 888.88;
 constexpr double kRulerLines = 2.5; // Heights of a text between marks of the ruler, at least
 constexpr double kRulerTick = 4.0;  // [px]
+constexpr double kPauseSide = 16.0, kPauseGap = 2.0;
 } // namespace
 
 LayerRangeSlider::LayerRangeSlider(QWidget* parent) : QWidget(parent) {
@@ -71,6 +74,33 @@ void LayerRangeSlider::setSingle(bool single) {
   update();
 }
 
+void LayerRangeSlider::setPauses(std::vector<int> layers, bool pausable) {
+  if (layers == pauses_ && pausable == pausable_)
+    return;
+  pauses_ = std::move(layers);
+  pausable_ = pausable;
+  describe();
+  update();
+}
+
+bool LayerRangeSlider::pausesAtUpper() const {
+  return std::ranges::binary_search(pauses_, last_);
+}
+
+// Nothing is printed before the first layer.
+QRectF LayerRangeSlider::pauseButton() const {
+  if (!pausable_ || count_ == 0 || last_ == 0 || !isEnabled())
+    return {};
+  const QRectF handle = handleRect(Handle::Upper);
+  return {handle.center().x() - 0.5 * kPauseSide, handle.top() - kPauseGap - kPauseSide, kPauseSide,
+          kPauseSide};
+}
+
+void LayerRangeSlider::wishPause(bool pause) {
+  if (!pauseButton().isEmpty() && pause != pausesAtUpper())
+    emit pauseWished(last_, pause);
+}
+
 QSize LayerRangeSlider::sizeHint() const {
   return {minimumSizeHint().width(), 300};
 }
@@ -86,7 +116,8 @@ QSize LayerRangeSlider::minimumSizeHint() const {
 }
 
 QRectF LayerRangeSlider::grooveRect() const {
-  const double top = kHandleHeight + 1.5 * fontMetrics().height();
+  const double top =
+      kHandleHeight + std::max(1.5 * fontMetrics().height(), kPauseSide + 2.0 * kPauseGap);
   const double x = width() - 0.5 * kHandleWidth - 4.0;
   return {x - 0.5 * kGrooveWidth, top, kGrooveWidth, std::max(1.0, height() - 2.0 * top)};
 }
@@ -150,7 +181,8 @@ void LayerRangeSlider::describe() {
   setAccessibleName(tr("Shown layers"));
   setAccessibleDescription(
       count_ == 0 ? tr("No layers")
-                  : tr("Layers %1 to %2 of %3").arg(first_ + 1).arg(last_ + 1).arg(count_));
+                  : tr("Layers %1 to %2 of %3").arg(first_ + 1).arg(last_ + 1).arg(count_) +
+                        (pausesAtUpper() ? tr(", a pause before the last") : QString()));
   setToolTip(count_ == 0
                  ? tr("Layers appear here once they are planned.")
                  : tr("Layers %1 to %2 of %3. Up and down keys move the upper end, with Shift the "
@@ -164,6 +196,10 @@ void LayerRangeSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || count_ == 0)
     return;
   const double y = event->position().y();
+  if (pauseButton().contains(event->position())) {
+    wishPause(!pausesAtUpper());
+    return;
+  }
   held_ = nearestHandle(y);
   emit dragging(true);
   // A click on a handle grabs it without moving it; elsewhere the nearer handle moves there.
@@ -190,6 +226,8 @@ void LayerRangeSlider::mouseReleaseEvent(QMouseEvent* event) {
 void LayerRangeSlider::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || count_ == 0)
     return;
+  if (pauseButton().contains(event->position()))
+    return; // the first click counts
   if (single_) {
     setSingle(false);
   } else {
@@ -210,6 +248,12 @@ void LayerRangeSlider::keyPressEvent(QKeyEvent* event) {
       moveHandle(Handle::Upper, std::clamp(last_ + by, single_ ? 0 : first_, count_ - 1));
   };
   switch (event->key()) {
+  case Qt::Key_Plus:
+    wishPause(true);
+    break;
+  case Qt::Key_Minus:
+    wishPause(false);
+    break;
   case Qt::Key_Up:
     step(1);
     break;
@@ -248,6 +292,23 @@ void LayerRangeSlider::wheelEvent(QWheelEvent* event) {
   } else {
     moveHandle(Handle::Upper, std::clamp(last_ + by, single_ ? 0 : first_, count_ - 1));
   }
+}
+
+bool LayerRangeSlider::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (pauseButton().contains(help->pos())) {
+      QToolTip::showText(help->globalPos(),
+                         pausesAtUpper()
+                             ? tr("Remove the pause before layer %1").arg(last_ + 1)
+                             : tr("Pause before layer %1: the arm goes home and waits, to change "
+                                  "the material or to put in an insert")
+                                   .arg(last_ + 1),
+                         this);
+      return true;
+    }
+  }
+  return QWidget::event(event);
 }
 
 void LayerRangeSlider::changeEvent(QEvent* event) {
@@ -301,6 +362,34 @@ double LayerRangeSlider::yOfTop(double mm) const {
     return yOf(std::min(layer, count_ - 1));
   const double share = (mm - *(above - 1)) / (*above - *(above - 1));
   return yOf(layer - 1) + share * (yOf(layer) - yOf(layer - 1));
+}
+
+// Each pause as two bars across the groove, and the button.
+void LayerRangeSlider::paintPauses(QPainter& painter) const {
+  const QColor text = palette().color(QPalette::WindowText);
+  const double x = grooveRect().center().x();
+  painter.setPen(Qt::NoPen);
+  for (const int layer : pauses_) {
+    if (layer >= count_)
+      break;
+    const QRectF mark(x - 6.0, yOf(layer) - 4.0, 12.0, 8.0);
+    painter.setBrush(palette().color(QPalette::Window));
+    painter.drawRoundedRect(mark, 2.0, 2.0);
+    painter.setBrush(text);
+    painter.drawRect(QRectF(x - 3.5, mark.top() + 1.0, 2.0, 6.0));
+    painter.drawRect(QRectF(x + 1.5, mark.top() + 1.0, 2.0, 6.0));
+  }
+  const QRectF button = pauseButton();
+  if (button.isEmpty())
+    return;
+  painter.setPen(QPen(text, 1.0));
+  painter.setBrush(palette().color(QPalette::Button));
+  painter.drawEllipse(button.adjusted(0.5, 0.5, -0.5, -0.5));
+  painter.setPen(QPen(text, 1.6));
+  const QPointF middle = button.center();
+  painter.drawLine(middle - QPointF(4.0, 0.0), middle + QPointF(4.0, 0.0));
+  if (!pausesAtUpper())
+    painter.drawLine(middle - QPointF(0.0, 4.0), middle + QPointF(0.0, 4.0));
 }
 
 void LayerRangeSlider::paintRuler(QPainter& painter, const std::vector<QRectF>& taken) const {
@@ -364,6 +453,7 @@ void LayerRangeSlider::paintEvent(QPaintEvent*) {
   }
   painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
   paintRuler(painter, labels);
+  paintPauses(painter);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);

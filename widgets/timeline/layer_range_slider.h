@@ -10,7 +10,9 @@ namespace voluta::timeline {
 // upper handle, with Shift the lower one, Page up and Page down by ten; Home and End extend the
 // range to the first or to the last layer. The wheel moves the upper handle, with Shift the lower
 // one, with Ctrl both. A click on the groove moves the nearer handle there; a double click shows a
-// single layer, another one all of them. In single-layer mode both handles move together.
+// single layer, another one all of them. In single-layer mode both handles move together. A + above
+// the upper handle, or the key +, adds a pause before that layer; a − there, or the key −, removes
+// it.
 class LayerRangeSlider : public QWidget {
   Q_OBJECT
 
@@ -30,6 +32,11 @@ public:
   // Returns the heights [mm] that are marked along the groove: round numbers, as many as there is
   // room for; none if the layers' tops are not known or do not rise.
   std::vector<double> ruledMm() const;
+  // Layers before which the print pauses, ascending. `pausable`: the user may change them.
+  void setPauses(std::vector<int> layers, bool pausable);
+  const std::vector<int>& pauses() const { return pauses_; }
+  // Returns the place of the + or −; empty: there is none.
+  QRectF pauseButton() const;
   // Clamped to [0, layerCount() - 1]; first <= last.
   void setRange(int first, int last);
   void setSingle(bool single);
@@ -41,6 +48,8 @@ signals:
   void rangeChanged(int first, int last);
   void dragging(bool on);
   void singleChanged(bool single);
+  // The user adds a pause before that layer, or removes it.
+  void pauseWished(int layer, bool pause);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -51,6 +60,7 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
 
 private:
   enum class Handle { None, Lower, Upper };
@@ -64,6 +74,9 @@ private:
   QString topText(double mm, bool radius) const;
   int textWidth(const QString& text) const;
   double yOfTop(double mm) const;
+  bool pausesAtUpper() const;
+  void wishPause(bool pause);
+  void paintPauses(QPainter& painter) const;
   void paintRuler(QPainter& painter, const std::vector<QRectF>& taken) const;
   QRectF labelRect(double y) const;
   void paintLabel(QPainter& painter, int layer, double y) const;
@@ -73,7 +86,8 @@ private:
   int count_ = 0, first_ = 0, last_ = 0;
   std::vector<double> topMm_;
   bool radii_ = false;
-  bool single_ = false;
+  bool single_ = false, pausable_ = false;
+  std::vector<int> pauses_;
   Handle held_ = Handle::None;
   int wheelRest_ = 0; // eighths of a degree not yet used for a step
 };
