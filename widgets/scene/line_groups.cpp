@@ -28,6 +28,10 @@ void LineGroups::show(const std::vector<const LineGroup*>& groups) {
   setData(actor_, polyDataOf(buffers));
 }
 
+void LineGroups::pose(const Eigen::Isometry3d& world_T_lines) {
+  setPose(actor_, world_T_lines);
+}
+
 std::shared_ptr<const PartDrawing> drawWithoutEdges(const geometry::TriangleMesh& solid) {
   constexpr double kFeatureAngleDeg = 45.0;
   auto drawing = std::make_shared<PartDrawing>();

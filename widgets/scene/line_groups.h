@@ -4,7 +4,7 @@
 #include "scene/colouring.h"
 #include "scene/drawings.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 #include <vtkSmartPointer.h>
@@ -20,13 +20,15 @@ struct LineGroup {
   std::vector<std::vector<Eigen::Vector3d>> lines;
 };
 
-// Lines in the world frame, in addition to the drawings of a scene.
+// Lines in a frame of the world, in addition to the drawings of a scene.
 class LineGroups {
 public:
   // The scene that owns the renderer must outlive this.
   explicit LineGroups(vtkRenderer* renderer);
 
   void show(const std::vector<const LineGroup*>& groups);
+  // Moves the lines into this frame; initially the world.
+  void pose(const Eigen::Isometry3d& world_T_lines);
 
 private:
   vtkSmartPointer<vtkActor> actor_;

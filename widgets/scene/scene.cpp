@@ -9,6 +9,7 @@
 #include "scene/cell_actors.h"
 #include "scene/colour_values.h"
 #include "scene/drawn.h"
+#include "scene/line_groups.h"
 #include "scene/mesh_buffers.h"
 #include "scene/other_parts.h"
 #include "scene/overlay.h"
@@ -84,6 +85,7 @@ struct Scene::Impl : Drawn {
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
   std::unique_ptr<PieceLabels> pieceLabels;
+  std::unique_ptr<LineGroups> trace;
   RangeActor slabs, beads, travels, markerRim, marker;
 
   ColourState slabColours, beadColours;
@@ -113,6 +115,7 @@ struct Scene::Impl : Drawn {
     travels.actor->GetProperty()->LightingOff();
     chosenPath = addLines(renderer);
     chosenPath->GetProperty()->SetLineWidth(kChosenPathPixels);
+    trace = std::make_unique<LineGroups>(renderer);
     frontSurface = addSolid(renderer);
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
@@ -187,6 +190,7 @@ struct Scene::Impl : Drawn {
     }
     platformActors->pose(world_T_work);
     otherParts->pose(world_T_work);
+    trace->pose(world_T_work);
     for (vtkActor* actor : cutActors())
       setPose(actor, world_T_work);
     for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
@@ -518,6 +522,13 @@ void Scene::setCell(std::shared_ptr<const CellDrawing> cell) {
   impl_->cellActors->setDrawing(cell.get());
   impl_->cell = std::move(cell);
   impl_->applyView();
+}
+
+void Scene::setTrace(const std::vector<LineGroup>& lines) {
+  std::vector<const LineGroup*> groups;
+  for (const LineGroup& group : lines)
+    groups.push_back(&group);
+  impl_->trace->show(groups);
 }
 
 void Scene::setView(const ViewState& view) {

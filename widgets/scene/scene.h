@@ -19,6 +19,8 @@ class vtkRenderer;
 
 namespace voluta::scene {
 
+struct LineGroup;
+
 class Scene {
 public:
   explicit Scene(const Theme& theme);
@@ -48,6 +50,8 @@ public:
   void setPaths(std::shared_ptr<const PathsDrawing> paths);
   void setReach(std::shared_ptr<const ReachDrawing> reach);
   void setCell(std::shared_ptr<const CellDrawing> cell);
+  // Lines of the work frame, over the other drawings; empty: none.
+  void setTrace(const std::vector<LineGroup>& lines);
 
   // Fast; does not draw by itself.
   void setView(const ViewState& view);

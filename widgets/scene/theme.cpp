@@ -64,4 +64,32 @@ Theme darkTheme() {
   return t;
 }
 
+Theme highContrastTheme() {
+  Theme t = darkTheme();
+  t.backgroundTop = t.backgroundBottom = {0.0, 0.0, 0.0};
+  t.text = {1.0, 1.0, 1.0};
+  t.axisX = {1.0, 0.72, 0.30};
+  t.axisY = {0.30, 0.95, 0.75};
+  t.axisZ = {0.55, 0.80, 1.0};
+  t.part = {0.45, 0.75, 0.98};
+  t.partEdges = {0.0, 0.0, 0.0};
+  t.otherPart = {0.60, 0.62, 0.64};
+  t.otherPartEdges = {1.0, 1.0, 1.0};
+  t.partBeyond = {1.0, 0.72, 0.20};
+  t.platform = {0.33, 0.34, 0.35};
+  t.platformEdges = {1.0, 1.0, 1.0};
+  t.grid = {0.62, 0.62, 0.62};
+  t.robotLight = {0.92, 0.92, 0.92};
+  t.robotDark = {0.55, 0.66, 0.78};
+  t.head = {1.0, 0.84, 0.40};
+  t.obstacle = {0.52, 0.52, 0.54};
+  t.material = {0.98, 0.95, 0.85};
+  t.travel = {0.80, 0.80, 0.80};
+  t.marker = {1.0, 1.0, 0.0};
+  t.blocked = {1.0, 0.42, 0.38};
+  t.ghost = {0.80, 0.80, 0.80};
+  t.front = {0.60, 0.85, 1.0};
+  return t;
+}
+
 } // namespace voluta::scene

@@ -28,5 +28,6 @@ struct Theme {
 
 Theme lightTheme();
 Theme darkTheme();
+Theme highContrastTheme(); // white and yellow on black
 
 } // namespace voluta::scene
