@@ -1,5 +1,9 @@
 #include "scene/actors.h"
 
+#include "base/units.h"
+#include "scene/mesh_buffers.h"
+
+#include <cmath>
 #include <cstring>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
@@ -110,6 +114,19 @@ void addLights(vtkRenderer* renderer) {
   };
   add(-0.40, 0.70, 1.0, 0.85);
   add(0.8, -0.15, 0.7, 0.25);
+}
+
+vtkSmartPointer<vtkPolyData> ring(double inner, double outer) {
+  constexpr int kRingCorners = 48;
+  MeshBuffers buffers;
+  const auto corner = [&](int i, double radius) {
+    const double angle = 2.0 * base::kPi * i / kRingCorners;
+    return buffers.addPoint({radius * std::cos(angle), radius * std::sin(angle), 0.0},
+                            Eigen::Vector3d::UnitZ());
+  };
+  for (int i = 0; i < kRingCorners; ++i)
+    buffers.addQuad(corner(i, inner), corner(i, outer), corner(i + 1, outer), corner(i + 1, inner));
+  return polyDataOf(buffers);
 }
 
 } // namespace voluta::scene

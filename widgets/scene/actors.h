@@ -34,6 +34,8 @@ void setColour(vtkActor* actor, const Colour& colour);
 void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb);
 void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model);
 void giveSolidLook(vtkActor* actor);
+// Returns a flat ring about z, through which the marked place stays visible.
+vtkSmartPointer<vtkPolyData> ring(double inner, double outer);
 
 // Adds two lights that move with the camera: one from the upper left, and a weaker fill light.
 void addLights(vtkRenderer* renderer);

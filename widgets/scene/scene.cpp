@@ -37,7 +37,6 @@ namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.022;  // relative to the picture's height
-constexpr int kRingCorners = 48;
 constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
 
@@ -47,19 +46,6 @@ struct ColourState {
   ColourBy colourBy = ColourBy::Layer;
   bool operator==(const ColourState&) const = default;
 };
-
-// Returns a flat ring about z, through which the marked place stays visible.
-vtkSmartPointer<vtkPolyData> ring(double inner, double outer) {
-  MeshBuffers buffers;
-  const auto corner = [&](int i, double radius) {
-    const double angle = 2.0 * base::kPi * i / kRingCorners;
-    return buffers.addPoint({radius * std::cos(angle), radius * std::sin(angle), 0.0},
-                            Eigen::Vector3d::UnitZ());
-  };
-  for (int i = 0; i < kRingCorners; ++i)
-    buffers.addQuad(corner(i, inner), corner(i, outer), corner(i + 1, outer), corner(i + 1, inner));
-  return polyDataOf(buffers);
-}
 
 std::vector<Stretch> everything(vtkPolyData* data) {
   return {{0, static_cast<std::size_t>(data->GetNumberOfPolys() + data->GetNumberOfLines())}};
