@@ -10,6 +10,9 @@ namespace voluta::forms {
 // Returns whether text is lighter than its background.
 bool isDark(const QPalette& palette);
 
+// Returns whether it is that of the look with high contrast: white on black.
+bool isHighContrast(const QPalette& palette);
+
 // Interpolates from one colour to the other; `share` in [0, 1].
 QColor mixed(const QColor& from, const QColor& to, double share);
 

@@ -217,15 +217,33 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "Lists commands and settings while you type"),
        {QKeySequence("Ctrl+K")},
        [this] { openPalette(); }},
+      {"light",
+       "lookMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&Light"),
+       QT_TRANSLATE_NOOP("Commands", "Dark text on a light background"),
+       {},
+       [this] { setAppearance(Appearance::Light); },
+       {},
+       [this] { return appearance_ == Appearance::Light; }},
       {"dark",
-       "viewMenu",
-       2,
+       "lookMenu",
+       0,
        QT_TRANSLATE_NOOP("Commands", "&Dark"),
        QT_TRANSLATE_NOOP("Commands", "Light text on a dark background"),
        {},
-       [this] { switchAppearance(); },
+       [this] { setAppearance(Appearance::Dark); },
        {},
        [this] { return appearance_ == Appearance::Dark; }},
+      {"highContrast",
+       "lookMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "&High contrast"),
+       QT_TRANSLATE_NOOP("Commands", "White text on black, with strong outlines"),
+       {},
+       [this] { setAppearance(Appearance::HighContrast); },
+       {},
+       [this] { return appearance_ == Appearance::HighContrast; }},
       {"exportPicture",
        "exportMenu",
        0,
@@ -396,8 +414,8 @@ void MainWindow::plan(Stage until) {
   planning_.plan(until);
 }
 
-void MainWindow::switchAppearance() {
-  appearance_ = appearance_ == Appearance::Dark ? Appearance::Light : Appearance::Dark;
+void MainWindow::setAppearance(Appearance appearance) {
+  appearance_ = appearance;
   applyAppearance(*qobject_cast<QApplication*>(QCoreApplication::instance()), appearance_);
   viewport().scene().setTheme(sceneTheme(appearance_));
   viewport().requestFrame();

@@ -68,7 +68,7 @@ private:
   void showStates();
   void showObjects(); // Updates part, platform and cell in tree and status line
   void plan(project::Stage until);
-  void switchAppearance();
+  void setAppearance(Appearance appearance);
   void editShortcuts();
   void openPalette();
   void openFilm();

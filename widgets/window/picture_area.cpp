@@ -1,5 +1,6 @@
 #include "window/picture_area.h"
 
+#include "forms/colours.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 #include "viewer/viewport.h"
@@ -13,7 +14,21 @@
 namespace voluta::window {
 
 scene::Theme sceneTheme(Appearance appearance) {
-  return appearance == Appearance::Dark ? scene::darkTheme() : scene::lightTheme();
+  switch (appearance) {
+  case Appearance::Dark:
+    return scene::darkTheme();
+  case Appearance::HighContrast:
+    return scene::highContrastTheme();
+  case Appearance::Light:
+    break;
+  }
+  return scene::lightTheme();
+}
+
+scene::Theme sceneTheme(const QPalette& palette) {
+  return sceneTheme(forms::isHighContrast(palette) ? Appearance::HighContrast
+                    : forms::isDark(palette)       ? Appearance::Dark
+                                                   : Appearance::Light);
 }
 
 PictureArea::PictureArea(Appearance appearance, QWidget* parent)

@@ -22,6 +22,7 @@ class ViewTools;
 class Welcome;
 
 scene::Theme sceneTheme(Appearance appearance);
+scene::Theme sceneTheme(const QPalette& palette); // of the appearance with that palette
 
 class PictureArea : public QWidget {
   Q_OBJECT

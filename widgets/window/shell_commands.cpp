@@ -69,6 +69,7 @@ const std::vector<CommandMenu>& commandMenus() {
       {"helpMenu", QT_TRANSLATE_NOOP("Commands", "&Help")},
       {"recentMenu", QT_TRANSLATE_NOOP("Commands", "Open &recent"), "fileMenu", 0},
       {"samplesMenu", QT_TRANSLATE_NOOP("Commands", "Sa&mples"), "fileMenu", 0},
+      {"lookMenu", QT_TRANSLATE_NOOP("Commands", "Loo&k"), "viewMenu", 2},
       {"languageMenu", QT_TRANSLATE_NOOP("Commands", "&Language"), "viewMenu", 2},
   };
   return kMenus;

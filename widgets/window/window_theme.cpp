@@ -1,5 +1,8 @@
 #include "window/window_theme.h"
 
+#include "forms/colours.h"
+
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
@@ -10,27 +13,121 @@
 namespace voluta::window {
 
 namespace {
-// Fusion draws the outlines of check boxes darker than the background, which makes them invisible
-// in the dark theme.
-class OutlinedBoxes : public QProxyStyle {
+constexpr int kFocusPixels = 2;
+
+// Fusion draws outlines darker than the background, which makes them invisible in the dark looks:
+// those of check boxes are drawn here, and with high contrast those of everything that can be
+// used, in the colour of texts, with a thick frame in the colour of the selection for the focus.
+class OutlinedStyle : public QProxyStyle {
 public:
-  OutlinedBoxes() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+  OutlinedStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
+    const bool strong = forms::isHighContrast(option->palette);
+    if (strong && element == PE_FrameFocusRect)
+      return outline(*option, *painter, option->palette.color(QPalette::Highlight), kFocusPixels);
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (element != PE_IndicatorCheckBox)
+    const bool isBox = element == PE_IndicatorCheckBox;
+    if (isBox && !strong)
+      outline(*option, *painter, option->palette.color(QPalette::Disabled, QPalette::Text));
+    if (element == PE_PanelLineEdit && widget &&
+        qobject_cast<const QAbstractSpinBox*>(widget->parent()))
+      return; // the outline is that of the whole box
+    const bool isUsed =
+        isBox || element == PE_PanelButtonCommand || element == PE_PanelButtonTool ||
+        element == PE_PanelLineEdit || element == PE_Frame || element == PE_FrameGroupBox ||
+        element == PE_FrameTabWidget || element == PE_FrameMenu || element == PE_PanelTipLabel;
+    if (strong && isUsed)
+      outline(*option, *painter);
+    if (strong && element == PE_IndicatorRadioButton) {
+      painter->save();
+      painter->setRenderHint(QPainter::Antialiasing);
+      painter->setBrush(Qt::NoBrush);
+      painter->setPen(option->palette.color(QPalette::WindowText));
+      painter->drawEllipse(QRectF(option->rect).adjusted(1, 1, -1, -1));
+      painter->restore();
+    }
+  }
+
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    QProxyStyle::drawControl(element, option, painter, widget);
+    if (!forms::isHighContrast(option->palette))
       return;
-    painter->save();
-    painter->setBrush(Qt::NoBrush);
-    painter->setPen(option->palette.color(QPalette::Disabled, QPalette::Text));
-    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
-    painter->restore();
+    if (element == CE_TabBarTabShape && (option->state & State_Selected))
+      outline(*option, *painter, option->palette.color(QPalette::Highlight), kFocusPixels);
+    else if (element == CE_TabBarTabShape || element == CE_HeaderSection ||
+             element == CE_ProgressBarGroove || element == CE_DockWidgetTitle)
+      outline(*option, *painter);
+  }
+
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (!forms::isHighContrast(option->palette))
+      return;
+    if (control == CC_ComboBox || control == CC_SpinBox)
+      outline(*option, *painter);
+    if (control == CC_Slider || control == CC_ScrollBar) {
+      const SubControl handle = control == CC_Slider ? SC_SliderHandle : SC_ScrollBarSlider;
+      QStyleOption part(*option);
+      part.rect = subControlRect(control, option, handle, widget);
+      outline(part, *painter);
+    }
+  }
+
+private:
+  static void outline(const QStyleOption& option, QPainter& painter, const QColor& colour,
+                      int pixels) {
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    for (int i = 0; i < pixels; ++i) {
+      painter.setPen(colour);
+      painter.drawRect(option.rect.adjusted(i, i, -1 - i, -1 - i));
+    }
+    painter.restore();
+  }
+  static void outline(const QStyleOption& option, QPainter& painter, const QColor& colour) {
+    outline(option, painter, colour, 1);
+  }
+  static void outline(const QStyleOption& option, QPainter& painter) {
+    const bool enabled = option.state & State_Enabled;
+    const bool marked = enabled && (option.state & (State_HasFocus | State_On));
+    outline(option, painter,
+            option.palette.color(enabled ? QPalette::Active : QPalette::Disabled,
+                                 marked ? QPalette::Highlight : QPalette::WindowText),
+            marked ? kFocusPixels : 1);
   }
 };
+
+QPalette highContrastPalette() {
+  QPalette p;
+  for (const QPalette::ColorRole role :
+       {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button,
+        QPalette::ToolTipBase, QPalette::Dark, QPalette::Shadow, QPalette::HighlightedText})
+    p.setColor(role, Qt::black);
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::BrightText,
+        QPalette::ToolTipText, QPalette::Light, QPalette::Mid})
+    p.setColor(role, Qt::white);
+  p.setColor(QPalette::Midlight, QColor("#c0c0c0"));
+  p.setColor(QPalette::PlaceholderText, QColor("#c8c8c8"));
+  p.setColor(QPalette::Highlight, QColor("#ffe000"));
+  p.setColor(QPalette::Link, QColor("#80d0ff"));
+  p.setColor(QPalette::LinkVisited, QColor("#e0b0ff"));
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(QPalette::Disabled, role, QColor("#a0a0a0"));
+  p.setColor(QPalette::Disabled, QPalette::Highlight, QColor("#606060"));
+  p.setColor(QPalette::Disabled, QPalette::HighlightedText, Qt::white);
+  return p;
+}
 } // namespace
 
 QPalette paletteOf(Appearance appearance) {
+  if (appearance == Appearance::HighContrast)
+    return highContrastPalette();
   const bool dark = appearance == Appearance::Dark;
   QPalette p;
   const auto set = [&](QPalette::ColorRole role, const char* light, const char* darkColour) {
@@ -46,8 +143,8 @@ QPalette paletteOf(Appearance appearance) {
   set(QPalette::BrightText, "#ffffff", "#ffffff");
   set(QPalette::ToolTipBase, "#ffffff", "#343840");
   set(QPalette::ToolTipText, "#1c1f24", "#e4e7eb");
-  set(QPalette::PlaceholderText, "#6b7280", "#9aa2ad");
-  set(QPalette::Highlight, "#1f6fb2", "#3d8fd1");
+  set(QPalette::PlaceholderText, "#646b78", "#9aa2ad");
+  set(QPalette::Highlight, "#1f6fb2", "#2f75b4");
   set(QPalette::HighlightedText, "#ffffff", "#ffffff");
   set(QPalette::Link, "#1f6fb2", "#6cb2eb");
   set(QPalette::LinkVisited, "#5b4b9a", "#a99be0");
@@ -65,7 +162,7 @@ QPalette paletteOf(Appearance appearance) {
 }
 
 void applyAppearance(QApplication& app, Appearance appearance) {
-  app.setStyle(new OutlinedBoxes); // Owned by the application
+  app.setStyle(new OutlinedStyle); // Owned by the application
   app.setPalette(paletteOf(appearance));
   const QPalette p = app.palette();
   app.setStyleSheet(QString("QToolTip { color: %1; background: %2; border: 1px solid %3; "
@@ -77,11 +174,15 @@ void applyAppearance(QApplication& app, Appearance appearance) {
 }
 
 QString appearanceName(Appearance appearance) {
-  return appearance == Appearance::Dark ? "dark" : "light";
+  return appearance == Appearance::Dark           ? "dark"
+         : appearance == Appearance::HighContrast ? "highContrast"
+                                                  : "light";
 }
 
 Appearance appearanceNamed(const QString& name) {
-  return name == "dark" ? Appearance::Dark : Appearance::Light;
+  return name == "dark"           ? Appearance::Dark
+         : name == "highContrast" ? Appearance::HighContrast
+                                  : Appearance::Light;
 }
 
 } // namespace voluta::window

@@ -1,4 +1,4 @@
-// Light and dark themes, with one palette each for the whole window.
+// The looks of the window, with one palette each: light, dark, high contrast.
 #pragma once
 
 #include <QString>
@@ -8,12 +8,13 @@ class QPalette;
 
 namespace voluta::window {
 
-enum class Appearance { Light, Dark };
+enum class Appearance { Light, Dark, HighContrast };
 
 QPalette paletteOf(Appearance appearance);
 // Sets the style, the palette and the few rules that a palette cannot express.
 void applyAppearance(QApplication& app, Appearance appearance);
-QString appearanceName(Appearance appearance);   // As stored in the settings: "light", "dark"
+// As stored in the settings: "light", "dark", "highContrast"
+QString appearanceName(Appearance appearance);
 Appearance appearanceNamed(const QString& name); // Any other name: Light
 
 } // namespace voluta::window

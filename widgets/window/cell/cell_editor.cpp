@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/outcome.h"
-#include "forms/colours.h"
 #include "forms/dialog_buttons.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
@@ -80,8 +79,7 @@ CellEditor::CellEditor(const CellDraft& draft, const process::Process& process, 
                        QWidget* parent)
     : QDialog(parent), draft_(draft), process_(process), partKg_(partKg),
       importing_(new ObstacleImport(this)), undo_(new QUndoStack(this)),
-      viewport_(new viewer::Viewport(
-          sceneTheme(forms::isDark(palette()) ? Appearance::Dark : Appearance::Light), this)) {
+      viewport_(new viewer::Viewport(sceneTheme(palette()), this)) {
   setObjectName("cellEditor");
   setWindowTitle(tr("Edit cell"));
   build();

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "forms/colours.h"
 #include "forms/dialog_buttons.h"
 #include "forms/duration_text.h"
 #include "forms/icons.h"
@@ -70,8 +69,7 @@ struct MillDialog::Made {
 MillDialog::MillDialog(std::shared_ptr<const geometry::TriangleMesh> part, const QString& name,
                        QWidget* parent)
     : QDialog(parent), part_(std::move(part)), name_(name),
-      viewport_(new viewer::Viewport(
-          sceneTheme(forms::isDark(palette()) ? Appearance::Dark : Appearance::Light), this)),
+      viewport_(new viewer::Viewport(sceneTheme(palette()), this)),
       lines_(viewport_->scene().renderer()) {
   setObjectName("millDialog");
   setAttribute(Qt::WA_DeleteOnClose);

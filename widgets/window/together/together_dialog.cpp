@@ -1,6 +1,5 @@
 #include "window/together/together_dialog.h"
 
-#include "forms/colours.h"
 #include "forms/duration_text.h"
 #include "forms/icons.h"
 #include "forms/value_boxes.h"
@@ -11,6 +10,7 @@
 #include "timeline/player.h"
 #include "timeline/timeline_icons.h"
 #include "viewer/machines_view.h"
+#include "window/picture_area.h"
 #include "window/together/machine_table.h"
 
 #include <QComboBox>
@@ -48,8 +48,7 @@ QString placeText(const Eigen::Vector3d& place) {
 
 TogetherDialog::TogetherDialog(const project::Station& station, QWidget* parent)
     : QDialog(parent), machines_(new JoinedMachines(this)),
-      view_(new viewer::MachinesView(
-          forms::isDark(palette()) ? scene::darkTheme() : scene::lightTheme(), this)),
+      view_(new viewer::MachinesView(sceneTheme(palette()), this)),
       player_(new timeline::Player(this)) {
   setObjectName("togetherDialog");
   setAttribute(Qt::WA_DeleteOnClose);
@@ -80,7 +79,7 @@ QWidget* TogetherDialog::buildSide() {
   addFile_ = button(tr("Add project…"), "togetherAddFile");
   addAgain_ = button(tr("Add this job again"), "togetherAddAgain");
   remove_ = button(tr("Remove"), "togetherRemove");
-  find_ = button(tr("Find order of work"), "togetherFind");
+  find_ = button(tr("Schedule"), "togetherFind");
   find_->setDefault(true);
   cancel_ = button(tr("Cancel"), "togetherCancel");
   save_ = button(tr("Save programs…"), "togetherSave");
@@ -89,7 +88,7 @@ QWidget* TogetherDialog::buildSide() {
   clearance_->setObjectName("togetherClearance");
   clearance_->setRange(0.0, 500.0);
   static_cast<forms::NumberBox*>(clearance_)->setUnit(QStringLiteral("mm"));
-  auto* clearanceText = new QLabel(tr("Minimum distance of moving arms"), side);
+  auto* clearanceText = new QLabel(tr("Minimum clearance between arms"), side);
   clearanceText->setBuddy(clearance_);
   progress_ = new QProgressBar(side);
   progress_->setRange(0, 100);

@@ -2,6 +2,7 @@
 
 #include "scene/colouring.h"
 #include "scene/theme.h"
+#include "window/picture_area.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -52,8 +53,7 @@ UnrolledLook lookOf(const QPalette& p) {
   look.beside = between(p.color(QPalette::Base), p.color(QPalette::Window), 0.8);
   look.outline = p.color(QPalette::WindowText);
   look.seam = between(p.color(QPalette::WindowText), p.color(QPalette::Base), 0.4);
-  const bool dark = look.sheet.lightness() < 128;
-  look.chosen = colourOf((dark ? scene::darkTheme() : scene::lightTheme()).marker);
+  look.chosen = colourOf(sceneTheme(p).marker);
   for (std::size_t i = 0; i < plan::kPathKinds; ++i)
     look.kinds[i] = colourOf(scene::categoricalColour(static_cast<int>(i)));
   return look;
