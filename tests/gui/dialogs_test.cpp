@@ -171,6 +171,58 @@ void expectMnemonics(const QDialog& dialog) {
     }
 }
 
+// The widget that Alt and a letter reach: the button itself, or the field of a label.
+QWidget* reachedBy(QWidget* widget) {
+  const auto* label = qobject_cast<const QLabel*>(widget);
+  return label ? label->buddy() : widget;
+}
+
+// By letter, those on show in the dialog; of tabs only the current one is.
+std::map<char, std::vector<QWidget*>> byMnemonic(const QDialog& dialog) {
+  std::map<char, std::vector<QWidget*>> found;
+  for (QWidget* widget : dialog.findChildren<QWidget*>()) {
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    if (!widget->isVisible() || widget->window() != &dialog || (!button && !label) ||
+        (label && (!label->buddy() || label->textFormat() == Qt::RichText)))
+      continue;
+    const QString text = button ? button->text() : label->text();
+    const QString keys = QKeySequence::mnemonic(text).toString();
+    if (!keys.isEmpty())
+      found[keys.back().toLatin1()].push_back(widget);
+  }
+  return found;
+}
+
+// No letter stands for two, unless there are more widgets than letters, and each that stands for
+// one field that can be used gives it the focus.
+void expectLettersReach(QDialog& dialog) {
+  const auto all = byMnemonic(dialog);
+  std::size_t widgets = 0;
+  for (const auto& [letter, group] : all)
+    widgets += group.size();
+  constexpr std::size_t kFew = 18; // a short text may have no free letter beyond
+  for (const auto& [letter, group] : all) {
+    QStringList texts;
+    for (const QWidget* widget : group)
+      texts << (qobject_cast<const QLabel*>(widget)
+                    ? static_cast<const QLabel*>(widget)->text()
+                    : static_cast<const QAbstractButton*>(widget)->text());
+    EXPECT_TRUE(group.size() == 1 || widgets > kFew)
+        << widgets << ", " << letter << ": " << texts.join(" | ").toStdString();
+    QWidget* field = reachedBy(group.front());
+    if (group.size() > 1 || !qobject_cast<const QLabel*>(group.front()) || !field->isEnabled() ||
+        !field->isVisible())
+      continue;
+    dialog.setFocus();
+    QTest::keyClick(&dialog, letter, Qt::AltModifier);
+    const QWidget* focus = dialog.focusWidget();
+    EXPECT_TRUE(focus == field || (focus && field->isAncestorOf(focus)) ||
+                (field->focusProxy() && focus == field->focusProxy()))
+        << letter << ": " << texts.join(" | ").toStdString();
+  }
+}
+
 TEST_F(DialogsTest, EveryDialogIsWholeOnTheScreen) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   clickToolBar("plan");
@@ -188,6 +240,7 @@ TEST_F(DialogsTest, EveryDialogIsWholeOnTheScreen) {
     EXPECT_FALSE(dialog->windowTitle().isEmpty());
     EXPECT_EQ(withoutName(*dialog).join("\n").toStdString(), "");
     expectMnemonics(*dialog);
+    expectLettersReach(*dialog);
     dialog->hide();
   }
 }

@@ -11,6 +11,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
 #include <vtkCamera.h>
@@ -97,6 +98,45 @@ TEST_F(FindingsTest, TheNozzleIsNeverBeforeThePlaceOfAFinding) {
   const auto& roles = window().viewport().view().roles;
   EXPECT_TRUE(std::ranges::all_of(roles, [](bool shown) { return shown; }))
       << "the machine stays where the camera can go round it";
+}
+
+// The card above the findings says what a remedy has changed.
+TEST_F(FindingsTest, ARemedyShowsBeforeAndAfterAndIsTakenBack) {
+  openFlat(table());
+  auto* list = panel()->findChild<QListView*>("list");
+  auto* card = panel()->findChild<QWidget*>("effect");
+  ASSERT_FALSE(card->isVisible());
+  const auto planBefore = document().lastResult();
+  const double airBefore = planBefore->job.report.replay.unsupportedFraction;
+  ASSERT_GT(airBefore, 0.001);
+  QPushButton* remedy = nullptr;
+  for (int row = 0; row < list->model()->rowCount() && !remedy; ++row) {
+    clickFinding(row);
+    for (QPushButton* button : panel()->findChildren<QPushButton*>())
+      if (button->isVisible() && button->text().contains("support"))
+        remedy = button;
+  }
+  ASSERT_NE(remedy, nullptr);
+  QTest::mouseClick(remedy, Qt::LeftButton);
+  EXPECT_TRUE(card->isVisible());
+  const auto lines = [&] { return panel()->findChild<QLabel*>("effectLines")->text(); };
+  EXPECT_TRUE(lines().contains("when the plan is done")) << lines().toStdString();
+  ASSERT_TRUE(planned(Stage::Replay));
+  EXPECT_TRUE(lines().contains("Before:")) << lines().toStdString();
+  const double airAfter = document().lastResult()->job.report.replay.unsupportedFraction;
+  const auto percent = [](double share) {
+    return QLocale().toString(100.0 * share, 'f', 1) + " %";
+  };
+  EXPECT_TRUE(
+      lines().contains("Printed in the air: " + percent(airBefore) + " → " + percent(airAfter)))
+      << lines().toStdString();
+  EXPECT_LT(airAfter, airBefore);
+  keepPicture(window(), "remedy-effect");
+  QTest::mouseClick(panel()->findChild<QToolButton*>("effectUndo"), Qt::LeftButton);
+  EXPECT_FALSE(card->isVisible());
+  EXPECT_EQ(document().choices().item().parameters.at("supports"), "none");
+  ASSERT_TRUE(planned(Stage::Replay)) << "the plan before is shown again";
+  EXPECT_NEAR(document().lastResult()->job.report.replay.unsupportedFraction, airBefore, 1e-12);
 }
 
 TEST_F(FindingsTest, APlaceInsideThePartIsShownByACut) {

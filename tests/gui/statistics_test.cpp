@@ -13,6 +13,8 @@
 
 #include <QCheckBox>
 #include <QTest>
+#include <QUndoStack>
+#include <algorithm>
 #include <cmath>
 
 namespace voluta::test {
@@ -99,6 +101,34 @@ TEST_F(StatisticsTest, TheRulerMarksRoundHeights) {
   }
 }
 
+TEST_F(StatisticsTest, APlusOnTheRulerPausesThePrint) {
+  planPlinth();
+  auto* slider = find<timeline::LayerRangeSlider>("layerSlider");
+  slider->setRange(0, 3);
+  QTest::mouseClick(slider, Qt::LeftButton, {}, slider->pauseButton().center().toPoint());
+  EXPECT_EQ(slider->pauses(), std::vector{3});
+  slider->setRange(0, 1);
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Plus);
+  EXPECT_EQ(slider->pauses(), (std::vector{1, 3}));
+  EXPECT_EQ(document().choices().parameters.at("pauseLayers"), "2, 4");
+  keepPicture(window(), "pauses");
+  document().undoStack()->undo();
+  EXPECT_EQ(slider->pauses(), std::vector{3});
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  const auto result = document().lastResult();
+  EXPECT_TRUE(result->job.report.replay.passed);
+  const auto& events = result->job.trajectory->events;
+  EXPECT_EQ(std::ranges::count(events, plan::EventKind::Pause, &plan::TrajectoryEvent::kind), 1);
+  // Another file keeps none of them.
+  openPart(writePart("other.stl", box({0, 0, 0}, {9, 9, 5})));
+  EXPECT_TRUE(slider->pauses().empty());
+  // A list that is half typed is none yet.
+  document().setParameter("pauseLayers", "4, x");
+  EXPECT_TRUE(slider->pauses().empty());
+}
+
 TEST_F(StatisticsTest, TheMachineIsDescribedAtTheCursor) {
   planPlinth();
   choosePage(Page::Simulate);
@@ -113,12 +143,14 @@ TEST_F(StatisticsTest, TheMachineIsDescribedAtTheCursor) {
   const Eigen::Vector3d tip = motion->cell->work_T_tool(clock->jointsAt(middle)).translation();
   EXPECT_TRUE(info->shown(1).contains(QString("Z %1").arg(QLocale().toString(tip.z(), 'f', 1))))
       << info->shown(1).toStdString();
-  EXPECT_TRUE(info->shown(3).endsWith("mm/s"));
-  EXPECT_EQ(info->shown(4).count(QChar(0xB0)), motion->cell->dof());
-  const QString line = info->shown(0), joints = info->shown(4);
+  EXPECT_TRUE(info->shown(4).endsWith("mm/s"));
+  EXPECT_EQ(info->shown(5).count(QChar(0xB0)), motion->cell->dof());
+  const QString line = info->shown(0), joints = info->shown(5);
   bar->setTimeS(0.7 * clock->durationS());
   EXPECT_NE(info->shown(0), line);
-  EXPECT_NE(info->shown(4), joints);
+  EXPECT_NE(info->shown(5), joints);
+  EXPECT_EQ(info->shown(2).count(QChar(0xB0)), 3);
+  EXPECT_TRUE(info->shown(6).endsWith(" g")) << info->shown(6).toStdString();
   QString text;
   for (const auto& file : document().result(Stage::Replay)->checked.front()->program.files)
     text += QString::fromStdString(file.text);

@@ -72,7 +72,7 @@ TEST(MotionOptions, ListTheLayersBeforeWhichTheArmPauses) {
   EXPECT_EQ(optionsWith({"pauseLayers= 40, 3,3 ,12,"}).pauseLayers, (std::vector{3, 12, 40}));
   EXPECT_EQ(motion::pauseLayersText({3, 12, 40}), "3, 12, 40");
   EXPECT_EQ(motion::pauseLayersText({}), "");
-  for (const char* wrong : {"pauseLayers=0", "pauseLayers=-2", "pauseLayers=3;4",
-                            "pauseLayers=2.5", "pauseLayers=layer 3"})
+  for (const char* wrong : {"pauseLayers=0", "pauseLayers=-2", "pauseLayers=3;4", "pauseLayers=2.5",
+                            "pauseLayers=layer 3"})
     EXPECT_THROW(optionsWith({wrong}), base::Error) << wrong;
 }

@@ -54,6 +54,8 @@ void CursorInfo::retranslate() {
   for (const CursorFacts::Joint& joint : facts.joints)
     joints
         << (joint.slides ? QStringLiteral("%1 mm") : QStringLiteral("%1°")).arg(fixed(joint.value));
+  const QString share =
+      QStringLiteral("%1 %").arg(QLocale().toString(100.0 * facts.printedShare, 'f', 1));
   const QString none = QStringLiteral("–");
   const std::array<std::pair<QString, QString>, kRows> rows{{
       {facts.lineNumber > 0
@@ -63,15 +65,21 @@ void CursorInfo::retranslate() {
       {tr("Nozzle"),
        QStringLiteral("X %1  Y %2  Z %3 mm")
            .arg(fixed(facts.tipMm.x()), fixed(facts.tipMm.y()), fixed(facts.tipMm.z()))},
+      {tr("Rotation"), QStringLiteral("A %1°  B %2°  C %3°")
+                           .arg(fixed(facts.anglesDeg.x()), fixed(facts.anglesDeg.y()),
+                                fixed(facts.anglesDeg.z()))},
       {tr("Tilt"), QStringLiteral("%1°").arg(fixed(facts.tiltDeg))},
       {tr("Speed"), QStringLiteral("%1 mm/s").arg(fixed(facts.speedMmPerS))},
       {tr("Joints"), joints.join(QStringLiteral("  "))},
+      {tr("Printed"),
+       facts.printedG > 0.0 ? QStringLiteral("%1, %2 g").arg(share, fixed(facts.printedG)) : share},
   }};
   for (std::size_t row = 0; row < kRows; ++row) {
     names_[row]->setText(rows[row].first);
     values_[row]->setText(facts_ ? rows[row].second : none);
   }
   values_[kLine]->setToolTip(facts.line);
+  names_[2]->setToolTip(tr("About X, Y and Z of the platform, from the upright nozzle"));
   names_[1]->setToolTip(tr("The nozzle's tip, from the middle of the platform"));
 }
 

@@ -15,14 +15,17 @@ namespace voluta::panels {
 struct CursorFacts {
   QString line; // Of the program; empty: there is no program
   std::size_t lineNumber = 0;
-  Eigen::Vector3d tipMm = Eigen::Vector3d::Zero(); // On the platform
-  double tiltDeg = 0.0;                            // Of the nozzle, from upright
-  double speedMmPerS = 0.0;                        // Of the nozzle along the part
+  Eigen::Vector3d tipMm = Eigen::Vector3d::Zero();     // On the platform
+  Eigen::Vector3d anglesDeg = Eigen::Vector3d::Zero(); // About x, y and z, from upright
+  double tiltDeg = 0.0;                                // Of the nozzle, from upright
+  double speedMmPerS = 0.0;                            // Of the nozzle along the part
   struct Joint {
     double value; // [deg]; [mm] if it slides
     bool slides;
   };
   std::vector<Joint> joints;
+  double printedShare = 0.0; // Of the material
+  double printedG = 0.0;     // 0: not known
 };
 
 class CursorInfo : public QWidget {
@@ -33,7 +36,7 @@ public:
 
   // nullopt: there is no motion.
   void setFacts(const std::optional<CursorFacts>& facts);
-  // As shown, by row: line, position, tilt, speed, joints.
+  // As shown, by row: line, position, rotation, tilt, speed, joints, printed.
   QString shown(int row) const;
 
 protected:
@@ -42,7 +45,7 @@ protected:
 private:
   void retranslate();
 
-  static constexpr int kRows = 5;
+  static constexpr int kRows = 7;
   std::optional<CursorFacts> facts_;
   std::array<QLabel*, kRows> names_{}, values_{};
 };

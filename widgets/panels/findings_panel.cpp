@@ -4,6 +4,7 @@
 #include "forms/discard.h"
 #include "forms/icons.h"
 #include "language/words.h"
+#include "panels/effect_card.h"
 #include "panels/findings_model.h"
 #include "plan/finding_kinds.h"
 
@@ -209,6 +210,8 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   notChecked_->setObjectName(QStringLiteral("notChecked"));
   notChecked_->setForegroundRole(QPalette::PlaceholderText);
   notChecked_->setContentsMargins(6, 0, 6, 0);
+  effect_ = new EffectCard(this);
+  effect_->setObjectName(QStringLiteral("effect"));
   empty_ = wrappedLabel(this);
   empty_->setObjectName(QStringLiteral("nothing"));
   empty_->setAlignment(Qt::AlignCenter);
@@ -261,6 +264,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   column->setSpacing(4);
   column->addLayout(heading);
   column->addWidget(notChecked_);
+  column->addWidget(effect_);
   column->addWidget(pages_, 1);
   column->addWidget(detailsArea_);
   column->addWidget(actions_);

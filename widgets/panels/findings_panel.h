@@ -18,6 +18,7 @@ class QStackedWidget;
 
 namespace voluta::panels {
 
+class EffectCard;
 class FindingsModel;
 
 // A button for a remedy of a finding.
@@ -47,6 +48,8 @@ public:
   // Sets the source of remedies for a finding; initially none. It is called again after each
   // setFindings(), because the result may depend on more than the finding.
   void setRemedies(RemedySource remedies);
+  // Above the list.
+  EffectCard& effect() { return *effect_; }
   QSize minimumSizeHint() const override;
 
 signals:
@@ -78,6 +81,7 @@ private:
   FindingsModel* model_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* notChecked_ = nullptr;
+  EffectCard* effect_ = nullptr;
   CountButton* blockedOnly_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QListView* list_ = nullptr;

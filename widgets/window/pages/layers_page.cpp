@@ -1,6 +1,8 @@
 #include "window/pages/layers_page.h"
 
+#include "base/error.h"
 #include "document/document.h"
+#include "motion/motion_options.h"
 #include "panels/layer_info.h"
 #include "panels/object_tree.h"
 #include "panels/pieces_panel.h"
@@ -78,6 +80,8 @@ void LayersPage::listenToBars() {
     work().shell.showView();
     showMeasures(work().layers.last());
   });
+  connect(&layers, &timeline::LayerRangeSlider::pauseWished, this, &LayersPage::wishPause);
+  connect(&work().document, &document::Document::choicesChanged, this, &LayersPage::showPauses);
   using timeline::TimelineBar;
   connect(&work().timeline, &TimelineBar::moveChanged, this, [this] { work().shell.showView(); });
   connect(&work().timeline, &TimelineBar::stepChanged, this, [this] {
@@ -325,9 +329,44 @@ void LayersPage::showCount() {
   const bool known = facts && static_cast<int>(facts->topsMm.size()) == count;
   work().layers.setLayers(count, known ? facts->topsMm : std::vector<double>{},
                           facts && facts->radii);
+  showPauses();
   showMoves();
   work().shell.showView();
   showMeasures(work().layers.last());
+}
+
+// Layers of voxels are not those of the paths.
+void LayersPage::showPauses() {
+  const bool ofPaths = subject() == LayerSubject::Paths || subject() == LayerSubject::Layers;
+  std::vector<int> pauses;
+  for (const int layer : pauseLayers())
+    pauses.push_back(layer - 1);
+  work().layers.setPauses(ofPaths ? std::move(pauses) : std::vector<int>{}, ofPaths);
+}
+
+// As typed, from 1. A text that is no list yet has none.
+std::vector<int> LayersPage::pauseLayers() const {
+  const auto& parameters = work().document.jobChoices().parameters;
+  const auto text = parameters.find(motion::kPauseLayers);
+  if (text == parameters.end())
+    return {};
+  try {
+    return motion::pauseLayersOf(text->second);
+  } catch (const base::Error&) {
+    return {};
+  }
+}
+
+void LayersPage::wishPause(int layer, bool pause) {
+  std::vector<int> layers = pauseLayers();
+  std::erase(layers, layer + 1);
+  if (pause)
+    layers.push_back(layer + 1);
+  std::ranges::sort(layers);
+  work().document.setParameter(QString::fromLatin1(motion::kPauseLayers),
+                               QString::fromStdString(motion::pauseLayersText(layers)));
+  work().shell.say(pause ? tr("The next plan pauses before layer %1.").arg(layer + 1)
+                         : tr("The next plan does not pause before layer %1.").arg(layer + 1));
 }
 
 void LayersPage::showMoves() {

@@ -56,6 +56,9 @@ private:
   bool replaysGrowth() const;
   void showGrowth(LayerSubject subject);
   void showCount();
+  std::vector<int> pauseLayers() const;
+  void showPauses();
+  void wishPause(int layer, bool pause);
   void showMoves();
   void showMeasures(int layer);
   bool lookAtMissed(const plan::Finding& finding);

@@ -2,8 +2,11 @@
 
 #include "base/units.h"
 #include "document/document.h"
+#include "forms/value_boxes.h"
+#include "jobs/job_runner.h"
 #include "motion/resumed_motion.h"
 #include "panels/cursor_info.h"
+#include "panels/jog_panel.h"
 #include "panels/resume_bar.h"
 #include "pipeline/checked_program.h"
 #include "plan/finding_kinds.h"
@@ -11,16 +14,22 @@
 #include "robot/cell.h"
 #include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
+#include "window/background.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/jogging.h"
 #include "window/pages/resumable.h"
+#include "window/picture_area.h"
 #include "window/presenters/presenter.h"
 #include "window/program_preview.h"
 #include "window/run_dialog.h"
 #include "window/together/together_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -28,51 +37,161 @@ namespace voluta::window {
 
 using project::Stage;
 
+namespace {
+// Entries of the choice of the trace.
+enum TraceOf { kNoTrace, kLastSeconds, kLastMinute, kWholeTrace };
+constexpr double kShortTraceS = 10.0, kLongTraceS = 60.0;
+} // namespace
+
 SimulatePage::SimulatePage(const Workspace& workspace)
     : Page({"simulate", QT_TRANSLATE_NOOP("Commands", "&Simulate")}, workspace),
-      plots_(new timeline::JointPlots) {
-  plots_->setObjectName("plots");
-  QScrollArea* area = scrolled(plots_);
-  area->setObjectName("plotsArea"); // may be narrow, as it scrolls
-  side_ = new QWidget;
-  resume_ = new panels::ResumeBar(side_);
-  resume_->setContentsMargins(6, 0, 6, 4);
+      plots_(new timeline::JointPlots), side_(new QWidget) {
   solids_ = new QCheckBox(side_);
   solids_->setObjectName("simulateSolids");
   follow_ = new QCheckBox(side_);
   follow_->setObjectName("followNozzle");
-  plots_->setMinimumWidth(1); // on a narrow screen they are drawn narrower
+  kinds_ = new QCheckBox(side_);
+  kinds_->setObjectName("simulateKinds");
+  jog_ = new QCheckBox(side_);
+  jog_->setObjectName("jogArm");
+  traceName_ = new QLabel(side_);
+  traces_ = forms::makeCombo(side_);
+  traces_->setObjectName("tipTrace");
+  traceName_->setBuddy(traces_);
+  traces_->addItems({{}, {}, {}, {}}); // named by retranslate()
   cursor_ = new panels::CursorInfo(side_);
   cursor_->setObjectName("cursorInfo");
+  resume_ = new panels::ResumeBar(side_);
+  resume_->setContentsMargins(6, 0, 6, 4);
   lines_ = new ProgramPreview(this);
+  jogging_ = std::make_unique<Jogging>(work(), side_);
+  tracing_ = std::make_unique<jobs::JobRunner>();
+  build();
+  listen();
+}
+
+SimulatePage::~SimulatePage() = default;
+
+void SimulatePage::build() {
+  plots_->setObjectName("plots");
+  plots_->setMinimumWidth(1); // on a narrow screen they are drawn narrower
+  plotsArea_ = scrolled(plots_);
+  plotsArea_->setObjectName("plotsArea"); // may be narrow, as it scrolls
+  jogArea_ = scrolled(jogging_->panel());
+  jogArea_->setObjectName("jogArea");
+  jogArea_->hide();
   auto* boxes = new QVBoxLayout; // side by side they are too wide in some languages
   boxes->setContentsMargins(6, 4, 6, 0);
-  boxes->addWidget(solids_);
-  boxes->addWidget(follow_);
+  boxes->setSpacing(2);
+  for (QCheckBox* box : {solids_, follow_, kinds_, jog_})
+    boxes->addWidget(box);
+  auto* tracing = new QHBoxLayout;
+  tracing->addWidget(traceName_);
+  tracing->addWidget(traces_, 1);
+  boxes->addLayout(tracing);
   auto* column = new QVBoxLayout(side_);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(boxes);
   column->addWidget(cursor_);
-  column->addWidget(area, 1);
+  column->addWidget(plotsArea_, 1);
+  column->addWidget(jogArea_, 1);
   column->addWidget(resume_);
+}
+
+void SimulatePage::listen() {
   timeline::TimelineBar* bar = &work().timeline;
   connect(bar, &timeline::TimelineBar::timeChanged, plots_, &timeline::JointPlots::setTimeS);
   connect(plots_, &timeline::JointPlots::timeClicked, bar, &timeline::TimelineBar::setTimeS);
-  connect(solids_, &QCheckBox::toggled, this, [this] { work().shell.showView(); });
+  for (QCheckBox* box : {solids_, kinds_})
+    connect(box, &QCheckBox::toggled, this, [this] { work().shell.showView(); });
   connect(bar, &timeline::TimelineBar::timeChanged, this, [this] {
     showCursor();
     followNozzle();
+    if (traces_->currentIndex() != kWholeTrace)
+      showTrace();
   });
   connect(follow_, &QCheckBox::toggled, this, &SimulatePage::followNozzle);
+  connect(jog_, &QCheckBox::toggled, this, &SimulatePage::jog);
+  connect(jogging_.get(), &Jogging::moved, this, [this] {
+    showCursor();
+    work().shell.showView();
+  });
+  connect(jogging_.get(), &Jogging::ended, jog_, [this] { jog_->setChecked(false); });
+  connect(traces_, &QComboBox::currentIndexChanged, this, &SimulatePage::showTrace);
   connect(lines_, &ProgramPreview::linesReady, this, &SimulatePage::showCursor);
   connect(&work().document, &document::Document::resultChanged, this, [this](Stage stage) {
     if (stage == Stage::Replay)
       showProgram();
   });
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
+  connect(&work().presenter, &Presenter::statisticsReady, this, &SimulatePage::showCursor);
   connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
   connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
   connect(&work().document, &document::Document::stateChanged, this, &SimulatePage::showResume);
+}
+
+void SimulatePage::jog(bool on) {
+  if (on && !jogging_->start()) {
+    jog_->setChecked(false);
+    work().shell.say(tr("Plan the motion before you jog the arm."));
+    return;
+  }
+  if (!on)
+    jogging_->end();
+  plotsArea_->setVisible(!on);
+  jogArea_->setVisible(on);
+  cursor_->setVisible(!on); // the panel has the same values, and needs the room
+  showCursor();
+  if (isShown())
+    work().shell.showView();
+}
+
+void SimulatePage::left() {
+  jogging_->end();
+  work().viewport.scene().setTrace({});
+}
+
+// The tips of all points, once they are wanted.
+void SimulatePage::prepareTrace() {
+  const auto& clock = work().presenter.clock();
+  const auto motion = work().document.result(Stage::Motion);
+  if (clock == tracedClock_)
+    return;
+  tracing_->cancel();
+  traced_.reset();
+  tracedClock_ = nullptr;
+  if (!clock || clock->empty() || !motion || !motion->cell)
+    return;
+  tracedClock_ = clock;
+  inBackground(
+      *tracing_,
+      [clock, cell = motion->cell,
+       theme = sceneTheme(side_->palette())](const base::RunContext& ctx) {
+        auto traced = std::make_shared<Traced>();
+        traced->trace = tipTrace(*clock, *cell, ctx);
+        traced->whole = traceLines(traced->trace, 0.0, clock->durationS(), theme);
+        return std::shared_ptr<const Traced>(traced);
+      },
+      [this](auto&& traced) {
+        traced_ = traced;
+        showTrace();
+      });
+}
+
+void SimulatePage::showTrace() {
+  if (!isShown())
+    return;
+  const int of = traces_->currentIndex();
+  if (of != kNoTrace)
+    prepareTrace();
+  std::vector<scene::LineGroup> last;
+  if (of != kNoTrace && of != kWholeTrace && traced_) {
+    const double now = work().timeline.timeS();
+    last = traceLines(traced_->trace, now - (of == kLastSeconds ? kShortTraceS : kLongTraceS), now,
+                      sceneTheme(side_->palette()));
+  }
+  work().viewport.scene().setTrace(of == kWholeTrace && traced_ ? traced_->whole : last);
+  work().viewport.requestFrame();
 }
 
 std::vector<Command> SimulatePage::commands() {
@@ -181,11 +300,25 @@ void SimulatePage::retranslate() {
   solids_->setToolTip(tr("Shows the solids used for collision checks over the arm"));
   follow_->setText(tr("Follow the nozzle"));
   follow_->setToolTip(tr("Keeps the nozzle in the middle of the view"));
+  kinds_->setText(tr("Kinds of beads, with statistics"));
+  kinds_->setToolTip(tr("Colours the beads by kind, with time, share, length and mass of each"));
+  jog_->setText(tr("Jog the arm"));
+  jog_->setToolTip(
+      tr("Moves the arm by hand, by joints or by the nozzle. The plan stays as it is"));
+  traceName_->setText(tr("Trace of the nozzle"));
+  const QSignalBlocker quiet(traces_);
+  traces_->setItemText(kNoTrace, tr("None"));
+  traces_->setItemText(kLastSeconds, tr("Last %1 s").arg(QLocale().toString(kShortTraceS)));
+  traces_->setItemText(kLastMinute, tr("Last %1 s").arg(QLocale().toString(kLongTraceS)));
+  traces_->setItemText(kWholeTrace, tr("Whole print"));
+  traces_->setToolTip(tr("Solid where the nozzle prints, dashed where it travels"));
+  jogging_->retranslate();
   showResume();
 }
 
 void SimulatePage::entered() {
   showCursor();
+  showTrace();
   showRunPlaces();
 }
 
@@ -203,6 +336,7 @@ void SimulatePage::showMotion() {
                         std::move(externalAxes));
   showProgram();
   showResume();
+  showTrace();
 }
 
 // Of the first format, as the programs of one plan have the same motion.
@@ -242,17 +376,21 @@ void SimulatePage::showCursor() {
   }
   const robot::Cell& cell = *motion->cell;
   const double now = work().timeline.timeS();
-  const robot::JointVector joints = clock->jointsAt(now);
+  const bool jogged = jogging_->isOn();
+  const robot::JointVector joints = jogged ? jogging_->joints() : clock->jointsAt(now);
   const Eigen::Isometry3d work_T_tool = cell.work_T_tool(joints);
   panels::CursorFacts facts;
-  facts.line = programLine(facts.lineNumber);
-  facts.tipMm = work_T_tool.translation();
+  if (!jogged)
+    facts.line = programLine(facts.lineNumber);
+  const NozzlePose nozzle = nozzlePose(work_T_tool);
+  facts.tipMm = nozzle.tipMm;
+  facts.anglesDeg = nozzle.anglesDeg;
   // The nozzle's z axis points out of it.
   facts.tiltDeg =
       base::radiansToDegrees(std::acos(std::clamp(std::abs(work_T_tool.linear()(2, 2)), 0.0, 1.0)));
   constexpr double kStepS = 1e-3;
   const double from = std::max(0.0, now - kStepS), to = std::min(clock->durationS(), now + kStepS);
-  if (to > from)
+  if (to > from && !jogged)
     facts.speedMmPerS = (cell.work_T_tool(clock->jointsAt(to)).translation() -
                          cell.work_T_tool(clock->jointsAt(from)).translation())
                             .norm() /
@@ -262,6 +400,12 @@ void SimulatePage::showCursor() {
         cell.limits()[static_cast<std::size_t>(i)].kind == robot::JointKind::Sliding;
     facts.joints.push_back({slides ? joints[i] : base::radiansToDegrees(joints[i]), slides});
   }
+  const plan::Trajectory& t = *clock->trajectory();
+  if (t.extrudedMm3.back() > 0.0)
+    facts.printedShare = t.extrudedMm3[clock->pointAt(now)] / t.extrudedMm3.back();
+  if (const auto& statistics = work().presenter.statistics();
+      statistics && statistics->of == clock->toolPlan())
+    facts.printedG = facts.printedShare * statistics->figures.whole.total().massG;
   cursor_->setFacts(facts);
 }
 
@@ -278,6 +422,10 @@ void SimulatePage::followNozzle() {
 void SimulatePage::draw(scene::ViewState& view) {
   drawCellAtWork(view, work());
   view.collisionSolids = solids_->isChecked();
+  if (kinds_->isChecked())
+    view.materialColour = false;
+  if (jogging_->isOn())
+    view.joints = jogging_->joints();
 }
 
 std::optional<PrintProgress> SimulatePage::printProgress() const {

@@ -5,9 +5,15 @@
 #include "pipeline/plan_result.h"
 #include "record/run_comparison.h"
 #include "window/pages/page.h"
+#include "window/pages/tip_trace.h"
 
 class QCheckBox;
+class QComboBox;
+class QLabel;
 
+namespace voluta::jobs {
+class JobRunner;
+}
 namespace voluta::panels {
 class CursorInfo;
 class ResumeBar;
@@ -18,6 +24,7 @@ class JointPlots;
 
 namespace voluta::window {
 
+class Jogging;
 class ProgramPreview;
 
 class SimulatePage : public Page, public ViewportInput {
@@ -25,6 +32,7 @@ class SimulatePage : public Page, public ViewportInput {
 
 public:
   explicit SimulatePage(const Workspace& workspace);
+  ~SimulatePage() override;
 
   QWidget* side() override { return side_; }
   PageLayout layout() const override { return {false, timeline::BarMode::Time, true}; }
@@ -42,7 +50,21 @@ public:
 
   void clicked(const std::optional<scene::Hit>& hit) override;
 
+protected:
+  void left() override;
+
 private:
+  // A trace of the tip, and all of it as lines.
+  struct Traced {
+    TipTrace trace;
+    std::vector<scene::LineGroup> whole;
+  };
+
+  void build();
+  void listen();
+  void jog(bool on);
+  void prepareTrace();
+  void showTrace();
   void showMotion();
   // Returns the plan that a recorded run can be compared with and other machines can join; null:
   // none.
@@ -65,9 +87,18 @@ private:
   timeline::JointPlots* plots_;
   QCheckBox* solids_; // over the arm
   QCheckBox* follow_; // the nozzle, by the camera
+  QCheckBox* kinds_;  // in their colours, with their statistics
+  QCheckBox* jog_;
+  QLabel* traceName_;
+  QComboBox* traces_; // of the nozzle's tip
   panels::CursorInfo* cursor_;
   ProgramPreview* lines_;
-  std::vector<panels::TextLines> texts_; // of the program's files
+  QWidget *plotsArea_ = nullptr, *jogArea_ = nullptr;
+  std::unique_ptr<Jogging> jogging_;
+  std::unique_ptr<jobs::JobRunner> tracing_;
+  std::shared_ptr<const timeline::Clock> tracedClock_; // of traced_, or of the one in progress
+  std::shared_ptr<const Traced> traced_;               // null: not known yet
+  std::vector<panels::TextLines> texts_;               // of the program's files
   panels::ResumeBar* resume_;
   std::vector<record::ErrorPlace> runPlaces_; // of the run compared last with this motion
   QWidget* side_;

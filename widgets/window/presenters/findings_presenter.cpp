@@ -19,7 +19,8 @@ using project::Stage;
 FindingsPresenter::FindingsPresenter(document::Document& document, document::Planning& planning,
                                      document::LivePreview& live, panels::FindingsPanel& panel,
                                      timeline::TimelineBar& timeline)
-    : document_(document), planning_(planning), live_(live), panel_(panel), timeline_(timeline) {
+    : document_(document), planning_(planning), panel_(panel), timeline_(timeline),
+      effect_(document, planning, panel.effect()) {
   panel_.setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
   connect(&panel_, &panels::FindingsPanel::remedyChosen, this, &FindingsPresenter::apply);
   connect(&document, &document::Document::choicesChanged, this, [this] { offered_.reset(); });
@@ -27,10 +28,13 @@ FindingsPresenter::FindingsPresenter(document::Document& document, document::Pla
   connect(&document, &document::Document::previewChanged, this, &FindingsPresenter::show);
   connect(&document, &document::Document::edited, this, &FindingsPresenter::show);
   connect(&planning, &document::Planning::failed, this, &FindingsPresenter::show);
+  connect(&planning, &document::Planning::started, this, &FindingsPresenter::show);
+  connect(&planning, &document::Planning::cancelled, this, &FindingsPresenter::show);
   connect(&live, &document::LivePreview::failed, this, &FindingsPresenter::show);
 }
 
 void FindingsPresenter::show() {
+  effect_.show();
   const auto result = document_.lastResult();
   panel_.setPlanned(document_.preview() ||
                     (result && result->job.reached && *result->job.reached > Stage::Load));
@@ -92,18 +96,16 @@ void FindingsPresenter::apply(const plan::Finding& finding, const QString& remed
   for (const pipeline::RemedyAction& offer : offers) {
     if (remedy.toStdString() != offer.remedy->name)
       continue;
+    const auto before = document_.lastResult();
     if (finding.item >= 0)
       document_.setActive(static_cast<std::size_t>(finding.item));
     if (finding.item >= 0 || document_.partCount() < 2)
       document_.setChoices(offer.choices, language::words(offer.label));
     else
       document_.setJobChoices(offer.choices, language::words(offer.label));
-    const auto before = document_.lastResult();
-    if (live_.enabled() && document_.result(Stage::Decompose))
-      live_.refresh();
-    else
-      planning_.plan(std::max(Stage::Layers, before ? before->job.reached.value_or(Stage::Layers)
-                                                    : Stage::Layers));
+    effect_.begin(finding, language::words(offer.label), before);
+    const auto reached = before ? before->job.reached.value_or(Stage::Layers) : Stage::Layers;
+    planning_.plan(std::max(Stage::Layers, reached));
     return;
   }
 }

@@ -4,6 +4,7 @@
 #include "panels/findings_panel.h"
 #include "pipeline/remedies.h"
 #include "plan/finding.h"
+#include "window/presenters/remedy_effect.h"
 
 #include <QObject>
 #include <optional>
@@ -40,7 +41,6 @@ private:
 
   document::Document& document_;
   document::Planning& planning_;
-  document::LivePreview& live_;
   panels::FindingsPanel& panel_;
   timeline::TimelineBar& timeline_;
   std::vector<pipeline::RemedyAction> offersAnew(plan::Finding finding) const;
@@ -50,6 +50,7 @@ private:
     int item = -1;
     std::vector<pipeline::RemedyAction> offers;
   };
+  RemedyEffect effect_;
   std::optional<Offered> offered_; // the last ones, for the present choices
 };
 
