@@ -35,12 +35,14 @@ protected:
     QTest::qWait(20);
   }
 
-  void openFlat(const geometry::TriangleMesh& part) {
+  void openFlat(const geometry::TriangleMesh& part, const std::string& platform = {}) {
     openPart(writePart("part.stl", part));
     project::Choices choices = document().choices();
     choices.item().automatic = false;
     choices.item().mode = "flat";
     choices.item().parameters["supports"] = "none";
+    if (!platform.empty())
+      choices.item().platform = project::Platform(platform);
     choices.formats = {"urscript"};
     document().setChoices(choices, "flat");
     clickToolBar("plan");
@@ -102,7 +104,7 @@ TEST_F(FindingsTest, TheNozzleIsNeverBeforeThePlaceOfAFinding) {
 
 // The card above the findings says what a remedy has changed.
 TEST_F(FindingsTest, ARemedyShowsBeforeAndAfterAndIsTakenBack) {
-  openFlat(table());
+  openFlat(table(), "disc:60"); // on which supports can stand
   auto* list = panel()->findChild<QListView*>("list");
   auto* card = panel()->findChild<QWidget*>("effect");
   ASSERT_FALSE(card->isVisible());
@@ -112,9 +114,7 @@ TEST_F(FindingsTest, ARemedyShowsBeforeAndAfterAndIsTakenBack) {
   QPushButton* remedy = nullptr;
   for (int row = 0; row < list->model()->rowCount() && !remedy; ++row) {
     clickFinding(row);
-    for (QPushButton* button : panel()->findChildren<QPushButton*>())
-      if (button->isVisible() && button->text().contains("support"))
-        remedy = button;
+    remedy = panel()->findChild<QPushButton*>("remedy_addSupports");
   }
   ASSERT_NE(remedy, nullptr);
   QTest::mouseClick(remedy, Qt::LeftButton);

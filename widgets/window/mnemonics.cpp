@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QKeySequence>
 #include <QLabel>
+#include <QToolButton>
 #include <algorithm>
 #include <vector>
 
@@ -26,9 +27,23 @@ bool isStandard(const QWidget& widget) {
   return box && button && box->standardButton(button) != QDialogButtonBox::NoButton;
 }
 
+// The text of its button is the action's.
+bool hasAction(const QWidget& widget) {
+  const auto* button = qobject_cast<const QToolButton*>(&widget);
+  return button && button->defaultAction();
+}
+
+// A label beside a text has nothing to reach.
+bool isReachable(const QWidget* field) {
+  return field && (field->focusPolicy() != Qt::NoFocus || field->focusProxy());
+}
+
 template <typename Widget> void give(Widget& widget, QString& used) {
   QString text = widget.text();
-  if (isStandard(widget))
+  const qsizetype at = text.indexOf(u'&');
+  const bool isTaken = hasMnemonic(text) && at + 1 < text.size() && !text.contains(u"&&") &&
+                       used.contains(text[at + 1].toUpper());
+  if (!hasAction(widget) && (isStandard(widget) || isTaken))
     text.remove(u'&');
   text = withMnemonic(text, used);
   if (text != widget.text())
@@ -75,7 +90,7 @@ void giveMnemonics(QWidget& dialog) {
       return std::ranges::any_of(text, [](QChar letter) { return letter.isLetter(); });
     };
     if ((button && hasLetters(button->text())) ||
-        (label && label->buddy() && label->textFormat() != Qt::RichText &&
+        (label && isReachable(label->buddy()) && label->textFormat() != Qt::RichText &&
          !Qt::mightBeRichText(label->text()) && hasLetters(label->text())))
       texts.push_back(widget);
   }
@@ -86,10 +101,11 @@ void giveMnemonics(QWidget& dialog) {
   // Those that have one keep it, and hidden ones share letters before visible ones do. Escape and
   // Enter press the standard ones, so that these come last.
   std::ranges::stable_sort(texts, {}, [&](const QWidget* widget) {
-    return isStandard(*widget)            ? 3
-           : hasMnemonic(textOf(widget))  ? 0
-           : widget->isVisibleTo(&dialog) ? 1
-                                          : 2;
+    return hasAction(*widget)             ? 0
+           : isStandard(*widget)          ? 4
+           : hasMnemonic(textOf(widget))  ? 1
+           : widget->isVisibleTo(&dialog) ? 2
+                                          : 3;
   });
   QString used;
   for (QWidget* widget : texts)

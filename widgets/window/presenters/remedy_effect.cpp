@@ -17,8 +17,10 @@ using project::Stage;
 
 namespace {
 
+// Without the line of a program: another plan has other lines.
 QString sentence(const plan::Finding& finding) {
-  QString text = language::words(plan::reasonOf(finding));
+  QString text =
+      language::words(finding.program.line > 0 ? plan::factOf(finding) : plan::reasonOf(finding));
   if (!text.isEmpty())
     text[0] = text[0].toUpper();
   return text;
@@ -63,10 +65,13 @@ RemedyEffect::RemedyEffect(document::Document& document, document::Planning& pla
                            panels::EffectCard& card)
     : document_(document), planning_(planning), card_(card) {
   connect(&card_, &panels::EffectCard::undoWished, this, [this] {
-    if (applied_ && document_.undoStack()->index() == applied_->edit) {
-      end(); // before the edit, which shows the document again
-      document_.undoStack()->undo();
-    }
+    if (!applied_ || document_.undoStack()->index() != applied_->edit)
+      return;
+    const auto before = applied_->before;
+    end(); // before the edit, which shows the document again
+    document_.undoStack()->undo();
+    if (before && before->job.reached)
+      planning_.plan(*before->job.reached); // most of it is cached
   });
   connect(&card_, &panels::EffectCard::closed, this, &RemedyEffect::end);
   connect(&card_, &panels::EffectCard::languageChanged, this, &RemedyEffect::show);
