@@ -41,8 +41,10 @@ protected:
     choices.item().automatic = false;
     choices.item().mode = "flat";
     choices.item().parameters["supports"] = "none";
-    if (!platform.empty())
+    if (!platform.empty()) {
       choices.item().platform = project::Platform(platform);
+      choices.parameters["rimSupports"] = "none";
+    }
     choices.formats = {"urscript"};
     document().setChoices(choices, "flat");
     clickToolBar("plan");

@@ -121,11 +121,12 @@ TEST_F(StatisticsTest, APlusOnTheRulerPausesThePrint) {
   EXPECT_TRUE(result->job.report.replay.passed);
   const auto& events = result->job.trajectory->events;
   EXPECT_EQ(std::ranges::count(events, plan::EventKind::Pause, &plan::TrajectoryEvent::kind), 1);
-  // Another file keeps none of them.
-  openPart(writePart("other.stl", box({0, 0, 0}, {9, 9, 5})));
-  EXPECT_TRUE(slider->pauses().empty());
-  // A list that is half typed is none yet.
+  // A list that is half typed is none yet, and another project has none.
   document().setParameter("pauseLayers", "4, x");
+  EXPECT_TRUE(slider->pauses().empty());
+  document().undoStack()->undo();
+  EXPECT_EQ(slider->pauses(), std::vector{3});
+  document().clear();
   EXPECT_TRUE(slider->pauses().empty());
 }
 
