@@ -663,6 +663,58 @@
         <source>Click places on the part: radius, wall, distance, angle</source>
         <translation>Fai clic sul pezzo: raggio, parete, distanza, angolo</translation>
     </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Chiaro</translation>
+    </message>
+    <message>
+        <source>Dark text on a light background</source>
+        <translation>Testo scuro su sfondo chiaro</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Contrasto &amp;elevato</translation>
+    </message>
+    <message>
+        <source>White text on black, with strong outlines</source>
+        <translation>Testo bianco su nero, con contorni marcati</translation>
+    </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Filmato…</translation>
+    </message>
+    <message>
+        <source>Save a film of the robot that prints the part (WebM)</source>
+        <translation>Salva un filmato del robot che stampa il pezzo (WebM)</translation>
+    </message>
+    <message>
+        <source>C&amp;ut…</source>
+        <translation>&amp;Taglia…</translation>
+    </message>
+    <message>
+        <source>Cuts the part in two with a plane, with dowels, pegs or a dovetail</source>
+        <translation>Taglia il pezzo in due con un piano, con spine, perni o una coda di rondine</translation>
+    </message>
+    <message>
+        <source>Split to &amp;parts</source>
+        <translation>Separa in &amp;pezzi</translation>
+    </message>
+    <message>
+        <source>Makes a part of each body of the mesh</source>
+        <translation>Fa un pezzo di ogni corpo della mesh</translation>
+    </message>
+    <message>
+        <source>Re&amp;name part</source>
+        <translation>Ri&amp;nomina pezzo</translation>
+    </message>
+    <message>
+        <source>Edits the name of the part in the tree</source>
+        <translation>Modifica il nome del pezzo nell&apos;albero</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>Aspe&amp;tto</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -921,12 +973,6 @@ sioni</translation>
         <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare), o con la minore area a sbalzo dopo il taglio in parti (modo planar).</translation>
     </message>
     <message>
-        <source>Missed
-voxels</source>
-        <translation>Voxel
-persi</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Mancati, a cascata</translation>
     </message>
@@ -1019,12 +1065,6 @@ ta %</translation>
     <message>
         <source>Replay</source>
         <translation>Verifica</translation>
-    </message>
-    <message>
-        <source>Risky
-mm²</source>
-        <translation>Rischio
-mm²</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -1447,10 +1487,6 @@ mm³</translation>
     <message>
         <source>add supports (`supports=auto`), cut there, or use curved mode</source>
         <translation>aggiungi supporti (`supports=auto`), taglia lì, o usa strati curvi</translation>
-    </message>
-    <message>
-        <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
-        <translation>piccola area di appoggio: tutte le parti sono tenute alla piastra da {foot:.3g}; intero, il pezzo poggia su {whole:.3g#}</translation>
     </message>
     <message>
         <source>along</source>
@@ -3722,10 +3758,6 @@ mm³</translation>
         <translation>zigzag</translation>
     </message>
     <message>
-        <source>{area:.3g} overhangs where a support would have no footing</source>
-        <translation>{area:.3g} sporgono dove un supporto non avrebbe appoggio</translation>
-    </message>
-    <message>
         <source>{area:.3g} overhangs by more than {angle}</source>
         <translation>{area:.3g} sporgono di oltre {angle}</translation>
     </message>
@@ -3846,13 +3878,6 @@ mm³</translation>
     <message>
         <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
         <translation>non coperti da strati: {left:.3g#} di {whole:.4g} del pezzo</translation>
-    </message>
-    <message numerus="yes">
-        <source>unsupported voxels: {missed} of {voxels}</source>
-        <translation>
-            <numerusform>voxel non sostenuti: {missed} di {voxels}</numerusform>
-            <numerusform>voxel non sostenuti: {missed} di {voxels}</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>{motions} motions from here on are not in the plan</source>
@@ -6642,10 +6667,6 @@ mm³</translation>
         <translation>Prova i modi di costruire uno dopo l&apos;altro, finché nulla è senza appoggio o manca</translation>
     </message>
     <message>
-        <source>add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building</source>
-        <translation>aggiungi supporti, rendi più denso il riempimento, gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
-    </message>
-    <message>
         <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
         <translation>&apos;{name}&apos; è una parola riservata e non può dare il nome a una funzione</translation>
     </message>
@@ -6748,10 +6769,6 @@ mm³</translation>
     <message>
         <source>Partly supported: {share:.1f} of the bead length is supported over less than half its width.</source>
         <translation>Appoggio parziale: il {share:.1f} della lunghezza dei cordoni poggia su meno di metà larghezza.</translation>
-    </message>
-    <message>
-        <source>Fill of the part: mean along the view, for beads with round edges</source>
-        <translation>Riempimento del pezzo: media lungo la vista, per cordoni con bordi tondi</translation>
     </message>
     <message>
         <source>In a usual cell; Voluta chooses the way of building</source>
@@ -7756,10 +7773,6 @@ previsto</translation>
         <translation>avanzamento da fermo</translation>
     </message>
     <message>
-        <source>format {format} has no word for {event}</source>
-        <translation>il formato {format} non ha parole per {event}</translation>
-    </message>
-    <message>
         <source>is above 1</source>
         <translation>è maggiore di 1</translation>
     </message>
@@ -8324,10 +8337,6 @@ previsto</translation>
     <message>
         <source>a wait</source>
         <translation>un&apos;attesa</translation>
-    </message>
-    <message>
-        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
-        <translation>il cordone sottostante viene coperto dopo {time:.1f}, prima del tempo minimo per strato di {limit:.1f}; così {length:.0f} di cordoni</translation>
     </message>
     <message>
         <source>lower the minimum layer time, print slower, or print without a spiral</source>
@@ -8998,14 +9007,6 @@ previsto</translation>
         <translation>utensile</translation>
     </message>
     <message>
-        <source>tool of supports</source>
-        <translation>utensile dei supporti</translation>
-    </message>
-    <message>
-        <source>tool of the interior</source>
-        <translation>utensile dell&apos;interno</translation>
-    </message>
-    <message>
         <source>tool {number} cannot print layers of {height}</source>
         <translation>l&apos;utensile {number} non può stampare strati di {height}</translation>
     </message>
@@ -9358,16 +9359,8 @@ previsto</translation>
         <translation>{volume:.0f} del blocco restano in cave, sottosquadri o fori che dovrebbero essere liberi, alti fino a {height:.1f}</translation>
     </message>
     <message>
-        <source>use a smaller cutter or a smaller distance of lines, or turn the part</source>
-        <translation>usa una fresa più piccola o una minore distanza tra le linee, o gira il pezzo</translation>
-    </message>
-    <message>
         <source>only you know which cutter and block you have: change the values of the passes</source>
         <translation>solo tu sai quale fresa e quale blocco hai: cambia i valori delle passate</translation>
-    </message>
-    <message>
-        <source>the cutter goes through the block into what holds it</source>
-        <translation>la fresa attraversa il blocco e ne raggiunge il sostegno</translation>
     </message>
     <message>
         <source>the cutter takes up to {depth:.3f} from the part</source>
@@ -9530,10 +9523,6 @@ facce %</translation>
     <message>
         <source>direction of the load</source>
         <translation>direzione del carico</translation>
-    </message>
-    <message>
-        <source>x,y,z in the part&apos;s file, for example 1,0,0: the report then states how layers and beads carry a load in it. Empty: no load.</source>
-        <translation>x,y,z nel file del pezzo, per esempio 1,0,0: il rapporto indica come strati e cordoni portano un carico in tale direzione. Vuoto: nessun carico.</translation>
     </message>
     <message>
         <source>the job has no motion to compare with</source>
@@ -10404,10 +10393,6 @@ facce %</translation>
         <translation>è una cartella</translation>
     </message>
     <message>
-        <source>machines {one} and {two} are too close to each other before they move</source>
-        <translation>le macchine {one} e {two} sono troppo vicine già prima di muoversi</translation>
-    </message>
-    <message>
         <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other</source>
         <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina {one} e {second} della macchina {two} si ostacolano</translation>
     </message>
@@ -10422,10 +10407,6 @@ facce %</translation>
     <message>
         <source>place the machines further apart if they stand at two plates</source>
         <translation>allontanare le macchine se lavorano su due piani diversi</translation>
-    </message>
-    <message>
-        <source>place the machines further apart, or give one another home</source>
-        <translation>allontanare le macchine, o dare a una un&apos;altra posizione di riposo</translation>
     </message>
     <message>
         <source>place the machines further apart, or the parts further from the border</source>
@@ -10855,6 +10836,201 @@ facce %</translation>
         <source>the last line of an IGES file is missing, or names other numbers of lines</source>
         <translation>l&apos;ultima riga di un file IGES manca, o indica altri numeri di righe</translation>
     </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a preset&apos;s id</source>
+        <translation>&apos;{id}&apos; non può essere l&apos;id di un preset</translation>
+    </message>
+    <message>
+        <source>&apos;{key}&apos; is not a setting of presets</source>
+        <translation>&apos;{key}&apos; non è un&apos;impostazione dei preset</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a list of layers</source>
+        <translation>&apos;{text}&apos; non è un elenco di strati</translation>
+    </message>
+    <message>
+        <source>Fill of what is meant to be solid: mean along the view, for beads with round edges</source>
+        <translation>Riempimento di ciò che deve essere pieno: media lungo la vista, per cordoni con bordi tondi</translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
+        <translation>Numeri di strati separati da virgole: prima di ciascuno il braccio va in posizione di riposo e attende che l&apos;operatore continui, per cambiare materiale o inserire un elemento.</translation>
+    </message>
+    <message>
+        <source>Overhang
+mm²</source>
+        <translation>Sbalzo
+mm²</translation>
+    </message>
+    <message>
+        <source>Unprinted
+voxels</source>
+        <translation>Voxel
+non stampati</translation>
+    </message>
+    <message>
+        <source>a film of {length} cannot be made</source>
+        <translation>non si può fare un filmato di {length}</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{id}&apos; comes with the program</source>
+        <translation>un preset &apos;{id}&apos; è fornito con il programma</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{label}&apos; comes with the program</source>
+        <translation>un preset &apos;{label}&apos; è fornito con il programma</translation>
+    </message>
+    <message>
+        <source>a preset needs a name</source>
+        <translation>un preset richiede un nome</translation>
+    </message>
+    <message>
+        <source>add supports, make sparse infill denser, rotate the part, or choose mode auto</source>
+        <translation>aggiungi supporti, infittisci il riempimento rado, ruota il pezzo, o scegli il modo auto</translation>
+    </message>
+    <message>
+        <source>choose a smaller dovetail, another direction or another plane</source>
+        <translation>scegli una coda di rondine più piccola, un&apos;altra direzione o un altro piano</translation>
+    </message>
+    <message>
+        <source>choose a smaller pin or another plane</source>
+        <translation>scegli un perno più piccolo o un altro piano</translation>
+    </message>
+    <message>
+        <source>choose another folder, or check the space on the disk</source>
+        <translation>scegli un&apos;altra cartella, o controlla lo spazio su disco</translation>
+    </message>
+    <message>
+        <source>drawing the film</source>
+        <translation>disegno del filmato</translation>
+    </message>
+    <message>
+        <source>format {format} has no command for {event}</source>
+        <translation>il formato {format} non ha un comando per {event}</translation>
+    </message>
+    <message>
+        <source>give numbers, such as 12, 40</source>
+        <translation>indica numeri, come 12, 40</translation>
+    </message>
+    <message>
+        <source>import the parent first, or name another one</source>
+        <translation>importa prima il genitore, o indicane un altro</translation>
+    </message>
+    <message>
+        <source>in their home poses machines {one} and {two} are too close to each other</source>
+        <translation>nelle posizioni di riposo le macchine {one} e {two} sono troppo vicine</translation>
+    </message>
+    <message>
+        <source>infill tool</source>
+        <translation>utensile del riempimento</translation>
+    </message>
+    <message>
+        <source>move the plane into the part</source>
+        <translation>sposta il piano dentro il pezzo</translation>
+    </message>
+    <message>
+        <source>move them apart, or change a home pose</source>
+        <translation>allontanale, o cambia una posizione di riposo</translation>
+    </message>
+    <message>
+        <source>must not be blank</source>
+        <translation>non deve essere vuoto</translation>
+    </message>
+    <message>
+        <source>name another parent</source>
+        <translation>indica un altro genitore</translation>
+    </message>
+    <message>
+        <source>name it &apos;{id}&apos;</source>
+        <translation>chiamalo &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>no platform below the overhang: {area:.3g}</source>
+        <translation>nessuna piattaforma sotto lo sbalzo: {area:.3g}</translation>
+    </message>
+    <message>
+        <source>no room in the section for a dovetail of {width}, {height} high</source>
+        <translation>nella sezione non c&apos;è spazio per una coda di rondine larga {width} e alta {height}</translation>
+    </message>
+    <message>
+        <source>no room in the section for a pin of {diameter}, {depth} deep</source>
+        <translation>nella sezione non c&apos;è spazio per un perno di {diameter}, profondo {depth}</translation>
+    </message>
+    <message>
+        <source>pauses before layers</source>
+        <translation>pause prima degli strati</translation>
+    </message>
+    <message>
+        <source>preset &apos;{id}&apos; is its own parent, through its parents</source>
+        <translation>il preset &apos;{id}&apos; è genitore di sé stesso, attraverso i suoi genitori</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the plane</source>
+        <translation>ripara il pezzo, o sposta il piano</translation>
+    </message>
+    <message>
+        <source>small contact with the plate: {foot:.3g}; uncut, the part has {whole:.3g#}</source>
+        <translation>piccolo contatto con il piano: {foot:.3g}; non tagliato, il pezzo ha {whole:.3g#}</translation>
+    </message>
+    <message>
+        <source>support tool</source>
+        <translation>utensile dei supporti</translation>
+    </message>
+    <message>
+        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; on {length:.0f} of beads in all</source>
+        <translation>il cordone sottostante è coperto dopo {time:.1f}, prima del tempo minimo di strato di {limit:.1f}; in tutto su {length:.0f} di cordoni</translation>
+    </message>
+    <message>
+        <source>the cutter cuts into the fixture below the block</source>
+        <translation>la fresa taglia nel supporto sotto il blocco</translation>
+    </message>
+    <message>
+        <source>the film cannot be written</source>
+        <translation>il filmato non può essere scritto</translation>
+    </message>
+    <message>
+        <source>the id &apos;{id}&apos; is not the name of the file</source>
+        <translation>l&apos;id &apos;{id}&apos; non è il nome del file</translation>
+    </message>
+    <message>
+        <source>the joint cannot be cut out of this mesh</source>
+        <translation>l&apos;incastro non può essere tagliato da questa mesh</translation>
+    </message>
+    <message>
+        <source>the parent &apos;{parent}&apos; of preset &apos;{id}&apos; does not exist</source>
+        <translation>il genitore &apos;{parent}&apos; del preset &apos;{id}&apos; non esiste</translation>
+    </message>
+    <message>
+        <source>the plane does not cut the part</source>
+        <translation>il piano non taglia il pezzo</translation>
+    </message>
+    <message>
+        <source>there is a preset &apos;{label}&apos; already</source>
+        <translation>esiste già un preset &apos;{label}&apos;</translation>
+    </message>
+    <message>
+        <source>type a name</source>
+        <translation>scrivi un nome</translation>
+    </message>
+    <message>
+        <source>unknown preset &apos;{id}&apos;</source>
+        <translation>preset &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>use a smaller cutter or a smaller stepover, or rotate the part</source>
+        <translation>usa una fresa più piccola o un passo laterale minore, o ruota il pezzo</translation>
+    </message>
+    <message>
+        <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
+        <translation>x,y,z nel file del pezzo, per esempio 1,0,0: riporta la resistenza per un carico in questa direzione. Vuoto: nessun carico.</translation>
+    </message>
+    <message numerus="yes">
+        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
+        <translation>
+            <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
+            <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10975,10 +11151,6 @@ facce %</translation>
         <translation>La fresa ha punta sferica</translation>
     </message>
     <message>
-        <source>Distance of lines</source>
-        <translation>Distanza delle linee</translation>
-    </message>
-    <message>
         <source>0: side load of the material; less leaves lower ridges</source>
         <translation>0: passo laterale del materiale; un valore minore lascia creste più basse</translation>
     </message>
@@ -10995,24 +11167,12 @@ facce %</translation>
         <translation>Profondità di una passata che resta sopra il pezzo</translation>
     </message>
     <message>
-        <source>Block beyond the part, y</source>
-        <translation>Blocco oltre il pezzo, y</translation>
-    </message>
-    <message>
         <source>Across the lines; more than the cutter&apos;s diameter</source>
         <translation>Di traverso alle linee; più del diametro della fresa</translation>
     </message>
     <message>
-        <source>Block beyond the part, x</source>
-        <translation>Blocco oltre il pezzo, x</translation>
-    </message>
-    <message>
         <source>Along the lines, with the ends that hold the block; more than the cutter&apos;s diameter</source>
         <translation>Lungo le linee, con le estremità che tengono il blocco; più del diametro della fresa</translation>
-    </message>
-    <message>
-        <source>Block above and below</source>
-        <translation>Blocco sopra e sotto</translation>
     </message>
     <message>
         <source>Thickness that is milled away over the whole part</source>
@@ -11027,12 +11187,28 @@ facce %</translation>
         <translation>Altezza dei movimenti rapidi sopra il blocco</translation>
     </message>
     <message>
-        <source>Strip that holds the part</source>
-        <translation>Striscia che tiene il pezzo</translation>
-    </message>
-    <message>
         <source>Of the contour, at the part&apos;s lower end along y; cut by hand</source>
         <translation>Del contorno, all&apos;estremità inferiore del pezzo lungo y; si taglia a mano</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Passo laterale</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, y</source>
+        <translation>Sovrametallo oltre il pezzo, y</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, x</source>
+        <translation>Sovrametallo oltre il pezzo, x</translation>
+    </message>
+    <message>
+        <source>Stock above and below</source>
+        <translation>Sovrametallo sopra e sotto</translation>
+    </message>
+    <message>
+        <source>Holding tab</source>
+        <translation>Linguetta di tenuta</translation>
     </message>
 </context>
 <context>
@@ -11114,6 +11290,41 @@ facce %</translation>
     <message>
         <source>Key: %1</source>
         <translation>Chiave: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBar</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salva</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Salva &amp;come…</translation>
+    </message>
+    <message>
+        <source>D&amp;iscard changes</source>
+        <translation>Sc&amp;arta modifiche</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Rinomina…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Elimina…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation>C&amp;onfronta con…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>Es&amp;porta…</translation>
+    </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>I&amp;mporta…</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11695,10 @@ facce %</translation>
         <source>automatic</source>
         <translation>automatico</translation>
     </message>
+    <message>
+        <source>pause, stop, colour change, filament change, insert, M600</source>
+        <translation>pausa, stop, cambio colore, cambio filamento, inserto, M600</translation>
+    </message>
 </context>
 <context>
     <name>SizesDialog</name>
@@ -11591,6 +11806,10 @@ facce %</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Rinomina %1</translation>
     </message>
 </context>
 <context>
@@ -11963,6 +12182,172 @@ Fai clic per sceglierne un altro</translation>
         <source>The nozzle&apos;s tip, from the middle of the platform</source>
         <translation>La punta dell&apos;ugello, dal centro della piattaforma</translation>
     </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotazione</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Stampato</translation>
+    </message>
+    <message>
+        <source>About X, Y and Z of the platform, from the upright nozzle</source>
+        <translation>Attorno a X, Y e Z della piattaforma, dall&apos;ugello verticale</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::CutPanel</name>
+    <message>
+        <source>Cut</source>
+        <translation>Taglia</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Taglia %1</translation>
+    </message>
+    <message>
+        <source>Perpendicular to</source>
+        <translation>Perpendicolare a</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Distance from the lowest point of the part along the axis</source>
+        <translation>Distanza dal punto più basso del pezzo lungo l&apos;asse</translation>
+    </message>
+    <message>
+        <source>Tilt about %1</source>
+        <translation>Inclinazione attorno a %1</translation>
+    </message>
+    <message>
+        <source>Parallel to a face</source>
+        <translation>Parallelo a una faccia</translation>
+    </message>
+    <message>
+        <source>Then click the face; the plane goes through the clicked point</source>
+        <translation>Poi clicca la faccia; il piano passa per il punto cliccato</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserva</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Entrambe le metà</translation>
+    </message>
+    <message>
+        <source>Lower half</source>
+        <translation>Metà inferiore</translation>
+    </message>
+    <message>
+        <source>Upper half</source>
+        <translation>Metà superiore</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Incastro</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>Dowels</source>
+        <translation>Spine</translation>
+    </message>
+    <message>
+        <source>Pegs</source>
+        <translation>Perni</translation>
+    </message>
+    <message>
+        <source>Dovetail</source>
+        <translation>Coda di rondine</translation>
+    </message>
+    <message>
+        <source>Dowels: loose pins in holes of both halves. Pegs: pins of the lower half. Dovetail: a tongue of the lower half in a groove.</source>
+        <translation>Spine: perni sciolti in fori di entrambe le metà. Perni: della metà inferiore. Coda di rondine: una linguetta della metà inferiore in una scanalatura.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diametro</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondità</translation>
+    </message>
+    <message>
+        <source>Height of the tongue</source>
+        <translation>Altezza della linguetta</translation>
+    </message>
+    <message>
+        <source>Of a pin in each half</source>
+        <translation>Di un perno in ogni metà</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Gioco</translation>
+    </message>
+    <message>
+        <source>Gap on every side of a pin or of the tongue</source>
+        <translation>Gioco su ogni lato di un perno o della linguetta</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numero</translation>
+    </message>
+    <message>
+        <source>Pins in each section, if there is room</source>
+        <translation>Perni in ogni sezione, se c&apos;è spazio</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direzione</translation>
+    </message>
+    <message>
+        <source>In which the dovetail slides, from the horizontal</source>
+        <translation>In cui scorre la coda di rondine, dall&apos;orizzontale</translation>
+    </message>
+    <message>
+        <source>Lay halves on their cut face</source>
+        <translation>Appoggia le metà sulla faccia tagliata</translation>
+    </message>
+    <message>
+        <source>A half with pegs or a tongue keeps its orientation</source>
+        <translation>Una metà con perni o linguetta mantiene l&apos;orientamento</translation>
+    </message>
+    <message>
+        <source>Show apart</source>
+        <translation>Mostra separate</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::EffectCard</name>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Takes the remedy back, and shows the plan before it</source>
+        <translation>Annulla il rimedio e mostra il piano precedente</translation>
+    </message>
+    <message>
+        <source>Hide this</source>
+        <translation>Nascondi</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::ExportPanel</name>
@@ -12301,6 +12686,49 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Choose a colour</source>
         <translation>Scegli un colore</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::JogPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Giunti</translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation>Ugello</translation>
+    </message>
+    <message>
+        <source>The tip on the platform, and rotations about X, Y and Z (A, B, C) from the upright nozzle</source>
+        <translation>La punta sulla piattaforma, e le rotazioni attorno a X, Y e Z (A, B, C) dall&apos;ugello verticale</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Step of X, Y and Z</source>
+        <translation>Passo di X, Y e Z</translation>
+    </message>
+    <message>
+        <source>Step of A, B and C</source>
+        <translation>Passo di A, B e C</translation>
+    </message>
+    <message>
+        <source>Back to the plan</source>
+        <translation>Torna al piano</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Giunto %1</translation>
+    </message>
+    <message>
+        <source>%1 one step less</source>
+        <translation>%1 un passo in meno</translation>
+    </message>
+    <message>
+        <source>%1 one step more</source>
+        <translation>%1 un passo in più</translation>
     </message>
 </context>
 <context>
@@ -13057,6 +13485,18 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <source>r %1 mm</source>
         <translation>r %1 mm</translation>
     </message>
+    <message>
+        <source>, a pause before the last</source>
+        <translation>, una pausa prima dell&apos;ultimo</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Rimuovi la pausa prima dello strato %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
+        <translation>Pausa prima dello strato %1: il braccio va in posizione di riposo e attende, per cambiare materiale o inserire un elemento</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::TimelineBar</name>
@@ -13672,6 +14112,37 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ComparePresetsDialog</name>
+    <message>
+        <source>Compare presets</source>
+        <translation>Confronta preset</translation>
+    </message>
+    <message>
+        <source>First preset</source>
+        <translation>Primo preset</translation>
+    </message>
+    <message>
+        <source>Second preset</source>
+        <translation>Secondo preset</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>Impostazioni che differiscono</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Impostazione</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Nessuna differenza.</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>Impostazioni che differiscono: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::CompareView</name>
     <message>
         <source>way of building</source>
@@ -13761,6 +14232,60 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>As many copies as the plate has room for</source>
         <translation>Quante copie il piatto può contenere</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CutTool</name>
+    <message>
+        <source>Calculating…</source>
+        <translation>Calcolo…</translation>
+    </message>
+    <message>
+        <source>Lower half %1 cm³, upper half %2 cm³.</source>
+        <translation>Metà inferiore %1 cm³, metà superiore %2 cm³.</translation>
+    </message>
+    <message>
+        <source>Pins: %1.</source>
+        <translation>Perni: %1.</translation>
+    </message>
+    <message>
+        <source>Cutting…</source>
+        <translation>Taglio…</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Taglia</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Taglia %1</translation>
+    </message>
+    <message>
+        <source>dowel</source>
+        <translation>spina</translation>
+    </message>
+    <message>
+        <source>Split to parts</source>
+        <translation>Separa in pezzi</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Separa %1</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 bodies.</source>
+        <translation>La mesh ha più di %1 corpi.</translation>
+    </message>
+    <message>
+        <source>The part is one body.</source>
+        <translation>Il pezzo è un solo corpo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n pezzo</numerusform>
+            <numerusform>%n pezzi</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13855,6 +14380,61 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::FilmDialog</name>
+    <message>
+        <source>Film</source>
+        <translation>Filmato</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length of the film. The whole print is shown in it, with equal steps</source>
+        <translation>Durata del filmato. Mostra tutta la stampa, a passi uguali</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrica</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Davanti</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Destra</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Sopra</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Durata</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Di&amp;mensioni</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Salva…</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>Salva il filmato</translation>
+    </message>
+    <message>
+        <source>Films (*.webm)</source>
+        <translation>Filmati (*.webm)</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
     <message>
         <source>nothing yet</source>
@@ -13897,6 +14477,29 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::Jogging</name>
+    <message>
+        <source>Collision: %1 and %2</source>
+        <translation>Collisione: %1 e %2</translation>
+    </message>
+    <message>
+        <source>Free: more than %1 mm between bodies</source>
+        <translation>Libero: più di %1 mm tra i corpi</translation>
+    </message>
+    <message>
+        <source>Free: %1 mm between the nearest bodies</source>
+        <translation>Libero: %1 mm tra i corpi più vicini</translation>
+    </message>
+    <message>
+        <source>The arm does not reach that pose within its joint limits. It stays here.</source>
+        <translation>Il braccio non raggiunge quella posa entro i limiti dei giunti. Resta qui.</translation>
+    </message>
+    <message>
+        <source>The printed part is not checked yet.</source>
+        <translation>Il pezzo stampato non è ancora controllato.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::JoinedMachines</name>
     <message>
         <source>Machine %1</source>
@@ -13916,6 +14519,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Pieces are always shown whole</source>
         <translation>I pezzi sono mostrati interi</translation>
+    </message>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Il prossimo piano fa una pausa prima dello strato %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Il prossimo piano non fa pause prima dello strato %1.</translation>
     </message>
 </context>
 <context>
@@ -14179,6 +14790,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>%1 parts</source>
         <translation>%1 pezzi</translation>
+    </message>
+    <message>
+        <source>Saved the film %1</source>
+        <translation>Filmato %1 salvato</translation>
     </message>
 </context>
 <context>
@@ -14454,6 +15069,30 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Hide beads of this kind</source>
         <translation>Nascondi i cordoni di questo tipo</translation>
     </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Unità del file</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollice</translation>
+    </message>
+    <message>
+        <source>unit of the file</source>
+        <translation>unità del file</translation>
+    </message>
+    <message>
+        <source>Repair the mesh</source>
+        <translation>Ripara la mesh</translation>
+    </message>
+    <message>
+        <source>repair the mesh</source>
+        <translation>ripara la mesh</translation>
+    </message>
+    <message>
+        <source>mesh as read</source>
+        <translation>mesh come letta</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ObstacleImport</name>
@@ -14601,6 +15240,150 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Edit cell</source>
         <translation>Modifica cella</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetBar</name>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (modificato)</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Save, compare, export or import presets</source>
+        <translation>Salva, confronta, esporta o importa preset</translation>
+    </message>
+    <message>
+        <source>Preset menu</source>
+        <translation>Menu dei preset</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetEditor</name>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>File JSON (*.json);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>In questo progetto</translation>
+    </message>
+    <message>
+        <source>With the program</source>
+        <translation>Con il programma</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>I tuoi</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1: %2 invece di %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>e %n altra</numerusform>
+            <numerusform>e altre %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change preset</source>
+        <translation>Cambia preset</translation>
+    </message>
+    <message>
+        <source>Settings of the preset were changed. Take the changes to %1?</source>
+        <translation>Le impostazioni del preset sono state modificate. Portare le modifiche in %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>&amp;Trasferisci</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Scarta</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this preset</source>
+        <translation>&amp;Mantieni questo preset</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Preset %1</translation>
+    </message>
+    <message>
+        <source>Save preset %1</source>
+        <translation>Salva preset %1</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, proprio</translation>
+    </message>
+    <message>
+        <source>Save preset as</source>
+        <translation>Salva preset come</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Rinomina preset</translation>
+    </message>
+    <message>
+        <source>Rename preset %1</source>
+        <translation>Rinomina preset %1</translation>
+    </message>
+    <message>
+        <source>Delete preset</source>
+        <translation>Elimina preset</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1? The settings of this project stay.</source>
+        <translation>Eliminare il preset %1? Le impostazioni di questo progetto restano.</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>Elimina preset %1</translation>
+    </message>
+    <message>
+        <source>Discard changes of the preset</source>
+        <translation>Scarta le modifiche del preset</translation>
+    </message>
+    <message>
+        <source>Present settings</source>
+        <translation>Impostazioni attuali</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Esporta %1</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Importa un preset</translation>
+    </message>
+    <message>
+        <source>Replace your own preset %1?</source>
+        <translation>Sostituire il tuo preset %1?</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetNameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salva</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Rinomina</translation>
     </message>
 </context>
 <context>
@@ -14865,6 +15648,61 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::RemedyEffect</name>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>Non coperto</translation>
+    </message>
+    <message>
+        <source>Printed in the air</source>
+        <translation>Stampato in aria</translation>
+    </message>
+    <message>
+        <source>Overfilled</source>
+        <translation>Sovrariempito</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Applied: %1</source>
+        <translation>Applicato: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be planned this way. Undo it, or try another remedy.</source>
+        <translation>Così non si può pianificare. Annulla, o prova un altro rimedio.</translation>
+    </message>
+    <message>
+        <source>The figures follow when the plan is done.</source>
+        <translation>I valori seguono quando il piano è pronto.</translation>
+    </message>
+    <message>
+        <source>Plan to see its effect.</source>
+        <translation>Pianifica per vederne l&apos;effetto.</translation>
+    </message>
+    <message>
+        <source>No longer found</source>
+        <translation>Non più trovato</translation>
+    </message>
+    <message>
+        <source>Unchanged: %1</source>
+        <translation>Invariato: %1</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Prima: %1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Dopo: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::RunDialog</name>
     <message>
         <source>Path %1 mm over %2 mm</source>
@@ -15123,6 +15961,46 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Keeps the nozzle in the middle of the view</source>
         <translation>Tiene l&apos;ugello al centro della vista</translation>
     </message>
+    <message>
+        <source>Plan the motion before you jog the arm.</source>
+        <translation>Pianifica il moto prima di muovere il braccio a mano.</translation>
+    </message>
+    <message>
+        <source>Kinds of beads, with statistics</source>
+        <translation>Tipi di cordoni, con statistiche</translation>
+    </message>
+    <message>
+        <source>Colours the beads by kind, with time, share, length and mass of each</source>
+        <translation>Colora i cordoni per tipo, con tempo, quota, lunghezza e massa di ciascuno</translation>
+    </message>
+    <message>
+        <source>Jog the arm</source>
+        <translation>Muovi il braccio a mano</translation>
+    </message>
+    <message>
+        <source>Moves the arm by hand, by joints or by the nozzle. The plan stays as it is</source>
+        <translation>Muove il braccio a mano, per giunti o per ugello. Il piano resta com&apos;è</translation>
+    </message>
+    <message>
+        <source>Trace of the nozzle</source>
+        <translation>Traccia dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>Last %1 s</source>
+        <translation>Ultimi %1 s</translation>
+    </message>
+    <message>
+        <source>Whole print</source>
+        <translation>Tutta la stampa</translation>
+    </message>
+    <message>
+        <source>Solid where the nozzle prints, dashed where it travels</source>
+        <translation>Continua dove l&apos;ugello stampa, tratteggiata dove si sposta</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SizesDialog</name>
@@ -15219,10 +16097,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Rimuovi</translation>
     </message>
     <message>
-        <source>Find order of work</source>
-        <translation>Trova l&apos;ordine di lavoro</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annulla</translation>
     </message>
@@ -15295,16 +16169,20 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Allontana di %1 mm</translation>
     </message>
     <message>
-        <source>Minimum distance of moving arms</source>
-        <translation>Distanza minima dei bracci in movimento</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>Minimum distance %1 mm; collisions: %2</source>
         <translation>Distanza minima %1 mm; collisioni: %2</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Minimum clearance between arms</source>
+        <translation>Distanza minima tra i bracci</translation>
     </message>
 </context>
 <context>

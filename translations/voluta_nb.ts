@@ -663,6 +663,58 @@
         <source>Click places on the part: radius, wall, distance, angle</source>
         <translation>Klikk på steder på delen: radius, vegg, avstand, vinkel</translation>
     </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Lyst</translation>
+    </message>
+    <message>
+        <source>Dark text on a light background</source>
+        <translation>Mørk tekst på lys bakgrunn</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Høy kontrast</translation>
+    </message>
+    <message>
+        <source>White text on black, with strong outlines</source>
+        <translation>Hvit tekst på svart, med tydelige omriss</translation>
+    </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Film…</translation>
+    </message>
+    <message>
+        <source>Save a film of the robot that prints the part (WebM)</source>
+        <translation>Lagre en film av roboten som skriver ut delen (WebM)</translation>
+    </message>
+    <message>
+        <source>C&amp;ut…</source>
+        <translation>S&amp;kjær…</translation>
+    </message>
+    <message>
+        <source>Cuts the part in two with a plane, with dowels, pegs or a dovetail</source>
+        <translation>Deler delen i to med et plan, med dybler, tapper eller svalehale</translation>
+    </message>
+    <message>
+        <source>Split to &amp;parts</source>
+        <translation>Del opp i &amp;deler</translation>
+    </message>
+    <message>
+        <source>Makes a part of each body of the mesh</source>
+        <translation>Lager en del av hvert legeme i nettet</translation>
+    </message>
+    <message>
+        <source>Re&amp;name part</source>
+        <translation>Gi delen nytt &amp;navn</translation>
+    </message>
+    <message>
+        <source>Edits the name of the part in the tree</source>
+        <translation>Endrer navnet på delen i treet</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>U&amp;tseende</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -921,12 +973,6 @@ sjoner</translation>
         <translation>Søker etter en bedre orientering av delen: med minst overhengende areal, med færrest voksler tapt i veksten, langs aksene, slik at projeksjonene på XY og XZ etterlater minst tomt areal i de omsluttende rektanglene (emner for fresing), eller med minst overhengende areal etter at delen er kuttet i stykker (modus planar).</translation>
     </message>
     <message>
-        <source>Missed
-voxels</source>
-        <translation>Tapte
-voksler</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Tapt, kaskade</translation>
     </message>
@@ -1019,12 +1065,6 @@ vidde %</translation>
     <message>
         <source>Replay</source>
         <translation>Gjenspilling</translation>
-    </message>
-    <message>
-        <source>Risky
-mm²</source>
-        <translation>Risiko
-mm²</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -1447,10 +1487,6 @@ mm³</translation>
     <message>
         <source>add supports (`supports=auto`), cut there, or use curved mode</source>
         <translation>legg til støtter (`supports=auto`), kutt der, eller bruk modus curved</translation>
-    </message>
-    <message>
-        <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
-        <translation>liten kontaktflate: alle stykker holdes til byggeplaten av {foot:.3g}; ukuttet har delen {whole:.3g#}</translation>
     </message>
     <message>
         <source>along</source>
@@ -3722,10 +3758,6 @@ mm³</translation>
         <translation>sikksakk</translation>
     </message>
     <message>
-        <source>{area:.3g} overhangs where a support would have no footing</source>
-        <translation>{area:.3g} henger over der en støtte ikke ville ha fotfeste</translation>
-    </message>
-    <message>
         <source>{area:.3g} overhangs by more than {angle}</source>
         <translation>{area:.3g} henger over med mer enn {angle}</translation>
     </message>
@@ -3846,13 +3878,6 @@ mm³</translation>
     <message>
         <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
         <translation>ikke dekket av lag: {left:.3g#} av {whole:.4g} av delen</translation>
-    </message>
-    <message numerus="yes">
-        <source>unsupported voxels: {missed} of {voxels}</source>
-        <translation>
-            <numerusform>voksler uten støtte: {missed} av {voxels}</numerusform>
-            <numerusform>voksler uten støtte: {missed} av {voxels}</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>{motions} motions from here on are not in the plan</source>
@@ -6642,10 +6667,6 @@ mm³</translation>
         <translation>Prøver byggemåtene etter tur til ingenting er uten støtte eller tapt</translation>
     </message>
     <message>
-        <source>add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building</source>
-        <translation>legg til støtter, gjør det glisne fyllet tettere, roter delen, eller la Voluta velge byggemåte</translation>
-    </message>
-    <message>
         <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
         <translation>&apos;{name}&apos; er et reservert ord og kan ikke være navn på en funksjon</translation>
     </message>
@@ -6748,10 +6769,6 @@ mm³</translation>
     <message>
         <source>Partly supported: {share:.1f} of the bead length is supported over less than half its width.</source>
         <translation>Delvis støttet: {share:.1f} av strenglengden er støttet over mindre enn halve bredden.</translation>
-    </message>
-    <message>
-        <source>Fill of the part: mean along the view, for beads with round edges</source>
-        <translation>Fylling av delen: snitt langs synsretningen, for strenger med runde kanter</translation>
     </message>
     <message>
         <source>In a usual cell; Voluta chooses the way of building</source>
@@ -7756,10 +7773,6 @@ tid</translation>
         <translation>mating på stedet</translation>
     </message>
     <message>
-        <source>format {format} has no word for {event}</source>
-        <translation>formatet {format} har ikke noe ord for {event}</translation>
-    </message>
-    <message>
         <source>is above 1</source>
         <translation>er over 1</translation>
     </message>
@@ -8324,10 +8337,6 @@ tid</translation>
     <message>
         <source>a wait</source>
         <translation>en venting</translation>
-    </message>
-    <message>
-        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
-        <translation>strengen under dekkes etter {time:.1f}, før den minste lagtiden på {limit:.1f}; det samme gjelder {length:.0f} streng</translation>
     </message>
     <message>
         <source>lower the minimum layer time, print slower, or print without a spiral</source>
@@ -8998,14 +9007,6 @@ tid</translation>
         <translation>verktøy</translation>
     </message>
     <message>
-        <source>tool of supports</source>
-        <translation>verktøy for støtter</translation>
-    </message>
-    <message>
-        <source>tool of the interior</source>
-        <translation>verktøy for det indre</translation>
-    </message>
-    <message>
         <source>tool {number} cannot print layers of {height}</source>
         <translation>verktøy {number} kan ikke printe lag på {height}</translation>
     </message>
@@ -9358,16 +9359,8 @@ tid</translation>
         <translation>{volume:.0f} av emnet blir igjen i spor, underskjæringer eller hull som skulle være frie, opptil {height:.1f} høyt</translation>
     </message>
     <message>
-        <source>use a smaller cutter or a smaller distance of lines, or turn the part</source>
-        <translation>bruk en mindre fres eller mindre linjeavstand, eller roter delen</translation>
-    </message>
-    <message>
         <source>only you know which cutter and block you have: change the values of the passes</source>
         <translation>bare du vet hvilken fres og hvilket emne du har: endre verdiene for passene</translation>
-    </message>
-    <message>
-        <source>the cutter goes through the block into what holds it</source>
-        <translation>fresen går gjennom emnet og inn i det som holder det</translation>
     </message>
     <message>
         <source>the cutter takes up to {depth:.3f} from the part</source>
@@ -9530,10 +9523,6 @@ flater %</translation>
     <message>
         <source>direction of the load</source>
         <translation>lastretning</translation>
-    </message>
-    <message>
-        <source>x,y,z in the part&apos;s file, for example 1,0,0: the report then states how layers and beads carry a load in it. Empty: no load.</source>
-        <translation>x,y,z i delens fil, for eksempel 1,0,0: rapporten angir da hvordan lag og strenger bærer en last i den retningen. Tom: ingen last.</translation>
     </message>
     <message>
         <source>the job has no motion to compare with</source>
@@ -10404,10 +10393,6 @@ flater %</translation>
         <translation>det er en mappe</translation>
     </message>
     <message>
-        <source>machines {one} and {two} are too close to each other before they move</source>
-        <translation>maskin {one} og {two} er for nær hverandre før de beveger seg</translation>
-    </message>
-    <message>
         <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other</source>
         <translation>ingen arbeidsrekkefølge holder maskinene fra hverandre: {first} på maskin {one} og {second} på maskin {two} hindrer hverandre</translation>
     </message>
@@ -10422,10 +10407,6 @@ flater %</translation>
     <message>
         <source>place the machines further apart if they stand at two plates</source>
         <translation>plasser maskinene lenger fra hverandre hvis de står ved to byggeplater</translation>
-    </message>
-    <message>
-        <source>place the machines further apart, or give one another home</source>
-        <translation>plasser maskinene lenger fra hverandre, eller gi en av dem en annen hjemposisjon</translation>
     </message>
     <message>
         <source>place the machines further apart, or the parts further from the border</source>
@@ -10855,6 +10836,201 @@ flater %</translation>
         <source>the last line of an IGES file is missing, or names other numbers of lines</source>
         <translation>siste linje i en IGES-fil mangler, eller oppgir andre linjeantall</translation>
     </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a preset&apos;s id</source>
+        <translation>&apos;{id}&apos; kan ikke være id for en forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>&apos;{key}&apos; is not a setting of presets</source>
+        <translation>&apos;{key}&apos; er ingen innstilling for forhåndsinnstillinger</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a list of layers</source>
+        <translation>&apos;{text}&apos; er ingen liste over lag</translation>
+    </message>
+    <message>
+        <source>Fill of what is meant to be solid: mean along the view, for beads with round edges</source>
+        <translation>Fylling av det som skal være massivt: middel langs synsretningen, for strenger med runde kanter</translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
+        <translation>Lagnumre atskilt med komma: før hvert av dem går armen til hvilestilling og venter til operatøren fortsetter, for å bytte materiale eller legge inn en innsats.</translation>
+    </message>
+    <message>
+        <source>Overhang
+mm²</source>
+        <translation>Overheng
+mm²</translation>
+    </message>
+    <message>
+        <source>Unprinted
+voxels</source>
+        <translation>Voksler
+uten utskrift</translation>
+    </message>
+    <message>
+        <source>a film of {length} cannot be made</source>
+        <translation>en film på {length} kan ikke lages</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{id}&apos; comes with the program</source>
+        <translation>en forhåndsinnstilling &apos;{id}&apos; følger med programmet</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{label}&apos; comes with the program</source>
+        <translation>en forhåndsinnstilling &apos;{label}&apos; følger med programmet</translation>
+    </message>
+    <message>
+        <source>a preset needs a name</source>
+        <translation>en forhåndsinnstilling må ha et navn</translation>
+    </message>
+    <message>
+        <source>add supports, make sparse infill denser, rotate the part, or choose mode auto</source>
+        <translation>legg til støtte, gjør glissent fyll tettere, roter delen, eller velg modus auto</translation>
+    </message>
+    <message>
+        <source>choose a smaller dovetail, another direction or another plane</source>
+        <translation>velg en mindre svalehale, en annen retning eller et annet plan</translation>
+    </message>
+    <message>
+        <source>choose a smaller pin or another plane</source>
+        <translation>velg en mindre tapp eller et annet plan</translation>
+    </message>
+    <message>
+        <source>choose another folder, or check the space on the disk</source>
+        <translation>velg en annen mappe, eller sjekk plassen på disken</translation>
+    </message>
+    <message>
+        <source>drawing the film</source>
+        <translation>tegner filmen</translation>
+    </message>
+    <message>
+        <source>format {format} has no command for {event}</source>
+        <translation>formatet {format} har ingen kommando for {event}</translation>
+    </message>
+    <message>
+        <source>give numbers, such as 12, 40</source>
+        <translation>oppgi tall, som 12, 40</translation>
+    </message>
+    <message>
+        <source>import the parent first, or name another one</source>
+        <translation>importer forelderen først, eller oppgi en annen</translation>
+    </message>
+    <message>
+        <source>in their home poses machines {one} and {two} are too close to each other</source>
+        <translation>i hvilestillingene er maskinene {one} og {two} for nær hverandre</translation>
+    </message>
+    <message>
+        <source>infill tool</source>
+        <translation>verktøy for fyll</translation>
+    </message>
+    <message>
+        <source>move the plane into the part</source>
+        <translation>flytt planet inn i delen</translation>
+    </message>
+    <message>
+        <source>move them apart, or change a home pose</source>
+        <translation>flytt dem fra hverandre, eller endre en hvilestilling</translation>
+    </message>
+    <message>
+        <source>must not be blank</source>
+        <translation>må ikke være tomt</translation>
+    </message>
+    <message>
+        <source>name another parent</source>
+        <translation>oppgi en annen forelder</translation>
+    </message>
+    <message>
+        <source>name it &apos;{id}&apos;</source>
+        <translation>kall den &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>no platform below the overhang: {area:.3g}</source>
+        <translation>ingen plattform under overhenget: {area:.3g}</translation>
+    </message>
+    <message>
+        <source>no room in the section for a dovetail of {width}, {height} high</source>
+        <translation>det er ikke plass i snittet til en svalehale på {width}, {height} høy</translation>
+    </message>
+    <message>
+        <source>no room in the section for a pin of {diameter}, {depth} deep</source>
+        <translation>det er ikke plass i snittet til en tapp på {diameter}, {depth} dyp</translation>
+    </message>
+    <message>
+        <source>pauses before layers</source>
+        <translation>pauser før lag</translation>
+    </message>
+    <message>
+        <source>preset &apos;{id}&apos; is its own parent, through its parents</source>
+        <translation>forhåndsinnstillingen &apos;{id}&apos; er sin egen forelder, gjennom foreldrene</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the plane</source>
+        <translation>reparer delen, eller flytt planet</translation>
+    </message>
+    <message>
+        <source>small contact with the plate: {foot:.3g}; uncut, the part has {whole:.3g#}</source>
+        <translation>liten kontakt med platen: {foot:.3g}; udelt har delen {whole:.3g#}</translation>
+    </message>
+    <message>
+        <source>support tool</source>
+        <translation>verktøy for støtte</translation>
+    </message>
+    <message>
+        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; on {length:.0f} of beads in all</source>
+        <translation>strengen under dekkes etter {time:.1f}, før minste lagtid på {limit:.1f}; i alt på {length:.0f} av strenger</translation>
+    </message>
+    <message>
+        <source>the cutter cuts into the fixture below the block</source>
+        <translation>fresen skjærer inn i oppspenningen under blokken</translation>
+    </message>
+    <message>
+        <source>the film cannot be written</source>
+        <translation>filmen kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>the id &apos;{id}&apos; is not the name of the file</source>
+        <translation>id-en &apos;{id}&apos; er ikke navnet på filen</translation>
+    </message>
+    <message>
+        <source>the joint cannot be cut out of this mesh</source>
+        <translation>skjøten kan ikke skjæres ut av dette nettet</translation>
+    </message>
+    <message>
+        <source>the parent &apos;{parent}&apos; of preset &apos;{id}&apos; does not exist</source>
+        <translation>forelderen &apos;{parent}&apos; til forhåndsinnstillingen &apos;{id}&apos; finnes ikke</translation>
+    </message>
+    <message>
+        <source>the plane does not cut the part</source>
+        <translation>planet skjærer ikke delen</translation>
+    </message>
+    <message>
+        <source>there is a preset &apos;{label}&apos; already</source>
+        <translation>det finnes allerede en forhåndsinnstilling &apos;{label}&apos;</translation>
+    </message>
+    <message>
+        <source>type a name</source>
+        <translation>skriv et navn</translation>
+    </message>
+    <message>
+        <source>unknown preset &apos;{id}&apos;</source>
+        <translation>ukjent forhåndsinnstilling &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>use a smaller cutter or a smaller stepover, or rotate the part</source>
+        <translation>bruk en mindre fres eller et mindre sideskritt, eller roter delen</translation>
+    </message>
+    <message>
+        <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
+        <translation>x,y,z i delens fil, for eksempel 1,0,0: oppgir styrken for en last i denne retningen. Tomt: ingen last.</translation>
+    </message>
+    <message numerus="yes">
+        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
+        <translation>
+            <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
+            <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10975,10 +11151,6 @@ flater %</translation>
         <translation>Fresen har rund ende</translation>
     </message>
     <message>
-        <source>Distance of lines</source>
-        <translation>Linjeavstand</translation>
-    </message>
-    <message>
         <source>0: side load of the material; less leaves lower ridges</source>
         <translation>0: materialets sidesteg; mindre gir lavere rygger</translation>
     </message>
@@ -10995,24 +11167,12 @@ flater %</translation>
         <translation>Dybden på ett pass som blir over delen</translation>
     </message>
     <message>
-        <source>Block beyond the part, y</source>
-        <translation>Emne utenfor delen, y</translation>
-    </message>
-    <message>
         <source>Across the lines; more than the cutter&apos;s diameter</source>
         <translation>På tvers av linjene; mer enn fresens diameter</translation>
     </message>
     <message>
-        <source>Block beyond the part, x</source>
-        <translation>Emne utenfor delen, x</translation>
-    </message>
-    <message>
         <source>Along the lines, with the ends that hold the block; more than the cutter&apos;s diameter</source>
         <translation>Langs linjene, med endene som holder emnet; mer enn fresens diameter</translation>
-    </message>
-    <message>
-        <source>Block above and below</source>
-        <translation>Emne over og under</translation>
     </message>
     <message>
         <source>Thickness that is milled away over the whole part</source>
@@ -11027,12 +11187,28 @@ flater %</translation>
         <translation>Høyden på ilgang over emnet</translation>
     </message>
     <message>
-        <source>Strip that holds the part</source>
-        <translation>Stripe som holder delen</translation>
-    </message>
-    <message>
         <source>Of the contour, at the part&apos;s lower end along y; cut by hand</source>
         <translation>Av konturen, ved delens nedre ende langs y; kappes for hånd</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Sideskritt</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, y</source>
+        <translation>Emne utenfor delen, y</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, x</source>
+        <translation>Emne utenfor delen, x</translation>
+    </message>
+    <message>
+        <source>Stock above and below</source>
+        <translation>Emne over og under</translation>
+    </message>
+    <message>
+        <source>Holding tab</source>
+        <translation>Holdetapp</translation>
     </message>
 </context>
 <context>
@@ -11114,6 +11290,41 @@ flater %</translation>
     <message>
         <source>Key: %1</source>
         <translation>Nøkkel: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBar</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Lagre</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Lagre &amp;som…</translation>
+    </message>
+    <message>
+        <source>D&amp;iscard changes</source>
+        <translation>For&amp;kast endringer</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>Gi nytt &amp;navn…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Slett…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation>Sa&amp;mmenlign med…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Eksporter…</translation>
+    </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>&amp;Importer…</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11695,10 @@ flater %</translation>
         <source>automatic</source>
         <translation>automatisk</translation>
     </message>
+    <message>
+        <source>pause, stop, colour change, filament change, insert, M600</source>
+        <translation>pause, stopp, fargebytte, filamentbytte, innsats, M600</translation>
+    </message>
 </context>
 <context>
     <name>SizesDialog</name>
@@ -11591,6 +11806,10 @@ flater %</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Gi %1 nytt navn</translation>
     </message>
 </context>
 <context>
@@ -11963,6 +12182,172 @@ Klikk for å velge en annen</translation>
         <source>The nozzle&apos;s tip, from the middle of the platform</source>
         <translation>Dysens spiss, fra midten av plattformen</translation>
     </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotasjon</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Skrevet ut</translation>
+    </message>
+    <message>
+        <source>About X, Y and Z of the platform, from the upright nozzle</source>
+        <translation>Om X, Y og Z på plattformen, fra loddrett dyse</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::CutPanel</name>
+    <message>
+        <source>Cut</source>
+        <translation>Skjær</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Skjær %1</translation>
+    </message>
+    <message>
+        <source>Perpendicular to</source>
+        <translation>Vinkelrett på</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posisjon</translation>
+    </message>
+    <message>
+        <source>Distance from the lowest point of the part along the axis</source>
+        <translation>Avstand fra delens laveste punkt langs aksen</translation>
+    </message>
+    <message>
+        <source>Tilt about %1</source>
+        <translation>Helning om %1</translation>
+    </message>
+    <message>
+        <source>Parallel to a face</source>
+        <translation>Parallelt med en flate</translation>
+    </message>
+    <message>
+        <source>Then click the face; the plane goes through the clicked point</source>
+        <translation>Klikk så på flaten; planet går gjennom punktet</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behold</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Begge halvdeler</translation>
+    </message>
+    <message>
+        <source>Lower half</source>
+        <translation>Nedre halvdel</translation>
+    </message>
+    <message>
+        <source>Upper half</source>
+        <translation>Øvre halvdel</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Skjøt</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Dowels</source>
+        <translation>Dybler</translation>
+    </message>
+    <message>
+        <source>Pegs</source>
+        <translation>Tapper</translation>
+    </message>
+    <message>
+        <source>Dovetail</source>
+        <translation>Svalehale</translation>
+    </message>
+    <message>
+        <source>Dowels: loose pins in holes of both halves. Pegs: pins of the lower half. Dovetail: a tongue of the lower half in a groove.</source>
+        <translation>Dybler: løse pinner i hull i begge halvdeler. Tapper: pinner på nedre halvdel. Svalehale: en fjær på nedre halvdel i et spor.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diameter</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Dybde</translation>
+    </message>
+    <message>
+        <source>Height of the tongue</source>
+        <translation>Høyden på fjæren</translation>
+    </message>
+    <message>
+        <source>Of a pin in each half</source>
+        <translation>For en pinne i hver halvdel</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Klaring</translation>
+    </message>
+    <message>
+        <source>Gap on every side of a pin or of the tongue</source>
+        <translation>Mellomrom på hver side av en pinne eller fjæren</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Antall</translation>
+    </message>
+    <message>
+        <source>Pins in each section, if there is room</source>
+        <translation>Pinner i hvert snitt, hvis det er plass</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>In which the dovetail slides, from the horizontal</source>
+        <translation>Som svalehalen glir i, fra vannrett</translation>
+    </message>
+    <message>
+        <source>Lay halves on their cut face</source>
+        <translation>Legg halvdelene på snittflaten</translation>
+    </message>
+    <message>
+        <source>A half with pegs or a tongue keeps its orientation</source>
+        <translation>En halvdel med tapper eller fjær beholder retningen</translation>
+    </message>
+    <message>
+        <source>Show apart</source>
+        <translation>Vis fra hverandre</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::EffectCard</name>
+    <message>
+        <source>Undo</source>
+        <translation>Angre</translation>
+    </message>
+    <message>
+        <source>Takes the remedy back, and shows the plan before it</source>
+        <translation>Angrer tiltaket, og viser planen før det</translation>
+    </message>
+    <message>
+        <source>Hide this</source>
+        <translation>Skjul dette</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::ExportPanel</name>
@@ -12301,6 +12686,49 @@ Klikk for å velge en annen</translation>
     <message>
         <source>Choose a colour</source>
         <translation>Velg en farge</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::JogPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Ledd</translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation>Dyse</translation>
+    </message>
+    <message>
+        <source>The tip on the platform, and rotations about X, Y and Z (A, B, C) from the upright nozzle</source>
+        <translation>Spissen på plattformen, og rotasjoner om X, Y og Z (A, B, C) fra loddrett dyse</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Step of X, Y and Z</source>
+        <translation>Steg for X, Y og Z</translation>
+    </message>
+    <message>
+        <source>Step of A, B and C</source>
+        <translation>Steg for A, B og C</translation>
+    </message>
+    <message>
+        <source>Back to the plan</source>
+        <translation>Tilbake til planen</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Ledd %1</translation>
+    </message>
+    <message>
+        <source>%1 one step less</source>
+        <translation>%1 ett steg mindre</translation>
+    </message>
+    <message>
+        <source>%1 one step more</source>
+        <translation>%1 ett steg mer</translation>
     </message>
 </context>
 <context>
@@ -13057,6 +13485,18 @@ ca. %6, anslått ut fra størrelse, vegger og fyll uten støtter</translation>
         <source>r %1 mm</source>
         <translation>r %1 mm</translation>
     </message>
+    <message>
+        <source>, a pause before the last</source>
+        <translation>, en pause før det siste</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Fjern pausen før lag %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
+        <translation>Pause før lag %1: armen går til hvilestilling og venter, for å bytte materiale eller legge inn en innsats</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::TimelineBar</name>
@@ -13672,6 +14112,37 @@ ca. %6, anslått ut fra størrelse, vegger og fyll uten støtter</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::ComparePresetsDialog</name>
+    <message>
+        <source>Compare presets</source>
+        <translation>Sammenlign forhåndsinnstillinger</translation>
+    </message>
+    <message>
+        <source>First preset</source>
+        <translation>Første forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Second preset</source>
+        <translation>Andre forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>Innstillinger som er ulike</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Innstilling</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Ingen forskjeller.</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>Innstillinger som er ulike: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::CompareView</name>
     <message>
         <source>way of building</source>
@@ -13761,6 +14232,60 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>As many copies as the plate has room for</source>
         <translation>Så mange kopier som byggeplaten har plass til</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CutTool</name>
+    <message>
+        <source>Calculating…</source>
+        <translation>Beregner…</translation>
+    </message>
+    <message>
+        <source>Lower half %1 cm³, upper half %2 cm³.</source>
+        <translation>Nedre halvdel %1 cm³, øvre halvdel %2 cm³.</translation>
+    </message>
+    <message>
+        <source>Pins: %1.</source>
+        <translation>Pinner: %1.</translation>
+    </message>
+    <message>
+        <source>Cutting…</source>
+        <translation>Skjærer…</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Skjær</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Skjær %1</translation>
+    </message>
+    <message>
+        <source>dowel</source>
+        <translation>dybel</translation>
+    </message>
+    <message>
+        <source>Split to parts</source>
+        <translation>Del opp i deler</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>Del opp %1</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 bodies.</source>
+        <translation>Nettet har mer enn %1 legemer.</translation>
+    </message>
+    <message>
+        <source>The part is one body.</source>
+        <translation>Delen er ett legeme.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n del</numerusform>
+            <numerusform>%n deler</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13855,6 +14380,61 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     </message>
 </context>
 <context>
+    <name>voluta::window::FilmDialog</name>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length of the film. The whole print is shown in it, with equal steps</source>
+        <translation>Lengden på filmen. Hele utskriften vises, med like steg</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisk</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Foran</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Høyre</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Topp</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Lengde</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Størrelse</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visning</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Lagr&amp;e…</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>Lagre filmen</translation>
+    </message>
+    <message>
+        <source>Films (*.webm)</source>
+        <translation>Filmer (*.webm)</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
     <message>
         <source>nothing yet</source>
@@ -13897,6 +14477,29 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     </message>
 </context>
 <context>
+    <name>voluta::window::Jogging</name>
+    <message>
+        <source>Collision: %1 and %2</source>
+        <translation>Kollisjon: %1 og %2</translation>
+    </message>
+    <message>
+        <source>Free: more than %1 mm between bodies</source>
+        <translation>Fritt: mer enn %1 mm mellom legemene</translation>
+    </message>
+    <message>
+        <source>Free: %1 mm between the nearest bodies</source>
+        <translation>Fritt: %1 mm mellom de nærmeste legemene</translation>
+    </message>
+    <message>
+        <source>The arm does not reach that pose within its joint limits. It stays here.</source>
+        <translation>Armen når ikke den stillingen innenfor leddgrensene. Den blir stående her.</translation>
+    </message>
+    <message>
+        <source>The printed part is not checked yet.</source>
+        <translation>Den utskrevne delen er ikke kontrollert ennå.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::JoinedMachines</name>
     <message>
         <source>Machine %1</source>
@@ -13916,6 +14519,14 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>Pieces are always shown whole</source>
         <translation>Stykker vises alltid hele</translation>
+    </message>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Neste plan tar pause før lag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Neste plan tar ikke pause før lag %1.</translation>
     </message>
 </context>
 <context>
@@ -14179,6 +14790,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>%1 parts</source>
         <translation>%1 deler</translation>
+    </message>
+    <message>
+        <source>Saved the film %1</source>
+        <translation>Lagret filmen %1</translation>
     </message>
 </context>
 <context>
@@ -14454,6 +15069,30 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <source>Hide beads of this kind</source>
         <translation>Skjul strenger av denne typen</translation>
     </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Filens enhet</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>tomme</translation>
+    </message>
+    <message>
+        <source>unit of the file</source>
+        <translation>filens enhet</translation>
+    </message>
+    <message>
+        <source>Repair the mesh</source>
+        <translation>Reparer nettet</translation>
+    </message>
+    <message>
+        <source>repair the mesh</source>
+        <translation>reparer nettet</translation>
+    </message>
+    <message>
+        <source>mesh as read</source>
+        <translation>nettet som lest</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ObstacleImport</name>
@@ -14601,6 +15240,150 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>Edit cell</source>
         <translation>Rediger celle</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetBar</name>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (endret)</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Save, compare, export or import presets</source>
+        <translation>Lagre, sammenlign, eksporter eller importer forhåndsinnstillinger</translation>
+    </message>
+    <message>
+        <source>Preset menu</source>
+        <translation>Meny for forhåndsinnstillinger</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetEditor</name>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON-filer (*.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>I dette prosjektet</translation>
+    </message>
+    <message>
+        <source>With the program</source>
+        <translation>Med programmet</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Dine egne</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Forhåndsinnstillinger</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1: %2 i stedet for %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>og %n til</numerusform>
+            <numerusform>og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change preset</source>
+        <translation>Bytt forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Settings of the preset were changed. Take the changes to %1?</source>
+        <translation>Innstillinger i forhåndsinnstillingen er endret. Ta endringene med til %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>&amp;Overfør</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Forkast</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this preset</source>
+        <translation>&amp;Behold denne forhåndsinnstillingen</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Forhåndsinnstilling %1</translation>
+    </message>
+    <message>
+        <source>Save preset %1</source>
+        <translation>Lagre forhåndsinnstillingen %1</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, egen</translation>
+    </message>
+    <message>
+        <source>Save preset as</source>
+        <translation>Lagre forhåndsinnstilling som</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Gi forhåndsinnstillingen nytt navn</translation>
+    </message>
+    <message>
+        <source>Rename preset %1</source>
+        <translation>Gi forhåndsinnstillingen %1 nytt navn</translation>
+    </message>
+    <message>
+        <source>Delete preset</source>
+        <translation>Slett forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1? The settings of this project stay.</source>
+        <translation>Slette forhåndsinnstillingen %1? Innstillingene i dette prosjektet blir stående.</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>Slett forhåndsinnstillingen %1</translation>
+    </message>
+    <message>
+        <source>Discard changes of the preset</source>
+        <translation>Forkast endringene i forhåndsinnstillingen</translation>
+    </message>
+    <message>
+        <source>Present settings</source>
+        <translation>Gjeldende innstillinger</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Eksporter %1</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Importer en forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Replace your own preset %1?</source>
+        <translation>Erstatte din egen forhåndsinnstilling %1?</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetNameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Lagre</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Gi nytt navn</translation>
     </message>
 </context>
 <context>
@@ -14865,6 +15648,61 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     </message>
 </context>
 <context>
+    <name>voluta::window::RemedyEffect</name>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>Ikke dekket</translation>
+    </message>
+    <message>
+        <source>Printed in the air</source>
+        <translation>Skrevet ut i luften</translation>
+    </message>
+    <message>
+        <source>Overfilled</source>
+        <translation>Overfylt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Applied: %1</source>
+        <translation>Brukt: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be planned this way. Undo it, or try another remedy.</source>
+        <translation>Det kan ikke planlegges slik. Angre, eller prøv et annet tiltak.</translation>
+    </message>
+    <message>
+        <source>The figures follow when the plan is done.</source>
+        <translation>Tallene kommer når planen er ferdig.</translation>
+    </message>
+    <message>
+        <source>Plan to see its effect.</source>
+        <translation>Planlegg for å se virkningen.</translation>
+    </message>
+    <message>
+        <source>No longer found</source>
+        <translation>Ikke lenger funnet</translation>
+    </message>
+    <message>
+        <source>Unchanged: %1</source>
+        <translation>Uendret: %1</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Før: %1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Etter: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::RunDialog</name>
     <message>
         <source>Path %1 mm over %2 mm</source>
@@ -15123,6 +15961,46 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <source>Keeps the nozzle in the middle of the view</source>
         <translation>Holder dysen midt i visningen</translation>
     </message>
+    <message>
+        <source>Plan the motion before you jog the arm.</source>
+        <translation>Planlegg bevegelsen før du kjører armen for hånd.</translation>
+    </message>
+    <message>
+        <source>Kinds of beads, with statistics</source>
+        <translation>Strengtyper, med statistikk</translation>
+    </message>
+    <message>
+        <source>Colours the beads by kind, with time, share, length and mass of each</source>
+        <translation>Farger strengene etter type, med tid, andel, lengde og masse for hver</translation>
+    </message>
+    <message>
+        <source>Jog the arm</source>
+        <translation>Kjør armen for hånd</translation>
+    </message>
+    <message>
+        <source>Moves the arm by hand, by joints or by the nozzle. The plan stays as it is</source>
+        <translation>Kjører armen for hånd, ledd for ledd eller etter dysen. Planen blir som den er</translation>
+    </message>
+    <message>
+        <source>Trace of the nozzle</source>
+        <translation>Spor etter dysen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Last %1 s</source>
+        <translation>Siste %1 s</translation>
+    </message>
+    <message>
+        <source>Whole print</source>
+        <translation>Hele utskriften</translation>
+    </message>
+    <message>
+        <source>Solid where the nozzle prints, dashed where it travels</source>
+        <translation>Heltrukket der dysen skriver ut, stiplet der den forflytter seg</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SizesDialog</name>
@@ -15219,10 +16097,6 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Find order of work</source>
-        <translation>Finn arbeidsrekkefølge</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Avbryt</translation>
     </message>
@@ -15295,16 +16169,20 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <translation>Flytt %1 mm lenger fra hverandre</translation>
     </message>
     <message>
-        <source>Minimum distance of moving arms</source>
-        <translation>Minsteavstand for armer i bevegelse</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>Minimum distance %1 mm; collisions: %2</source>
         <translation>Minsteavstand %1 mm; kollisjoner: %2</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Tidsplan</translation>
+    </message>
+    <message>
+        <source>Minimum clearance between arms</source>
+        <translation>Minste klaring mellom armene</translation>
     </message>
 </context>
 <context>

@@ -663,6 +663,58 @@
         <source>Click places on the part: radius, wall, distance, angle</source>
         <translation>Klik op plaatsen van het onderdeel: straal, wand, afstand, hoek</translation>
     </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Licht</translation>
+    </message>
+    <message>
+        <source>Dark text on a light background</source>
+        <translation>Donkere tekst op een lichte achtergrond</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoog contrast</translation>
+    </message>
+    <message>
+        <source>White text on black, with strong outlines</source>
+        <translation>Witte tekst op zwart, met sterke omlijningen</translation>
+    </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>&amp;Film…</translation>
+    </message>
+    <message>
+        <source>Save a film of the robot that prints the part (WebM)</source>
+        <translation>Een film opslaan van de robot die het onderdeel print (WebM)</translation>
+    </message>
+    <message>
+        <source>C&amp;ut…</source>
+        <translation>S&amp;nijden…</translation>
+    </message>
+    <message>
+        <source>Cuts the part in two with a plane, with dowels, pegs or a dovetail</source>
+        <translation>Snijdt het onderdeel in tweeën met een vlak, met deuvels, pennen of een zwaluwstaart</translation>
+    </message>
+    <message>
+        <source>Split to &amp;parts</source>
+        <translation>Splitsen in &amp;onderdelen</translation>
+    </message>
+    <message>
+        <source>Makes a part of each body of the mesh</source>
+        <translation>Maakt van elk lichaam van het net een onderdeel</translation>
+    </message>
+    <message>
+        <source>Re&amp;name part</source>
+        <translation>Onderdeel her&amp;noemen</translation>
+    </message>
+    <message>
+        <source>Edits the name of the part in the tree</source>
+        <translation>Bewerkt de naam van het onderdeel in de boom</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>&amp;Uiterlijk</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -921,12 +973,6 @@ singen</translation>
         <translation>Zoekt een betere oriëntatie van het onderdeel: met het kleinste overhangende oppervlak, met de minste door de groei gemiste voxels, langs de assen, zodat de projecties op XY en XZ het kleinste deel van hun omsluitende rechthoeken leeg laten (ruwdelen om te frezen), of met het kleinste overhangende oppervlak nadat het onderdeel in delen is gesneden (modus planar).</translation>
     </message>
     <message>
-        <source>Missed
-voxels</source>
-        <translation>Gemiste
-voxels</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Gemist, cascade</translation>
     </message>
@@ -1019,12 +1065,6 @@ voxels</translation>
     <message>
         <source>Replay</source>
         <translation>Controlerun</translation>
-    </message>
-    <message>
-        <source>Risky
-mm²</source>
-        <translation>Riskant
-mm²</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -1447,10 +1487,6 @@ mm³</translation>
     <message>
         <source>add supports (`supports=auto`), cut there, or use curved mode</source>
         <translation>voeg ondersteuning toe (`supports=auto`), snijd daar, of gebruik modus curved</translation>
-    </message>
-    <message>
-        <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
-        <translation>klein contactoppervlak: alle delen worden met {foot:.3g} op de plaat gehouden; ongesneden heeft het onderdeel {whole:.3g#}</translation>
     </message>
     <message>
         <source>along</source>
@@ -3722,10 +3758,6 @@ mm³</translation>
         <translation>zigzag</translation>
     </message>
     <message>
-        <source>{area:.3g} overhangs where a support would have no footing</source>
-        <translation>{area:.3g} hangt over waar ondersteuning geen steunvlak zou hebben</translation>
-    </message>
-    <message>
         <source>{area:.3g} overhangs by more than {angle}</source>
         <translation>{area:.3g} hangt meer dan {angle} over</translation>
     </message>
@@ -3846,13 +3878,6 @@ mm³</translation>
     <message>
         <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
         <translation>niet door lagen bedekt: {left:.3g#} van {whole:.4g} van het onderdeel</translation>
-    </message>
-    <message numerus="yes">
-        <source>unsupported voxels: {missed} of {voxels}</source>
-        <translation>
-            <numerusform>niet ondersteunde voxels: {missed} van {voxels}</numerusform>
-            <numerusform>niet ondersteunde voxels: {missed} van {voxels}</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>{motions} motions from here on are not in the plan</source>
@@ -6642,10 +6667,6 @@ mm³</translation>
         <translation>Probeert de bouwwijzen een voor een tot niets meer niet ondersteund of gemist is</translation>
     </message>
     <message>
-        <source>add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building</source>
-        <translation>voeg ondersteuning toe, maak de open vulling dichter, draai het onderdeel, of laat Voluta de bouwwijze kiezen</translation>
-    </message>
-    <message>
         <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
         <translation>&apos;{name}&apos; is een gereserveerd woord en kan geen functienaam zijn</translation>
     </message>
@@ -6748,10 +6769,6 @@ mm³</translation>
     <message>
         <source>Partly supported: {share:.1f} of the bead length is supported over less than half its width.</source>
         <translation>Deels ondersteund: {share:.1f} van de strenglengte is over minder dan de halve breedte ondersteund.</translation>
-    </message>
-    <message>
-        <source>Fill of the part: mean along the view, for beads with round edges</source>
-        <translation>Vulling van het onderdeel: gemiddelde langs de kijkrichting, voor strengen met ronde randen</translation>
     </message>
     <message>
         <source>In a usual cell; Voluta chooses the way of building</source>
@@ -7756,10 +7773,6 @@ tijd</translation>
         <translation>toevoer in stilstand</translation>
     </message>
     <message>
-        <source>format {format} has no word for {event}</source>
-        <translation>formaat {format} heeft geen woord voor {event}</translation>
-    </message>
-    <message>
         <source>is above 1</source>
         <translation>is groter dan 1</translation>
     </message>
@@ -8324,10 +8337,6 @@ tijd</translation>
     <message>
         <source>a wait</source>
         <translation>een wachttijd</translation>
-    </message>
-    <message>
-        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
-        <translation>de streng eronder wordt na {time:.1f} bedekt, vóór de minimale laagtijd van {limit:.1f}; zo ook {length:.0f} streng</translation>
     </message>
     <message>
         <source>lower the minimum layer time, print slower, or print without a spiral</source>
@@ -8998,14 +9007,6 @@ tijd</translation>
         <translation>gereedschap</translation>
     </message>
     <message>
-        <source>tool of supports</source>
-        <translation>gereedschap van de ondersteuning</translation>
-    </message>
-    <message>
-        <source>tool of the interior</source>
-        <translation>gereedschap van het binnenste</translation>
-    </message>
-    <message>
         <source>tool {number} cannot print layers of {height}</source>
         <translation>gereedschap {number} kan geen lagen van {height} printen</translation>
     </message>
@@ -9358,16 +9359,8 @@ tijd</translation>
         <translation>{volume:.0f} van het blok blijft staan in sleuven, ondersnijdingen of gaten die vrij moeten zijn, tot {height:.1f} hoog</translation>
     </message>
     <message>
-        <source>use a smaller cutter or a smaller distance of lines, or turn the part</source>
-        <translation>gebruik een kleinere frees of een kleinere afstand van lijnen, of draai het onderdeel</translation>
-    </message>
-    <message>
         <source>only you know which cutter and block you have: change the values of the passes</source>
         <translation>alleen jij weet welke frees en welk blok je hebt: wijzig de waarden van de gangen</translation>
-    </message>
-    <message>
-        <source>the cutter goes through the block into what holds it</source>
-        <translation>de frees gaat door het blok in wat het vasthoudt</translation>
     </message>
     <message>
         <source>the cutter takes up to {depth:.3f} from the part</source>
@@ -9530,10 +9523,6 @@ vlakken %</translation>
     <message>
         <source>direction of the load</source>
         <translation>richting van de belasting</translation>
-    </message>
-    <message>
-        <source>x,y,z in the part&apos;s file, for example 1,0,0: the report then states how layers and beads carry a load in it. Empty: no load.</source>
-        <translation>x,y,z in het bestand van het onderdeel, bijvoorbeeld 1,0,0: het rapport geeft dan aan hoe lagen en strengen een belasting in die richting dragen. Leeg: geen belasting.</translation>
     </message>
     <message>
         <source>the job has no motion to compare with</source>
@@ -10404,10 +10393,6 @@ vlakken %</translation>
         <translation>het is een map</translation>
     </message>
     <message>
-        <source>machines {one} and {two} are too close to each other before they move</source>
-        <translation>machines {one} en {two} staan te dicht bij elkaar voordat ze bewegen</translation>
-    </message>
-    <message>
         <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other</source>
         <translation>geen werkvolgorde houdt de machines uit elkaar: {first} van machine {one} en {second} van machine {two} hinderen elkaar</translation>
     </message>
@@ -10422,10 +10407,6 @@ vlakken %</translation>
     <message>
         <source>place the machines further apart if they stand at two plates</source>
         <translation>zet de machines verder uit elkaar als ze bij twee platen staan</translation>
-    </message>
-    <message>
-        <source>place the machines further apart, or give one another home</source>
-        <translation>zet de machines verder uit elkaar, of geef er een een andere uitgangspose</translation>
     </message>
     <message>
         <source>place the machines further apart, or the parts further from the border</source>
@@ -10855,6 +10836,201 @@ vlakken %</translation>
         <source>the last line of an IGES file is missing, or names other numbers of lines</source>
         <translation>de laatste regel van een IGES-bestand ontbreekt, of noemt andere aantallen regels</translation>
     </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a preset&apos;s id</source>
+        <translation>&apos;{id}&apos; kan niet de id van een preset zijn</translation>
+    </message>
+    <message>
+        <source>&apos;{key}&apos; is not a setting of presets</source>
+        <translation>&apos;{key}&apos; is geen instelling van presets</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a list of layers</source>
+        <translation>&apos;{text}&apos; is geen lijst van lagen</translation>
+    </message>
+    <message>
+        <source>Fill of what is meant to be solid: mean along the view, for beads with round edges</source>
+        <translation>Vulling van wat massief moet zijn: gemiddelde langs de kijkrichting, voor rupsen met ronde randen</translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
+        <translation>Nummers van lagen, gescheiden door komma&apos;s: vóór elk daarvan gaat de arm naar de rustpositie en wacht tot de operator verdergaat, om materiaal te wisselen of een inzetstuk te plaatsen.</translation>
+    </message>
+    <message>
+        <source>Overhang
+mm²</source>
+        <translation>Overhang
+mm²</translation>
+    </message>
+    <message>
+        <source>Unprinted
+voxels</source>
+        <translation>Niet geprinte
+voxels</translation>
+    </message>
+    <message>
+        <source>a film of {length} cannot be made</source>
+        <translation>een film van {length} kan niet worden gemaakt</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{id}&apos; comes with the program</source>
+        <translation>een preset &apos;{id}&apos; wordt met het programma meegeleverd</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{label}&apos; comes with the program</source>
+        <translation>een preset &apos;{label}&apos; wordt met het programma meegeleverd</translation>
+    </message>
+    <message>
+        <source>a preset needs a name</source>
+        <translation>een preset heeft een naam nodig</translation>
+    </message>
+    <message>
+        <source>add supports, make sparse infill denser, rotate the part, or choose mode auto</source>
+        <translation>voeg ondersteuning toe, maak de open vulling dichter, draai het onderdeel, of kies modus auto</translation>
+    </message>
+    <message>
+        <source>choose a smaller dovetail, another direction or another plane</source>
+        <translation>kies een kleinere zwaluwstaart, een andere richting of een ander vlak</translation>
+    </message>
+    <message>
+        <source>choose a smaller pin or another plane</source>
+        <translation>kies een kleinere pen of een ander vlak</translation>
+    </message>
+    <message>
+        <source>choose another folder, or check the space on the disk</source>
+        <translation>kies een andere map, of controleer de ruimte op de schijf</translation>
+    </message>
+    <message>
+        <source>drawing the film</source>
+        <translation>de film wordt getekend</translation>
+    </message>
+    <message>
+        <source>format {format} has no command for {event}</source>
+        <translation>formaat {format} heeft geen opdracht voor {event}</translation>
+    </message>
+    <message>
+        <source>give numbers, such as 12, 40</source>
+        <translation>geef nummers, zoals 12, 40</translation>
+    </message>
+    <message>
+        <source>import the parent first, or name another one</source>
+        <translation>importeer eerst de ouder, of noem een andere</translation>
+    </message>
+    <message>
+        <source>in their home poses machines {one} and {two} are too close to each other</source>
+        <translation>in hun rustposities staan machines {one} en {two} te dicht bij elkaar</translation>
+    </message>
+    <message>
+        <source>infill tool</source>
+        <translation>gereedschap voor vulling</translation>
+    </message>
+    <message>
+        <source>move the plane into the part</source>
+        <translation>verplaats het vlak in het onderdeel</translation>
+    </message>
+    <message>
+        <source>move them apart, or change a home pose</source>
+        <translation>zet ze verder uit elkaar, of wijzig een rustpositie</translation>
+    </message>
+    <message>
+        <source>must not be blank</source>
+        <translation>mag niet leeg zijn</translation>
+    </message>
+    <message>
+        <source>name another parent</source>
+        <translation>noem een andere ouder</translation>
+    </message>
+    <message>
+        <source>name it &apos;{id}&apos;</source>
+        <translation>noem het &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>no platform below the overhang: {area:.3g}</source>
+        <translation>geen platform onder de overhang: {area:.3g}</translation>
+    </message>
+    <message>
+        <source>no room in the section for a dovetail of {width}, {height} high</source>
+        <translation>geen plaats in de doorsnede voor een zwaluwstaart van {width}, {height} hoog</translation>
+    </message>
+    <message>
+        <source>no room in the section for a pin of {diameter}, {depth} deep</source>
+        <translation>geen plaats in de doorsnede voor een pen van {diameter}, {depth} diep</translation>
+    </message>
+    <message>
+        <source>pauses before layers</source>
+        <translation>pauzes vóór lagen</translation>
+    </message>
+    <message>
+        <source>preset &apos;{id}&apos; is its own parent, through its parents</source>
+        <translation>preset &apos;{id}&apos; is via zijn ouders zijn eigen ouder</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the plane</source>
+        <translation>repareer het onderdeel, of verplaats het vlak</translation>
+    </message>
+    <message>
+        <source>small contact with the plate: {foot:.3g}; uncut, the part has {whole:.3g#}</source>
+        <translation>klein contact met de plaat: {foot:.3g}; ongesneden heeft het onderdeel {whole:.3g#}</translation>
+    </message>
+    <message>
+        <source>support tool</source>
+        <translation>gereedschap voor ondersteuning</translation>
+    </message>
+    <message>
+        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; on {length:.0f} of beads in all</source>
+        <translation>de rups eronder wordt na {time:.1f} bedekt, vóór de minimale laagtijd van {limit:.1f}; in totaal op {length:.0f} aan rupsen</translation>
+    </message>
+    <message>
+        <source>the cutter cuts into the fixture below the block</source>
+        <translation>de frees snijdt in de opspanning onder het blok</translation>
+    </message>
+    <message>
+        <source>the film cannot be written</source>
+        <translation>de film kan niet worden geschreven</translation>
+    </message>
+    <message>
+        <source>the id &apos;{id}&apos; is not the name of the file</source>
+        <translation>de id &apos;{id}&apos; is niet de naam van het bestand</translation>
+    </message>
+    <message>
+        <source>the joint cannot be cut out of this mesh</source>
+        <translation>de verbinding kan niet uit dit net worden gesneden</translation>
+    </message>
+    <message>
+        <source>the parent &apos;{parent}&apos; of preset &apos;{id}&apos; does not exist</source>
+        <translation>de ouder &apos;{parent}&apos; van preset &apos;{id}&apos; bestaat niet</translation>
+    </message>
+    <message>
+        <source>the plane does not cut the part</source>
+        <translation>het vlak snijdt het onderdeel niet</translation>
+    </message>
+    <message>
+        <source>there is a preset &apos;{label}&apos; already</source>
+        <translation>er is al een preset &apos;{label}&apos;</translation>
+    </message>
+    <message>
+        <source>type a name</source>
+        <translation>typ een naam</translation>
+    </message>
+    <message>
+        <source>unknown preset &apos;{id}&apos;</source>
+        <translation>onbekende preset &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>use a smaller cutter or a smaller stepover, or rotate the part</source>
+        <translation>gebruik een kleinere frees of een kleinere zijstap, of draai het onderdeel</translation>
+    </message>
+    <message>
+        <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
+        <translation>x,y,z in het bestand van het onderdeel, bijvoorbeeld 1,0,0: vermeldt de sterkte voor een belasting in deze richting. Leeg: geen belasting.</translation>
+    </message>
+    <message numerus="yes">
+        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
+        <translation>
+            <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
+            <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10975,10 +11151,6 @@ vlakken %</translation>
         <translation>De frees heeft een rond uiteinde</translation>
     </message>
     <message>
-        <source>Distance of lines</source>
-        <translation>Afstand van lijnen</translation>
-    </message>
-    <message>
         <source>0: side load of the material; less leaves lower ridges</source>
         <translation>0: zijdelingse aanzet van het materiaal; minder laat lagere ribbels achter</translation>
     </message>
@@ -10995,24 +11167,12 @@ vlakken %</translation>
         <translation>Diepte van één gang die boven het onderdeel blijft</translation>
     </message>
     <message>
-        <source>Block beyond the part, y</source>
-        <translation>Blok voorbij het onderdeel, y</translation>
-    </message>
-    <message>
         <source>Across the lines; more than the cutter&apos;s diameter</source>
         <translation>Dwars op de lijnen; meer dan de freesdiameter</translation>
     </message>
     <message>
-        <source>Block beyond the part, x</source>
-        <translation>Blok voorbij het onderdeel, x</translation>
-    </message>
-    <message>
         <source>Along the lines, with the ends that hold the block; more than the cutter&apos;s diameter</source>
         <translation>Langs de lijnen, met de uiteinden die het blok vasthouden; meer dan de freesdiameter</translation>
-    </message>
-    <message>
-        <source>Block above and below</source>
-        <translation>Blok boven en onder</translation>
     </message>
     <message>
         <source>Thickness that is milled away over the whole part</source>
@@ -11027,12 +11187,28 @@ vlakken %</translation>
         <translation>Hoogte van ijlgangen boven het blok</translation>
     </message>
     <message>
-        <source>Strip that holds the part</source>
-        <translation>Strook die het onderdeel vasthoudt</translation>
-    </message>
-    <message>
         <source>Of the contour, at the part&apos;s lower end along y; cut by hand</source>
         <translation>Van de contour, aan het onderste uiteinde van het onderdeel langs y; met de hand doorsnijden</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>Zijstap</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, y</source>
+        <translation>Overmaat buiten het onderdeel, y</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, x</source>
+        <translation>Overmaat buiten het onderdeel, x</translation>
+    </message>
+    <message>
+        <source>Stock above and below</source>
+        <translation>Overmaat boven en onder</translation>
+    </message>
+    <message>
+        <source>Holding tab</source>
+        <translation>Houdlip</translation>
     </message>
 </context>
 <context>
@@ -11114,6 +11290,41 @@ vlakken %</translation>
     <message>
         <source>Key: %1</source>
         <translation>Sleutel: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBar</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>Op&amp;slaan</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Opslaan &amp;als…</translation>
+    </message>
+    <message>
+        <source>D&amp;iscard changes</source>
+        <translation>W&amp;ijzigingen verwerpen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>He&amp;rnoemen…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>Verwij&amp;deren…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation>Vergelijken &amp;met…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>I&amp;mporteren…</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11695,10 @@ vlakken %</translation>
         <source>automatic</source>
         <translation>automatisch</translation>
     </message>
+    <message>
+        <source>pause, stop, colour change, filament change, insert, M600</source>
+        <translation>pauze, stop, kleurwissel, filamentwissel, inzetstuk, M600</translation>
+    </message>
 </context>
 <context>
     <name>SizesDialog</name>
@@ -11591,6 +11806,10 @@ vlakken %</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 van %2</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 hernoemen</translation>
     </message>
 </context>
 <context>
@@ -11963,6 +12182,172 @@ Klik om een ander te kiezen</translation>
         <source>The nozzle&apos;s tip, from the middle of the platform</source>
         <translation>De punt van de spuitmond, vanaf het midden van het platform</translation>
     </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotatie</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Geprint</translation>
+    </message>
+    <message>
+        <source>About X, Y and Z of the platform, from the upright nozzle</source>
+        <translation>Om X, Y en Z van het platform, vanaf de verticale spuitmond</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::CutPanel</name>
+    <message>
+        <source>Cut</source>
+        <translation>Snijden</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 snijden</translation>
+    </message>
+    <message>
+        <source>Perpendicular to</source>
+        <translation>Loodrecht op</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Positie</translation>
+    </message>
+    <message>
+        <source>Distance from the lowest point of the part along the axis</source>
+        <translation>Afstand tot het laagste punt van het onderdeel langs de as</translation>
+    </message>
+    <message>
+        <source>Tilt about %1</source>
+        <translation>Kanteling om %1</translation>
+    </message>
+    <message>
+        <source>Parallel to a face</source>
+        <translation>Evenwijdig aan een vlak van het onderdeel</translation>
+    </message>
+    <message>
+        <source>Then click the face; the plane goes through the clicked point</source>
+        <translation>Klik daarna op het vlak; het snijvlak gaat door dat punt</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behouden</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Beide helften</translation>
+    </message>
+    <message>
+        <source>Lower half</source>
+        <translation>Onderste helft</translation>
+    </message>
+    <message>
+        <source>Upper half</source>
+        <translation>Bovenste helft</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Verbinding</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>Dowels</source>
+        <translation>Deuvels</translation>
+    </message>
+    <message>
+        <source>Pegs</source>
+        <translation>Pennen</translation>
+    </message>
+    <message>
+        <source>Dovetail</source>
+        <translation>Zwaluwstaart</translation>
+    </message>
+    <message>
+        <source>Dowels: loose pins in holes of both halves. Pegs: pins of the lower half. Dovetail: a tongue of the lower half in a groove.</source>
+        <translation>Deuvels: losse pennen in gaten van beide helften. Pennen: vast aan de onderste helft. Zwaluwstaart: een tong van de onderste helft in een groef.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diameter</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hoogte</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Diepte</translation>
+    </message>
+    <message>
+        <source>Height of the tongue</source>
+        <translation>Hoogte van de tong</translation>
+    </message>
+    <message>
+        <source>Of a pin in each half</source>
+        <translation>Van een pen in elke helft</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Speling</translation>
+    </message>
+    <message>
+        <source>Gap on every side of a pin or of the tongue</source>
+        <translation>Ruimte aan elke kant van een pen of van de tong</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Aantal</translation>
+    </message>
+    <message>
+        <source>Pins in each section, if there is room</source>
+        <translation>Pennen in elke doorsnede, als er plaats is</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richting</translation>
+    </message>
+    <message>
+        <source>In which the dovetail slides, from the horizontal</source>
+        <translation>Waarin de zwaluwstaart schuift, vanaf de horizontaal</translation>
+    </message>
+    <message>
+        <source>Lay halves on their cut face</source>
+        <translation>Helften op hun snijvlak leggen</translation>
+    </message>
+    <message>
+        <source>A half with pegs or a tongue keeps its orientation</source>
+        <translation>Een helft met pennen of een tong behoudt haar stand</translation>
+    </message>
+    <message>
+        <source>Show apart</source>
+        <translation>Uit elkaar tonen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::EffectCard</name>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Takes the remedy back, and shows the plan before it</source>
+        <translation>Maakt de remedie ongedaan, en toont het plan ervoor</translation>
+    </message>
+    <message>
+        <source>Hide this</source>
+        <translation>Dit verbergen</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::ExportPanel</name>
@@ -12301,6 +12686,49 @@ Klik om een ander te kiezen</translation>
     <message>
         <source>Choose a colour</source>
         <translation>Kies een kleur</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::JogPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gewrichten</translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation>Spuitmond</translation>
+    </message>
+    <message>
+        <source>The tip on the platform, and rotations about X, Y and Z (A, B, C) from the upright nozzle</source>
+        <translation>De punt op het platform, en rotaties om X, Y en Z (A, B, C) vanaf de verticale spuitmond</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stap</translation>
+    </message>
+    <message>
+        <source>Step of X, Y and Z</source>
+        <translation>Stap van X, Y en Z</translation>
+    </message>
+    <message>
+        <source>Step of A, B and C</source>
+        <translation>Stap van A, B en C</translation>
+    </message>
+    <message>
+        <source>Back to the plan</source>
+        <translation>Terug naar het plan</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Gewricht %1</translation>
+    </message>
+    <message>
+        <source>%1 one step less</source>
+        <translation>%1 één stap minder</translation>
+    </message>
+    <message>
+        <source>%1 one step more</source>
+        <translation>%1 één stap meer</translation>
     </message>
 </context>
 <context>
@@ -13057,6 +13485,18 @@ ongeveer %6, geschat uit maat, wanden en vulling zonder ondersteuning</translati
         <source>r %1 mm</source>
         <translation>r %1 mm</translation>
     </message>
+    <message>
+        <source>, a pause before the last</source>
+        <translation>, een pauze vóór de laatste</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Verwijder de pauze vóór laag %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
+        <translation>Pauze vóór laag %1: de arm gaat naar de rustpositie en wacht, om materiaal te wisselen of een inzetstuk te plaatsen</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::TimelineBar</name>
@@ -13672,6 +14112,37 @@ ongeveer %6, geschat uit maat, wanden en vulling zonder ondersteuning</translati
     </message>
 </context>
 <context>
+    <name>voluta::window::ComparePresetsDialog</name>
+    <message>
+        <source>Compare presets</source>
+        <translation>Presets vergelijken</translation>
+    </message>
+    <message>
+        <source>First preset</source>
+        <translation>Eerste preset</translation>
+    </message>
+    <message>
+        <source>Second preset</source>
+        <translation>Tweede preset</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>Instellingen die verschillen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Instelling</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Geen verschillen.</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>Instellingen die verschillen: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::CompareView</name>
     <message>
         <source>way of building</source>
@@ -13761,6 +14232,60 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>As many copies as the plate has room for</source>
         <translation>Zoveel kopieën als er op de plaat passen</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CutTool</name>
+    <message>
+        <source>Calculating…</source>
+        <translation>Berekenen…</translation>
+    </message>
+    <message>
+        <source>Lower half %1 cm³, upper half %2 cm³.</source>
+        <translation>Onderste helft %1 cm³, bovenste helft %2 cm³.</translation>
+    </message>
+    <message>
+        <source>Pins: %1.</source>
+        <translation>Pennen: %1.</translation>
+    </message>
+    <message>
+        <source>Cutting…</source>
+        <translation>Snijden…</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Snijden</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 snijden</translation>
+    </message>
+    <message>
+        <source>dowel</source>
+        <translation>deuvel</translation>
+    </message>
+    <message>
+        <source>Split to parts</source>
+        <translation>Splitsen in onderdelen</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 splitsen</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 bodies.</source>
+        <translation>Het net heeft meer dan %1 lichamen.</translation>
+    </message>
+    <message>
+        <source>The part is one body.</source>
+        <translation>Het onderdeel is één lichaam.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n onderdeel</numerusform>
+            <numerusform>%n onderdelen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13855,6 +14380,61 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     </message>
 </context>
 <context>
+    <name>voluta::window::FilmDialog</name>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length of the film. The whole print is shown in it, with equal steps</source>
+        <translation>Lengte van de film. De hele print is erin te zien, met gelijke stappen</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Voor</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Boven</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Lengte</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Afmetingen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Weergave</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Opslaan…</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>De film opslaan</translation>
+    </message>
+    <message>
+        <source>Films (*.webm)</source>
+        <translation>Films (*.webm)</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
     <message>
         <source>nothing yet</source>
@@ -13897,6 +14477,29 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     </message>
 </context>
 <context>
+    <name>voluta::window::Jogging</name>
+    <message>
+        <source>Collision: %1 and %2</source>
+        <translation>Botsing: %1 en %2</translation>
+    </message>
+    <message>
+        <source>Free: more than %1 mm between bodies</source>
+        <translation>Vrij: meer dan %1 mm tussen lichamen</translation>
+    </message>
+    <message>
+        <source>Free: %1 mm between the nearest bodies</source>
+        <translation>Vrij: %1 mm tussen de dichtstbijzijnde lichamen</translation>
+    </message>
+    <message>
+        <source>The arm does not reach that pose within its joint limits. It stays here.</source>
+        <translation>De arm bereikt die pose niet binnen zijn gewrichtslimieten. Hij blijft hier.</translation>
+    </message>
+    <message>
+        <source>The printed part is not checked yet.</source>
+        <translation>Het geprinte onderdeel is nog niet gecontroleerd.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::JoinedMachines</name>
     <message>
         <source>Machine %1</source>
@@ -13916,6 +14519,14 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>Pieces are always shown whole</source>
         <translation>Delen worden altijd volledig getoond</translation>
+    </message>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Het volgende plan pauzeert vóór laag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Het volgende plan pauzeert niet vóór laag %1.</translation>
     </message>
 </context>
 <context>
@@ -14179,6 +14790,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>%1 parts</source>
         <translation>%1 onderdelen</translation>
+    </message>
+    <message>
+        <source>Saved the film %1</source>
+        <translation>De film %1 is opgeslagen</translation>
     </message>
 </context>
 <context>
@@ -14454,6 +15069,30 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <source>Hide beads of this kind</source>
         <translation>Strengen van deze soort verbergen</translation>
     </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Eenheid van het bestand</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>inch</translation>
+    </message>
+    <message>
+        <source>unit of the file</source>
+        <translation>eenheid van het bestand</translation>
+    </message>
+    <message>
+        <source>Repair the mesh</source>
+        <translation>Het net repareren</translation>
+    </message>
+    <message>
+        <source>repair the mesh</source>
+        <translation>het net repareren</translation>
+    </message>
+    <message>
+        <source>mesh as read</source>
+        <translation>net zoals gelezen</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ObstacleImport</name>
@@ -14601,6 +15240,150 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>Edit cell</source>
         <translation>Cel bewerken</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetBar</name>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (gewijzigd)</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Save, compare, export or import presets</source>
+        <translation>Presets opslaan, vergelijken, exporteren of importeren</translation>
+    </message>
+    <message>
+        <source>Preset menu</source>
+        <translation>Presetmenu</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetEditor</name>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON-bestanden (*.json);;Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>In dit project</translation>
+    </message>
+    <message>
+        <source>With the program</source>
+        <translation>Bij het programma</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Je eigen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1: %2 in plaats van %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>en nog %n</numerusform>
+            <numerusform>en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change preset</source>
+        <translation>Preset wijzigen</translation>
+    </message>
+    <message>
+        <source>Settings of the preset were changed. Take the changes to %1?</source>
+        <translation>Instellingen van de preset zijn gewijzigd. De wijzigingen meenemen naar %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>&amp;Meenemen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerpen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this preset</source>
+        <translation>Deze preset &amp;houden</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Preset %1</translation>
+    </message>
+    <message>
+        <source>Save preset %1</source>
+        <translation>Preset %1 opslaan</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, eigen</translation>
+    </message>
+    <message>
+        <source>Save preset as</source>
+        <translation>Preset opslaan als</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Preset hernoemen</translation>
+    </message>
+    <message>
+        <source>Rename preset %1</source>
+        <translation>Preset %1 hernoemen</translation>
+    </message>
+    <message>
+        <source>Delete preset</source>
+        <translation>Preset verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1? The settings of this project stay.</source>
+        <translation>De preset %1 verwijderen? De instellingen van dit project blijven.</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>Preset %1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Discard changes of the preset</source>
+        <translation>Wijzigingen van de preset verwerpen</translation>
+    </message>
+    <message>
+        <source>Present settings</source>
+        <translation>Huidige instellingen</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exporteren</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Een preset importeren</translation>
+    </message>
+    <message>
+        <source>Replace your own preset %1?</source>
+        <translation>Je eigen preset %1 vervangen?</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetNameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
     </message>
 </context>
 <context>
@@ -14865,6 +15648,61 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     </message>
 </context>
 <context>
+    <name>voluta::window::RemedyEffect</name>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>Niet bedekt</translation>
+    </message>
+    <message>
+        <source>Printed in the air</source>
+        <translation>In de lucht geprint</translation>
+    </message>
+    <message>
+        <source>Overfilled</source>
+        <translation>Overvuld</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Applied: %1</source>
+        <translation>Toegepast: %1</translation>
+    </message>
+    <message>
+        <source>It cannot be planned this way. Undo it, or try another remedy.</source>
+        <translation>Zo kan het niet worden gepland. Maak het ongedaan, of probeer een andere remedie.</translation>
+    </message>
+    <message>
+        <source>The figures follow when the plan is done.</source>
+        <translation>De cijfers volgen als het plan klaar is.</translation>
+    </message>
+    <message>
+        <source>Plan to see its effect.</source>
+        <translation>Plan om het effect te zien.</translation>
+    </message>
+    <message>
+        <source>No longer found</source>
+        <translation>Niet meer gevonden</translation>
+    </message>
+    <message>
+        <source>Unchanged: %1</source>
+        <translation>Ongewijzigd: %1</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Ervoor: %1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Erna: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::RunDialog</name>
     <message>
         <source>Path %1 mm over %2 mm</source>
@@ -15123,6 +15961,46 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <source>Keeps the nozzle in the middle of the view</source>
         <translation>Houdt de spuitmond in het midden van het beeld</translation>
     </message>
+    <message>
+        <source>Plan the motion before you jog the arm.</source>
+        <translation>Plan de beweging voordat je de arm met de hand beweegt.</translation>
+    </message>
+    <message>
+        <source>Kinds of beads, with statistics</source>
+        <translation>Soorten rupsen, met statistiek</translation>
+    </message>
+    <message>
+        <source>Colours the beads by kind, with time, share, length and mass of each</source>
+        <translation>Kleurt de rupsen per soort, met van elke de tijd, het aandeel, de lengte en de massa</translation>
+    </message>
+    <message>
+        <source>Jog the arm</source>
+        <translation>De arm met de hand bewegen</translation>
+    </message>
+    <message>
+        <source>Moves the arm by hand, by joints or by the nozzle. The plan stays as it is</source>
+        <translation>Beweegt de arm met de hand, per gewricht of via de spuitmond. Het plan blijft zoals het is</translation>
+    </message>
+    <message>
+        <source>Trace of the nozzle</source>
+        <translation>Spoor van de spuitmond</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>Last %1 s</source>
+        <translation>Laatste %1 s</translation>
+    </message>
+    <message>
+        <source>Whole print</source>
+        <translation>Hele print</translation>
+    </message>
+    <message>
+        <source>Solid where the nozzle prints, dashed where it travels</source>
+        <translation>Doorgetrokken waar de spuitmond print, gestreept waar hij zich verplaatst</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SizesDialog</name>
@@ -15219,10 +16097,6 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <translation>Verwijderen</translation>
     </message>
     <message>
-        <source>Find order of work</source>
-        <translation>Werkvolgorde zoeken</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
     </message>
@@ -15295,16 +16169,20 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <translation>%1 mm verder uit elkaar zetten</translation>
     </message>
     <message>
-        <source>Minimum distance of moving arms</source>
-        <translation>Minimale afstand van bewegende armen</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>Minimum distance %1 mm; collisions: %2</source>
         <translation>Minimale afstand %1 mm; botsingen: %2</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Minimum clearance between arms</source>
+        <translation>Minimale afstand tussen armen</translation>
     </message>
 </context>
 <context>

@@ -663,6 +663,58 @@
         <source>Click places on the part: radius, wall, distance, angle</source>
         <translation>点击零件上的位置：半径、壁厚、距离、角度</translation>
     </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark text on a light background</source>
+        <translation>浅色背景上的深色文字</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>高对比度(&amp;H)</translation>
+    </message>
+    <message>
+        <source>White text on black, with strong outlines</source>
+        <translation>黑底白字，轮廓醒目</translation>
+    </message>
+    <message>
+        <source>&amp;Film…</source>
+        <translation>影片(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Save a film of the robot that prints the part (WebM)</source>
+        <translation>保存机器人打印零件的影片 (WebM)</translation>
+    </message>
+    <message>
+        <source>C&amp;ut…</source>
+        <translation>切割(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Cuts the part in two with a plane, with dowels, pegs or a dovetail</source>
+        <translation>用平面将零件切成两半，可加圆销、凸销或燕尾榫</translation>
+    </message>
+    <message>
+        <source>Split to &amp;parts</source>
+        <translation>拆分为零件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Makes a part of each body of the mesh</source>
+        <translation>将网格的每个实体变成一个零件</translation>
+    </message>
+    <message>
+        <source>Re&amp;name part</source>
+        <translation>重命名零件(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Edits the name of the part in the tree</source>
+        <translation>在树中编辑零件名称</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>外观(&amp;K)</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -921,12 +973,6 @@ sions</source>
         <translation>搜索更好的零件朝向：悬垂面积最小；生长遗漏的体素最少；沿坐标轴，使 XY 和 XZ 投影在其外接矩形内的空余面积最小（用于铣削毛坯）；或零件切成分块后悬垂面积最小（平面分块，planar 模式）。</translation>
     </message>
     <message>
-        <source>Missed
-voxels</source>
-        <translation>遗漏
-体素</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>遗漏，连带</translation>
     </message>
@@ -1019,12 +1065,6 @@ voxels</source>
     <message>
         <source>Replay</source>
         <translation>回放</translation>
-    </message>
-    <message>
-        <source>Risky
-mm²</source>
-        <translation>风险
-mm²</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -1447,10 +1487,6 @@ mm³</translation>
     <message>
         <source>add supports (`supports=auto`), cut there, or use curved mode</source>
         <translation>添加支撑（`supports=auto`），在该处切割，或使用曲面层</translation>
-    </message>
-    <message>
-        <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
-        <translation>接触面积小：所有分块靠 {foot:.3g} 固定在打印板上；不切割时零件为 {whole:.3g#}</translation>
     </message>
     <message>
         <source>along</source>
@@ -3703,10 +3739,6 @@ mm³</translation>
         <translation>之字形</translation>
     </message>
     <message>
-        <source>{area:.3g} overhangs where a support would have no footing</source>
-        <translation>{area:.3g} 悬垂，且该处支撑没有立足点</translation>
-    </message>
-    <message>
         <source>{area:.3g} overhangs by more than {angle}</source>
         <translation>{area:.3g} 悬垂超过 {angle}</translation>
     </message>
@@ -3817,12 +3849,6 @@ mm³</translation>
     <message>
         <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
         <translation>未被层覆盖：零件 {whole:.4g} 中的 {left:.3g#}</translation>
-    </message>
-    <message numerus="yes">
-        <source>unsupported voxels: {missed} of {voxels}</source>
-        <translation>
-            <numerusform>无支承的体素：{voxels} 个中有 {missed} 个</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>{motions} motions from here on are not in the plan</source>
@@ -6587,10 +6613,6 @@ mm³</translation>
         <translation>依次尝试各种构建方式，直到没有无支承或遗漏</translation>
     </message>
     <message>
-        <source>add supports, make sparse infill denser, turn the part, or let Voluta choose the way of building</source>
-        <translation>添加支撑，使稀疏填充更密，转动零件，或由 Voluta 选择构建方式</translation>
-    </message>
-    <message>
         <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
         <translation>“{name}”是保留字，不能用作函数名</translation>
     </message>
@@ -6693,10 +6715,6 @@ mm³</translation>
     <message>
         <source>Partly supported: {share:.1f} of the bead length is supported over less than half its width.</source>
         <translation>部分支承：挤出线长度的 {share:.1f} 支承宽度不足一半。</translation>
-    </message>
-    <message>
-        <source>Fill of the part: mean along the view, for beads with round edges</source>
-        <translation>零件的填充：沿视线方向的平均值，按圆边挤出线计算</translation>
     </message>
     <message>
         <source>In a usual cell; Voluta chooses the way of building</source>
@@ -7689,10 +7707,6 @@ time</source>
         <translation>原地送料</translation>
     </message>
     <message>
-        <source>format {format} has no word for {event}</source>
-        <translation>格式 {format} 没有表示 {event} 的语句</translation>
-    </message>
-    <message>
         <source>is above 1</source>
         <translation>大于 1</translation>
     </message>
@@ -8255,10 +8269,6 @@ time</source>
     <message>
         <source>a wait</source>
         <translation>等待</translation>
-    </message>
-    <message>
-        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
-        <translation>下方挤出线在 {time:.1f} 后被覆盖，早于最小层时间 {limit:.1f}；共有 {length:.0f} 挤出线如此</translation>
     </message>
     <message>
         <source>lower the minimum layer time, print slower, or print without a spiral</source>
@@ -8929,14 +8939,6 @@ time</source>
         <translation>工具</translation>
     </message>
     <message>
-        <source>tool of supports</source>
-        <translation>支撑工具</translation>
-    </message>
-    <message>
-        <source>tool of the interior</source>
-        <translation>内部填充工具</translation>
-    </message>
-    <message>
         <source>tool {number} cannot print layers of {height}</source>
         <translation>工具 {number} 无法打印 {height} 的层</translation>
     </message>
@@ -9289,16 +9291,8 @@ time</source>
         <translation>毛坯中有 {volume:.0f} 残留在应清空的槽、倒扣或孔中，最高 {height:.1f}</translation>
     </message>
     <message>
-        <source>use a smaller cutter or a smaller distance of lines, or turn the part</source>
-        <translation>使用更小的铣刀或更小的行距，或转动零件</translation>
-    </message>
-    <message>
         <source>only you know which cutter and block you have: change the values of the passes</source>
         <translation>只有用户知道所用的铣刀和毛坯：更改走刀的数值</translation>
-    </message>
-    <message>
-        <source>the cutter goes through the block into what holds it</source>
-        <translation>铣刀穿透毛坯，切入其夹持物</translation>
     </message>
     <message>
         <source>the cutter takes up to {depth:.3f} from the part</source>
@@ -9461,10 +9455,6 @@ faces %</source>
     <message>
         <source>direction of the load</source>
         <translation>载荷方向</translation>
-    </message>
-    <message>
-        <source>x,y,z in the part&apos;s file, for example 1,0,0: the report then states how layers and beads carry a load in it. Empty: no load.</source>
-        <translation>零件文件中的 x,y,z，例如 1,0,0：报告会说明层和挤出线如何承受该方向的载荷。空：无载荷。</translation>
     </message>
     <message>
         <source>the job has no motion to compare with</source>
@@ -10323,10 +10313,6 @@ faces %</source>
         <translation>这是文件夹</translation>
     </message>
     <message>
-        <source>machines {one} and {two} are too close to each other before they move</source>
-        <translation>机器 {one} 和 {two} 在运动之前就离得太近</translation>
-    </message>
-    <message>
         <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other</source>
         <translation>没有工作顺序能使机器互不干涉：机器 {one} 的 {first} 与机器 {two} 的 {second} 互相妨碍</translation>
     </message>
@@ -10341,10 +10327,6 @@ faces %</source>
     <message>
         <source>place the machines further apart if they stand at two plates</source>
         <translation>如果机器位于两块打印板旁，使机器相距更远</translation>
-    </message>
-    <message>
-        <source>place the machines further apart, or give one another home</source>
-        <translation>使机器相距更远，或为其中一台另设原位</translation>
     </message>
     <message>
         <source>place the machines further apart, or the parts further from the border</source>
@@ -10770,6 +10752,200 @@ faces %</source>
         <source>the last line of an IGES file is missing, or names other numbers of lines</source>
         <translation>IGES 文件的最后一行缺失，或写明的行数不符</translation>
     </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a preset&apos;s id</source>
+        <translation>“{id}”不能作为预设的标识</translation>
+    </message>
+    <message>
+        <source>&apos;{key}&apos; is not a setting of presets</source>
+        <translation>“{key}”不是预设的设置项</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a list of layers</source>
+        <translation>“{text}”不是层列表</translation>
+    </message>
+    <message>
+        <source>Fill of what is meant to be solid: mean along the view, for beads with round edges</source>
+        <translation>应为实心部分的填充率：沿视线方向取平均，按圆边焊道计算</translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
+        <translation>层号，用逗号分隔：在每个层之前机械臂回到原位并等待操作员继续，以便更换材料或放入嵌件。</translation>
+    </message>
+    <message>
+        <source>Overhang
+mm²</source>
+        <translation>悬垂
+mm²</translation>
+    </message>
+    <message>
+        <source>Unprinted
+voxels</source>
+        <translation>未打印
+体素</translation>
+    </message>
+    <message>
+        <source>a film of {length} cannot be made</source>
+        <translation>无法制作长度为 {length} 的影片</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{id}&apos; comes with the program</source>
+        <translation>程序自带预设“{id}”</translation>
+    </message>
+    <message>
+        <source>a preset &apos;{label}&apos; comes with the program</source>
+        <translation>程序自带预设“{label}”</translation>
+    </message>
+    <message>
+        <source>a preset needs a name</source>
+        <translation>预设需要名称</translation>
+    </message>
+    <message>
+        <source>add supports, make sparse infill denser, rotate the part, or choose mode auto</source>
+        <translation>添加支撑、加密稀疏填充、旋转零件，或选择自动模式</translation>
+    </message>
+    <message>
+        <source>choose a smaller dovetail, another direction or another plane</source>
+        <translation>选择较小的燕尾榫、其他方向或其他平面</translation>
+    </message>
+    <message>
+        <source>choose a smaller pin or another plane</source>
+        <translation>选择较小的销或其他平面</translation>
+    </message>
+    <message>
+        <source>choose another folder, or check the space on the disk</source>
+        <translation>选择其他文件夹，或检查磁盘空间</translation>
+    </message>
+    <message>
+        <source>drawing the film</source>
+        <translation>正在绘制影片</translation>
+    </message>
+    <message>
+        <source>format {format} has no command for {event}</source>
+        <translation>格式 {format} 没有用于{event}的命令</translation>
+    </message>
+    <message>
+        <source>give numbers, such as 12, 40</source>
+        <translation>请给出数字，例如 12, 40</translation>
+    </message>
+    <message>
+        <source>import the parent first, or name another one</source>
+        <translation>先导入父预设，或指定另一个</translation>
+    </message>
+    <message>
+        <source>in their home poses machines {one} and {two} are too close to each other</source>
+        <translation>机器 {one} 和 {two} 在各自原位时彼此过近</translation>
+    </message>
+    <message>
+        <source>infill tool</source>
+        <translation>填充工具</translation>
+    </message>
+    <message>
+        <source>move the plane into the part</source>
+        <translation>将平面移入零件</translation>
+    </message>
+    <message>
+        <source>move them apart, or change a home pose</source>
+        <translation>将它们移开，或更改某个原位</translation>
+    </message>
+    <message>
+        <source>must not be blank</source>
+        <translation>不能为空</translation>
+    </message>
+    <message>
+        <source>name another parent</source>
+        <translation>指定另一个父预设</translation>
+    </message>
+    <message>
+        <source>name it &apos;{id}&apos;</source>
+        <translation>将其命名为“{id}”</translation>
+    </message>
+    <message>
+        <source>no platform below the overhang: {area:.3g}</source>
+        <translation>悬垂下方没有平台：{area:.3g}</translation>
+    </message>
+    <message>
+        <source>no room in the section for a dovetail of {width}, {height} high</source>
+        <translation>截面中放不下宽 {width}、高 {height} 的燕尾榫</translation>
+    </message>
+    <message>
+        <source>no room in the section for a pin of {diameter}, {depth} deep</source>
+        <translation>截面中放不下直径 {diameter}、深 {depth} 的销</translation>
+    </message>
+    <message>
+        <source>pauses before layers</source>
+        <translation>层前暂停</translation>
+    </message>
+    <message>
+        <source>preset &apos;{id}&apos; is its own parent, through its parents</source>
+        <translation>预设“{id}”经其父预设成为自己的父预设</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the plane</source>
+        <translation>修复零件，或移动平面</translation>
+    </message>
+    <message>
+        <source>small contact with the plate: {foot:.3g}; uncut, the part has {whole:.3g#}</source>
+        <translation>与平台接触面小：{foot:.3g}；未切割时零件为 {whole:.3g#}</translation>
+    </message>
+    <message>
+        <source>support tool</source>
+        <translation>支撑工具</translation>
+    </message>
+    <message>
+        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; on {length:.0f} of beads in all</source>
+        <translation>下方焊道在 {time:.1f} 后即被覆盖，短于最短层时间 {limit:.1f}；总计涉及 {length:.0f} 的焊道</translation>
+    </message>
+    <message>
+        <source>the cutter cuts into the fixture below the block</source>
+        <translation>刀具切入毛坯下方的夹具</translation>
+    </message>
+    <message>
+        <source>the film cannot be written</source>
+        <translation>无法写入影片</translation>
+    </message>
+    <message>
+        <source>the id &apos;{id}&apos; is not the name of the file</source>
+        <translation>标识“{id}”与文件名不符</translation>
+    </message>
+    <message>
+        <source>the joint cannot be cut out of this mesh</source>
+        <translation>无法从该网格中切出接头</translation>
+    </message>
+    <message>
+        <source>the parent &apos;{parent}&apos; of preset &apos;{id}&apos; does not exist</source>
+        <translation>预设“{id}”的父预设“{parent}”不存在</translation>
+    </message>
+    <message>
+        <source>the plane does not cut the part</source>
+        <translation>平面未切到零件</translation>
+    </message>
+    <message>
+        <source>there is a preset &apos;{label}&apos; already</source>
+        <translation>已有预设“{label}”</translation>
+    </message>
+    <message>
+        <source>type a name</source>
+        <translation>输入名称</translation>
+    </message>
+    <message>
+        <source>unknown preset &apos;{id}&apos;</source>
+        <translation>未知预设“{id}”</translation>
+    </message>
+    <message>
+        <source>use a smaller cutter or a smaller stepover, or rotate the part</source>
+        <translation>使用更小的刀具或更小的行距，或旋转零件</translation>
+    </message>
+    <message>
+        <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
+        <translation>零件文件中的 x,y,z，例如 1,0,0：报告该方向载荷下的强度。留空：无载荷。</translation>
+    </message>
+    <message numerus="yes">
+        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
+        <translation>
+            <numerusform>若用平面层，零件的 {share:.1f} 会悬空打印：{voxels} 个体素中的 {missed} 个</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -10890,10 +11066,6 @@ faces %</source>
         <translation>球头铣刀</translation>
     </message>
     <message>
-        <source>Distance of lines</source>
-        <translation>行距</translation>
-    </message>
-    <message>
         <source>0: side load of the material; less leaves lower ridges</source>
         <translation>0：材料的侧吃刀量；值越小残脊越低</translation>
     </message>
@@ -10910,24 +11082,12 @@ faces %</source>
         <translation>留在零件之上的一次走刀的深度</translation>
     </message>
     <message>
-        <source>Block beyond the part, y</source>
-        <translation>毛坯超出零件，y</translation>
-    </message>
-    <message>
         <source>Across the lines; more than the cutter&apos;s diameter</source>
         <translation>垂直于行的方向；大于铣刀直径</translation>
     </message>
     <message>
-        <source>Block beyond the part, x</source>
-        <translation>毛坯超出零件，x</translation>
-    </message>
-    <message>
         <source>Along the lines, with the ends that hold the block; more than the cutter&apos;s diameter</source>
         <translation>沿行的方向，含夹持毛坯的两端；大于铣刀直径</translation>
-    </message>
-    <message>
-        <source>Block above and below</source>
-        <translation>毛坯上下余量</translation>
     </message>
     <message>
         <source>Thickness that is milled away over the whole part</source>
@@ -10942,12 +11102,28 @@ faces %</source>
         <translation>快速移动高出毛坯的高度</translation>
     </message>
     <message>
-        <source>Strip that holds the part</source>
-        <translation>固定零件的连接条</translation>
-    </message>
-    <message>
         <source>Of the contour, at the part&apos;s lower end along y; cut by hand</source>
         <translation>轮廓上、零件沿 y 的下端；手工切断</translation>
+    </message>
+    <message>
+        <source>Stepover</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, y</source>
+        <translation>毛坯超出零件，y</translation>
+    </message>
+    <message>
+        <source>Stock beyond the part, x</source>
+        <translation>毛坯超出零件，x</translation>
+    </message>
+    <message>
+        <source>Stock above and below</source>
+        <translation>上下毛坯余量</translation>
+    </message>
+    <message>
+        <source>Holding tab</source>
+        <translation>固定桥</translation>
     </message>
 </context>
 <context>
@@ -11029,6 +11205,41 @@ faces %</source>
     <message>
         <source>Key: %1</source>
         <translation>键：%1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBar</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>D&amp;iscard changes</source>
+        <translation>放弃更改(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>重命名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>删除(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation>比较(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>I&amp;mport…</source>
+        <translation>导入(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -11399,6 +11610,10 @@ faces %</source>
         <source>automatic</source>
         <translation>自动</translation>
     </message>
+    <message>
+        <source>pause, stop, colour change, filament change, insert, M600</source>
+        <translation>暂停, 停止, 换色, 换料, 嵌件, M600</translation>
+    </message>
 </context>
 <context>
     <name>SizesDialog</name>
@@ -11506,6 +11721,10 @@ faces %</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
     </message>
 </context>
 <context>
@@ -11878,6 +12097,172 @@ Click to choose another one</source>
         <source>The nozzle&apos;s tip, from the middle of the platform</source>
         <translation>喷嘴尖端，从平台中心算起</translation>
     </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>已打印</translation>
+    </message>
+    <message>
+        <source>About X, Y and Z of the platform, from the upright nozzle</source>
+        <translation>绕平台的 X、Y 和 Z，从喷嘴竖直起算</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::CutPanel</name>
+    <message>
+        <source>Cut</source>
+        <translation>切割</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>切割 %1</translation>
+    </message>
+    <message>
+        <source>Perpendicular to</source>
+        <translation>垂直于</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Distance from the lowest point of the part along the axis</source>
+        <translation>沿轴线到零件最低点的距离</translation>
+    </message>
+    <message>
+        <source>Tilt about %1</source>
+        <translation>绕 %1 倾斜</translation>
+    </message>
+    <message>
+        <source>Parallel to a face</source>
+        <translation>平行于某个面</translation>
+    </message>
+    <message>
+        <source>Then click the face; the plane goes through the clicked point</source>
+        <translation>然后点击该面；平面通过点击处</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>两半</translation>
+    </message>
+    <message>
+        <source>Lower half</source>
+        <translation>下半部分</translation>
+    </message>
+    <message>
+        <source>Upper half</source>
+        <translation>上半部分</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>接头</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Dowels</source>
+        <translation>圆销</translation>
+    </message>
+    <message>
+        <source>Pegs</source>
+        <translation>凸销</translation>
+    </message>
+    <message>
+        <source>Dovetail</source>
+        <translation>燕尾榫</translation>
+    </message>
+    <message>
+        <source>Dowels: loose pins in holes of both halves. Pegs: pins of the lower half. Dovetail: a tongue of the lower half in a groove.</source>
+        <translation>圆销：装入两半孔中的活动销。凸销：下半部分上的销。燕尾榫：下半部分的榫舌嵌入槽中。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Height of the tongue</source>
+        <translation>榫舌高度</translation>
+    </message>
+    <message>
+        <source>Of a pin in each half</source>
+        <translation>销在每一半中的深度</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>Gap on every side of a pin or of the tongue</source>
+        <translation>销或榫舌每一侧的间隙</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>Pins in each section, if there is room</source>
+        <translation>每个截面的销数（若有空间）</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>In which the dovetail slides, from the horizontal</source>
+        <translation>燕尾榫的滑动方向，从水平起算</translation>
+    </message>
+    <message>
+        <source>Lay halves on their cut face</source>
+        <translation>将两半以切面放平</translation>
+    </message>
+    <message>
+        <source>A half with pegs or a tongue keeps its orientation</source>
+        <translation>带凸销或榫舌的一半保持原方向</translation>
+    </message>
+    <message>
+        <source>Show apart</source>
+        <translation>分开显示</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::EffectCard</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Takes the remedy back, and shows the plan before it</source>
+        <translation>撤销该对策，并显示之前的规划</translation>
+    </message>
+    <message>
+        <source>Hide this</source>
+        <translation>隐藏</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::ExportPanel</name>
@@ -12215,6 +12600,49 @@ Click to choose another one</source>
     <message>
         <source>Choose a colour</source>
         <translation>选择颜色</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::JogPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Nozzle</source>
+        <translation>喷嘴</translation>
+    </message>
+    <message>
+        <source>The tip on the platform, and rotations about X, Y and Z (A, B, C) from the upright nozzle</source>
+        <translation>平台上的喷嘴尖端，以及从喷嘴竖直起绕 X、Y、Z 的旋转 (A, B, C)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Step of X, Y and Z</source>
+        <translation>X、Y 和 Z 的步长</translation>
+    </message>
+    <message>
+        <source>Step of A, B and C</source>
+        <translation>A、B 和 C 的步长</translation>
+    </message>
+    <message>
+        <source>Back to the plan</source>
+        <translation>返回规划</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>关节 %1</translation>
+    </message>
+    <message>
+        <source>%1 one step less</source>
+        <translation>%1 减一步</translation>
+    </message>
+    <message>
+        <source>%1 one step more</source>
+        <translation>%1 加一步</translation>
     </message>
 </context>
 <context>
@@ -12971,6 +13399,18 @@ about %6, estimated from size, walls and infill without supports</source>
         <source>r %1 mm</source>
         <translation>r %1 mm</translation>
     </message>
+    <message>
+        <source>, a pause before the last</source>
+        <translation>，最后一层前暂停</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>移除第 %1 层前的暂停</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
+        <translation>第 %1 层前暂停：机械臂回到原位并等待，以便更换材料或放入嵌件</translation>
+    </message>
 </context>
 <context>
     <name>voluta::timeline::TimelineBar</name>
@@ -13586,6 +14026,37 @@ about %6, estimated from size, walls and infill without supports</source>
     </message>
 </context>
 <context>
+    <name>voluta::window::ComparePresetsDialog</name>
+    <message>
+        <source>Compare presets</source>
+        <translation>比较预设</translation>
+    </message>
+    <message>
+        <source>First preset</source>
+        <translation>第一个预设</translation>
+    </message>
+    <message>
+        <source>Second preset</source>
+        <translation>第二个预设</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>不同的设置</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>没有差异。</translation>
+    </message>
+    <message>
+        <source>Settings that differ: %1</source>
+        <translation>不同的设置：%1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::CompareView</name>
     <message>
         <source>way of building</source>
@@ -13675,6 +14146,59 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>As many copies as the plate has room for</source>
         <translation>打印板能容纳的最多份数</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::CutTool</name>
+    <message>
+        <source>Calculating…</source>
+        <translation>正在计算…</translation>
+    </message>
+    <message>
+        <source>Lower half %1 cm³, upper half %2 cm³.</source>
+        <translation>下半部分 %1 cm³，上半部分 %2 cm³。</translation>
+    </message>
+    <message>
+        <source>Pins: %1.</source>
+        <translation>销：%1。</translation>
+    </message>
+    <message>
+        <source>Cutting…</source>
+        <translation>正在切割…</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切割</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>切割 %1</translation>
+    </message>
+    <message>
+        <source>dowel</source>
+        <translation>圆销</translation>
+    </message>
+    <message>
+        <source>Split to parts</source>
+        <translation>拆分为零件</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>拆分 %1</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 bodies.</source>
+        <translation>网格的实体超过 %1 个。</translation>
+    </message>
+    <message>
+        <source>The part is one body.</source>
+        <translation>该零件是单个实体。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n 个零件</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13769,6 +14293,61 @@ Tick the ways to compare at the right, then press Compare.</source>
     </message>
 </context>
 <context>
+    <name>voluta::window::FilmDialog</name>
+    <message>
+        <source>Film</source>
+        <translation>影片</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length of the film. The whole print is shown in it, with equal steps</source>
+        <translation>影片长度。以相等步长展示整个打印过程</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>等轴测</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>顶</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>长度(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>尺寸(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>保存影片</translation>
+    </message>
+    <message>
+        <source>Films (*.webm)</source>
+        <translation>影片 (*.webm)</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::FlowBar</name>
     <message>
         <source>nothing yet</source>
@@ -13811,6 +14390,29 @@ Tick the ways to compare at the right, then press Compare.</source>
     </message>
 </context>
 <context>
+    <name>voluta::window::Jogging</name>
+    <message>
+        <source>Collision: %1 and %2</source>
+        <translation>碰撞：%1 与 %2</translation>
+    </message>
+    <message>
+        <source>Free: more than %1 mm between bodies</source>
+        <translation>无碰撞：物体间距超过 %1 mm</translation>
+    </message>
+    <message>
+        <source>Free: %1 mm between the nearest bodies</source>
+        <translation>无碰撞：最近物体间距 %1 mm</translation>
+    </message>
+    <message>
+        <source>The arm does not reach that pose within its joint limits. It stays here.</source>
+        <translation>机械臂在关节限位内到不了该位姿。保持在此处。</translation>
+    </message>
+    <message>
+        <source>The printed part is not checked yet.</source>
+        <translation>尚未检查已打印的零件。</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::JoinedMachines</name>
     <message>
         <source>Machine %1</source>
@@ -13830,6 +14432,14 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>Pieces are always shown whole</source>
         <translation>分块始终完整显示</translation>
+    </message>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>下次规划会在第 %1 层前暂停。</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>下次规划不会在第 %1 层前暂停。</translation>
     </message>
 </context>
 <context>
@@ -14093,6 +14703,10 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>%1 parts</source>
         <translation>%1 个零件</translation>
+    </message>
+    <message>
+        <source>Saved the film %1</source>
+        <translation>已保存影片 %1</translation>
     </message>
 </context>
 <context>
@@ -14368,6 +14982,30 @@ Tick the ways to compare at the right, then press Compare.</source>
         <source>Hide beads of this kind</source>
         <translation>隐藏此类挤出线</translation>
     </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>unit of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>Repair the mesh</source>
+        <translation>修复网格</translation>
+    </message>
+    <message>
+        <source>repair the mesh</source>
+        <translation>修复网格</translation>
+    </message>
+    <message>
+        <source>mesh as read</source>
+        <translation>按读入的网格</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ObstacleImport</name>
@@ -14514,6 +15152,149 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>Edit cell</source>
         <translation>编辑工作单元</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetBar</name>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1（已更改）</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Save, compare, export or import presets</source>
+        <translation>保存、比较、导出或导入预设</translation>
+    </message>
+    <message>
+        <source>Preset menu</source>
+        <translation>预设菜单</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetEditor</name>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>JSON 文件 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>在此项目中</translation>
+    </message>
+    <message>
+        <source>With the program</source>
+        <translation>程序自带</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>您自己的</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1：%2，而非 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>另有 %n 项</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change preset</source>
+        <translation>切换预设</translation>
+    </message>
+    <message>
+        <source>Settings of the preset were changed. Take the changes to %1?</source>
+        <translation>预设的设置已更改。将更改带到 %1？</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>转移(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this preset</source>
+        <translation>保留此预设(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>预设 %1</translation>
+    </message>
+    <message>
+        <source>Save preset %1</source>
+        <translation>保存预设 %1</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1（自己的）</translation>
+    </message>
+    <message>
+        <source>Save preset as</source>
+        <translation>预设另存为</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>重命名预设</translation>
+    </message>
+    <message>
+        <source>Rename preset %1</source>
+        <translation>重命名预设 %1</translation>
+    </message>
+    <message>
+        <source>Delete preset</source>
+        <translation>删除预设</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1? The settings of this project stay.</source>
+        <translation>删除预设 %1？此项目的设置保持不变。</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>删除预设 %1</translation>
+    </message>
+    <message>
+        <source>Discard changes of the preset</source>
+        <translation>放弃对预设的更改</translation>
+    </message>
+    <message>
+        <source>Present settings</source>
+        <translation>当前设置</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>导出 %1</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>导入预设</translation>
+    </message>
+    <message>
+        <source>Replace your own preset %1?</source>
+        <translation>替换您自己的预设 %1？</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PresetNameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
     </message>
 </context>
 <context>
@@ -14778,6 +15559,61 @@ Tick the ways to compare at the right, then press Compare.</source>
     </message>
 </context>
 <context>
+    <name>voluta::window::RemedyEffect</name>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1：%2 → %3</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>未覆盖</translation>
+    </message>
+    <message>
+        <source>Printed in the air</source>
+        <translation>悬空打印</translation>
+    </message>
+    <message>
+        <source>Overfilled</source>
+        <translation>过填充</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Applied: %1</source>
+        <translation>已应用：%1</translation>
+    </message>
+    <message>
+        <source>It cannot be planned this way. Undo it, or try another remedy.</source>
+        <translation>这样无法规划。请撤销，或尝试其他对策。</translation>
+    </message>
+    <message>
+        <source>The figures follow when the plan is done.</source>
+        <translation>规划完成后显示数值。</translation>
+    </message>
+    <message>
+        <source>Plan to see its effect.</source>
+        <translation>规划后可查看效果。</translation>
+    </message>
+    <message>
+        <source>No longer found</source>
+        <translation>不再出现</translation>
+    </message>
+    <message>
+        <source>Unchanged: %1</source>
+        <translation>未变：%1</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>之前：%1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>之后：%1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::RunDialog</name>
     <message>
         <source>Path %1 mm over %2 mm</source>
@@ -15036,6 +15872,46 @@ Tick the ways to compare at the right, then press Compare.</source>
         <source>Keeps the nozzle in the middle of the view</source>
         <translation>让喷嘴保持在视图中央</translation>
     </message>
+    <message>
+        <source>Plan the motion before you jog the arm.</source>
+        <translation>请先规划运动，再点动机械臂。</translation>
+    </message>
+    <message>
+        <source>Kinds of beads, with statistics</source>
+        <translation>焊道种类与统计</translation>
+    </message>
+    <message>
+        <source>Colours the beads by kind, with time, share, length and mass of each</source>
+        <translation>按种类为焊道着色，并显示各自的时间、占比、长度和重量</translation>
+    </message>
+    <message>
+        <source>Jog the arm</source>
+        <translation>点动机械臂</translation>
+    </message>
+    <message>
+        <source>Moves the arm by hand, by joints or by the nozzle. The plan stays as it is</source>
+        <translation>手动移动机械臂，按关节或按喷嘴。规划保持不变</translation>
+    </message>
+    <message>
+        <source>Trace of the nozzle</source>
+        <translation>喷嘴轨迹</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Last %1 s</source>
+        <translation>最近 %1 s</translation>
+    </message>
+    <message>
+        <source>Whole print</source>
+        <translation>整个打印</translation>
+    </message>
+    <message>
+        <source>Solid where the nozzle prints, dashed where it travels</source>
+        <translation>打印处为实线，空程处为虚线</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SizesDialog</name>
@@ -15132,10 +16008,6 @@ Tick the ways to compare at the right, then press Compare.</source>
         <translation>移除</translation>
     </message>
     <message>
-        <source>Find order of work</source>
-        <translation>查找工作顺序</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
@@ -15208,16 +16080,20 @@ Tick the ways to compare at the right, then press Compare.</source>
         <translation>再移远 %1 mm</translation>
     </message>
     <message>
-        <source>Minimum distance of moving arms</source>
-        <translation>运动机械臂的最小距离</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
     <message>
         <source>Minimum distance %1 mm; collisions: %2</source>
         <translation>最小距离 %1 mm；碰撞：%2</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>时间表</translation>
+    </message>
+    <message>
+        <source>Minimum clearance between arms</source>
+        <translation>机械臂间最小间隙</translation>
     </message>
 </context>
 <context>
