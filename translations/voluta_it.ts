@@ -10853,10 +10853,6 @@ facce %</translation>
         <translation>Riempimento di ciò che deve essere pieno: media lungo la vista, per cordoni con bordi tondi</translation>
     </message>
     <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
-        <translation>Numeri di strati separati da virgole: prima di ciascuno il braccio va in posizione di riposo e attende che l&apos;operatore continui, per cambiare materiale o inserire un elemento.</translation>
-    </message>
-    <message>
         <source>Overhang
 mm²</source>
         <translation>Sbalzo
@@ -11030,6 +11026,14 @@ non stampati</translation>
             <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
             <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
+        <translation>Numeri di strati separati da virgole: prima di ciascuno il braccio va in posizione di riposo e attende che l&apos;operatore continui, per esempio per inserire un elemento. Non viene spurgato nulla.</translation>
+    </message>
+    <message>
+        <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
+        <translation>il filmato non può essere scritto: FFmpeg non ha un codificatore VP9</translation>
     </message>
 </context>
 <context>
@@ -11696,8 +11700,8 @@ non stampati</translation>
         <translation>automatico</translation>
     </message>
     <message>
-        <source>pause, stop, colour change, filament change, insert, M600</source>
-        <translation>pausa, stop, cambio colore, cambio filamento, inserto, M600</translation>
+        <source>pause, stop, colour change, insert, M600</source>
+        <translation>pausa, stop, cambio colore, inserto, M600</translation>
     </message>
 </context>
 <context>
@@ -13494,8 +13498,8 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <translation>Rimuovi la pausa prima dello strato %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
-        <translation>Pausa prima dello strato %1: il braccio va in posizione di riposo e attende, per cambiare materiale o inserire un elemento</translation>
+        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
+        <translation>Pausa prima dello strato %1: il braccio va in posizione di riposo e attende, per esempio per inserire un elemento</translation>
     </message>
 </context>
 <context>

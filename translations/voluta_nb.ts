@@ -10853,10 +10853,6 @@ flater %</translation>
         <translation>Fylling av det som skal være massivt: middel langs synsretningen, for strenger med runde kanter</translation>
     </message>
     <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
-        <translation>Lagnumre atskilt med komma: før hvert av dem går armen til hvilestilling og venter til operatøren fortsetter, for å bytte materiale eller legge inn en innsats.</translation>
-    </message>
-    <message>
         <source>Overhang
 mm²</source>
         <translation>Overheng
@@ -11030,6 +11026,14 @@ uten utskrift</translation>
             <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
             <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
+        <translation>Lagnumre atskilt med komma: før hvert av dem går armen til hvilestilling og venter til operatøren fortsetter, for eksempel for å legge inn en innsats. Ingenting spyles ut.</translation>
+    </message>
+    <message>
+        <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
+        <translation>filmen kan ikke skrives: FFmpeg har ingen koder for VP9</translation>
     </message>
 </context>
 <context>
@@ -11696,8 +11700,8 @@ uten utskrift</translation>
         <translation>automatisk</translation>
     </message>
     <message>
-        <source>pause, stop, colour change, filament change, insert, M600</source>
-        <translation>pause, stopp, fargebytte, filamentbytte, innsats, M600</translation>
+        <source>pause, stop, colour change, insert, M600</source>
+        <translation>pause, stopp, fargebytte, innsats, M600</translation>
     </message>
 </context>
 <context>
@@ -13494,8 +13498,8 @@ ca. %6, anslått ut fra størrelse, vegger og fyll uten støtter</translation>
         <translation>Fjern pausen før lag %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
-        <translation>Pause før lag %1: armen går til hvilestilling og venter, for å bytte materiale eller legge inn en innsats</translation>
+        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
+        <translation>Pause før lag %1: armen går til hvilestilling og venter, for eksempel for å legge inn en innsats</translation>
     </message>
 </context>
 <context>

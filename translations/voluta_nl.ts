@@ -10853,10 +10853,6 @@ vlakken %</translation>
         <translation>Vulling van wat massief moet zijn: gemiddelde langs de kijkrichting, voor rupsen met ronde randen</translation>
     </message>
     <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
-        <translation>Nummers van lagen, gescheiden door komma&apos;s: vóór elk daarvan gaat de arm naar de rustpositie en wacht tot de operator verdergaat, om materiaal te wisselen of een inzetstuk te plaatsen.</translation>
-    </message>
-    <message>
         <source>Overhang
 mm²</source>
         <translation>Overhang
@@ -11030,6 +11026,14 @@ voxels</translation>
             <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
             <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
+        <translation>Nummers van lagen, gescheiden door komma&apos;s: vóór elk daarvan gaat de arm naar de rustpositie en wacht tot de operator verdergaat, bijvoorbeeld om een inzetstuk te plaatsen. Er wordt niets gespoeld.</translation>
+    </message>
+    <message>
+        <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
+        <translation>de film kan niet worden geschreven: FFmpeg heeft geen encoder voor VP9</translation>
     </message>
 </context>
 <context>
@@ -11696,8 +11700,8 @@ voxels</translation>
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>pause, stop, colour change, filament change, insert, M600</source>
-        <translation>pauze, stop, kleurwissel, filamentwissel, inzetstuk, M600</translation>
+        <source>pause, stop, colour change, insert, M600</source>
+        <translation>pauze, stop, kleurwissel, inzetstuk, M600</translation>
     </message>
 </context>
 <context>
@@ -13494,8 +13498,8 @@ ongeveer %6, geschat uit maat, wanden en vulling zonder ondersteuning</translati
         <translation>Verwijder de pauze vóór laag %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
-        <translation>Pauze vóór laag %1: de arm gaat naar de rustpositie en wacht, om materiaal te wisselen of een inzetstuk te plaatsen</translation>
+        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
+        <translation>Pauze vóór laag %1: de arm gaat naar de rustpositie en wacht, bijvoorbeeld om een inzetstuk te plaatsen</translation>
     </message>
 </context>
 <context>

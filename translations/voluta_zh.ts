@@ -10769,10 +10769,6 @@ faces %</source>
         <translation>应为实心部分的填充率：沿视线方向取平均，按圆边焊道计算</translation>
     </message>
     <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert.</source>
-        <translation>层号，用逗号分隔：在每个层之前机械臂回到原位并等待操作员继续，以便更换材料或放入嵌件。</translation>
-    </message>
-    <message>
         <source>Overhang
 mm²</source>
         <translation>悬垂
@@ -10945,6 +10941,14 @@ voxels</source>
         <translation>
             <numerusform>若用平面层，零件的 {share:.1f} 会悬空打印：{voxels} 个体素中的 {missed} 个</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
+        <translation>层号，用逗号分隔：在每个层之前机械臂回到原位并等待操作员继续，例如放入嵌件。不进行清料。</translation>
+    </message>
+    <message>
+        <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
+        <translation>无法写入影片：FFmpeg 没有 VP9 编码器</translation>
     </message>
 </context>
 <context>
@@ -11611,8 +11615,8 @@ voxels</source>
         <translation>自动</translation>
     </message>
     <message>
-        <source>pause, stop, colour change, filament change, insert, M600</source>
-        <translation>暂停, 停止, 换色, 换料, 嵌件, M600</translation>
+        <source>pause, stop, colour change, insert, M600</source>
+        <translation>暂停, 停止, 换色, 嵌件, M600</translation>
     </message>
 </context>
 <context>
@@ -13408,8 +13412,8 @@ about %6, estimated from size, walls and infill without supports</source>
         <translation>移除第 %1 层前的暂停</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, to change the material or to put in an insert</source>
-        <translation>第 %1 层前暂停：机械臂回到原位并等待，以便更换材料或放入嵌件</translation>
+        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
+        <translation>第 %1 层前暂停：机械臂回到原位并等待，例如放入嵌件</translation>
     </message>
 </context>
 <context>

@@ -78,7 +78,7 @@ base::ParameterTable motionParameters() {
            "Where the arm cannot print a whole path in one branch: whether the path is interrupted there, or the wrist changes over several points while printing, with the nozzle tilted within the tilt tolerance."_text),
        base::textParameter(
            kPauseLayers, "Motion"_text, "pauses before layers"_text,
-           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, to change the material or to put in an insert."_text),
+           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged."_text),
        base::numberParameter(
            kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),

@@ -113,7 +113,7 @@ TEST_F(TogetherTest, MachinesTooCloseHaveAReasonAndAPlace) {
   EXPECT_FALSE(dialog.machines().result());
   press("togetherFind");
   ASSERT_TRUE(isFound(dialog));
-  EXPECT_TRUE(figures().contains("further apart")) << figures().toStdString();
+  EXPECT_TRUE(figures().contains("move them apart")) << figures().toStdString();
   EXPECT_TRUE(figures().contains("Note: the plates of machine 1 (ur5-moving) and machine 2"))
       << figures().toStdString();
   EXPECT_FALSE(find<QPushButton>("togetherSave")->isEnabled());

@@ -241,7 +241,8 @@ void Document::replacePart(std::size_t item, const std::vector<Successor>& by,
   project::ItemChoices own = choices_.item(item);
   own.scale = "1";
   own.units = "mm";
-  for (const char* ofPlaces : {"cutPlanes", "pieceRoot"}) // on the mesh that is replaced
+  // By places on the mesh that is replaced, or directions of its file
+  for (const char* ofPlaces : {"cutPlanes", "layerPlanes", "loadDirection", "pieceRoot"})
     own.parameters.erase(ofPlaces);
   project::Choices choices = choices_;
   const auto parts = std::make_shared<Parts>();

@@ -67,7 +67,7 @@ constexpr Row kSynonyms[] = {
     Row{"wipeMm", QT_TRANSLATE_NOOP("SettingWords", "stringing, ooze, seam")},
     Row{"pauseLayers",
         QT_TRANSLATE_NOOP("SettingWords",
-                          "pause, stop, colour change, filament change, insert, M600")},
+                          "pause, stop, colour change, insert, M600")},
     Row{"nozzleRotation", QT_TRANSLATE_NOOP("SettingWords", "tool orientation, spin")},
     Row{"tiltToleranceDeg", QT_TRANSLATE_NOOP("SettingWords", "tool orientation, angle")},
     Row{"bodyClearanceMm", QT_TRANSLATE_NOOP("SettingWords", "collision, distance, safety, robot")},

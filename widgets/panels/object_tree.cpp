@@ -52,13 +52,10 @@ ObjectTree::ObjectTree(QWidget* parent) : QTreeWidget(parent) {
   // The shown name is that of the document again, whether it takes the new one or not.
   connect(itemDelegate(), &QAbstractItemDelegate::commitData, this, [this](QWidget* editor) {
     const auto* line = qobject_cast<QLineEdit*>(editor);
+    if (line)
+      emit renamed(line->text()); // at once: the part that is active may be another one later
     QMetaObject::invokeMethod(
-        this,
-        [this, name = line ? line->text() : QString()] {
-          emit renamed(name);
-          showEntry(SceneItem::Part);
-        },
-        Qt::QueuedConnection);
+        this, [this] { showEntry(SceneItem::Part); }, Qt::QueuedConnection);
   });
   connect(itemDelegate(), &QAbstractItemDelegate::closeEditor, this, [this] {
     QTreeWidgetItem* part = entry(SceneItem::Part).item;

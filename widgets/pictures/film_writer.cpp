@@ -44,6 +44,14 @@ struct FilmWriter::Impl {
   std::int64_t frames = 0;
   bool finished = false;
 
+  ~Impl() {
+    if (finished)
+      return;
+    container.reset();
+    std::error_code none;
+    std::filesystem::remove(staged, none);
+  }
+
   [[noreturn]] void fail() const {
     throw base::Error(base::ErrorCode::CannotWrite, "the film cannot be written"_text,
                       file.string(), "choose another folder, or check the space on the disk"_text);
@@ -55,7 +63,10 @@ struct FilmWriter::Impl {
 
   void open(int width, int height, int framesPerS) {
     const AVCodec* encoder = avcodec_find_encoder_by_name("libvpx-vp9");
-    check(encoder != nullptr);
+    if (!encoder)
+      throw base::Error(base::ErrorCode::CannotWrite,
+                        "the film cannot be written: FFmpeg has no encoder for VP9"_text,
+                        file.string());
     AVFormatContext* made = nullptr;
     check(avformat_alloc_output_context2(&made, nullptr, "webm", staged.c_str()) >= 0);
     container.reset(made);
@@ -93,7 +104,11 @@ struct FilmWriter::Impl {
   // Encodes a frame, or what is left if there is none, and writes what is ready.
   void encode(const AVFrame* next) {
     check(avcodec_send_frame(codec.get(), next) >= 0);
-    while (avcodec_receive_packet(codec.get(), packet.get()) >= 0) {
+    for (;;) {
+      const int answer = avcodec_receive_packet(codec.get(), packet.get());
+      if (answer == AVERROR(EAGAIN) || answer == AVERROR_EOF)
+        return;
+      check(answer >= 0);
       av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
       packet->stream_index = stream->index;
       check(av_interleaved_write_frame(container.get(), packet.get()) >= 0);
@@ -112,13 +127,7 @@ FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, int fr
   impl_->open(width, height, framesPerS);
 }
 
-FilmWriter::~FilmWriter() {
-  if (impl_->finished)
-    return;
-  impl_->container.reset();
-  std::error_code none;
-  std::filesystem::remove(impl_->staged, none);
-}
+FilmWriter::~FilmWriter() = default;
 
 void FilmWriter::add(const scene::Image& image) {
   Impl& film = *impl_;

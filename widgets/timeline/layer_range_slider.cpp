@@ -301,8 +301,8 @@ bool LayerRangeSlider::event(QEvent* event) {
       QToolTip::showText(help->globalPos(),
                          pausesAtUpper()
                              ? tr("Remove the pause before layer %1").arg(last_ + 1)
-                             : tr("Pause before layer %1: the arm goes home and waits, to change "
-                                  "the material or to put in an insert")
+                             : tr("Pause before layer %1: the arm goes home and waits, for "
+                                  "example to put in an insert")
                                    .arg(last_ + 1),
                          this);
       return true;

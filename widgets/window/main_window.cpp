@@ -438,7 +438,7 @@ void MainWindow::openPalette() {
 
 void MainWindow::openFilm() {
   auto* dialog = new FilmDialog(document_.presentResult(), document_.name(),
-                                appearance_ == Appearance::Dark, this);
+                                appearance_ != Appearance::Light, this);
   connect(dialog, &FilmDialog::saved, this,
           [this](const QString& file) { status_->showIdle(tr("Saved the film %1").arg(file)); });
   dialog->open();

@@ -199,10 +199,14 @@ CutTool::Mesh CutTool::placedPart() const {
   return placed && work_.document.upToDate(Stage::Load) ? placed->job.item().part : nullptr;
 }
 
-// The paths of a file would not be those of the halves.
+// The paths of a file would not be those of the halves. A part on a body or around a rod has its
+// place by the coordinates of its file, which the halves do not keep.
 bool CutTool::canCut() const {
   const auto source = work_.document.source();
-  return page_.isShown() && source && !source->toolPaths;
+  const std::string& mode = work_.document.choices().item().mode;
+  const bool isPlacedByFile =
+      work_.document.choices().item().platform.isBody() || mode == "substrate" || mode == "lathe";
+  return page_.isShown() && source && !source->toolPaths && !isPlacedByFile;
 }
 
 QString CutTool::partName() const {
@@ -245,6 +249,7 @@ void CutTool::changeTool(Tool tool) {
   panel_->setPickingFace(false);
   open_ = dragging_ = again_ = false;
   drawing_.cancel();
+  making_.cancel();
   part_ = nullptr;
   source_ = nullptr;
   halves_ = nullptr;
@@ -445,7 +450,7 @@ void CutTool::cut() {
   if (!part_ || !work_.document.sourceReady())
     return;
   panel_->setState(tr("Cutting…"), false, false);
-  makeParts(tr("Cut"), tr("Cut %1").arg(partName()),
+  makeParts(tr("Cut"), tr("Cut %1").arg(partName()), false,
             [part = part_, plane = plane(), choices = panel_->choices(),
              name = work_.document.source()->name, dowel = tr("dowel"),
              repair = work_.document.choices().item().repair](const base::RunContext& ctx) {
@@ -457,7 +462,7 @@ void CutTool::split() {
   const Mesh part = placedPart();
   if (!part)
     return;
-  makeParts(tr("Split to parts"), tr("Split %1").arg(partName()),
+  makeParts(tr("Split to parts"), tr("Split %1").arg(partName()), true,
             [part, name = work_.document.source()->name,
              repair = work_.document.choices().item().repair](const base::RunContext& ctx) {
               std::vector<Document::Successor> parts;
@@ -473,7 +478,7 @@ void CutTool::split() {
 }
 
 void CutTool::makeParts(
-    const QString& title, const QString& editName,
+    const QString& title, const QString& editName, bool isSplit,
     std::function<std::vector<Document::Successor>(const base::RunContext&)> work) {
   using Made = std::vector<Document::Successor>;
   const std::uint64_t revision = work_.document.revision();
@@ -481,7 +486,7 @@ void CutTool::makeParts(
   work_.shell.say(title + QStringLiteral("…"));
   making_.run(
       std::move(work),
-      [this, title, editName, revision, item](const base::Outcome<Made>& outcome) {
+      [this, title, editName, isSplit, revision, item](const base::Outcome<Made>& outcome) {
         work_.shell.say({});
         const auto* made = std::get_if<Made>(&outcome);
         if (const auto* error = std::get_if<base::Error>(&outcome)) {
@@ -489,21 +494,26 @@ void CutTool::makeParts(
           preview();
           return;
         }
-        if (!made || work_.document.revision() != revision) // edited meanwhile
+        if (!made || work_.document.revision() != revision) { // edited meanwhile
+          preview();
           return;
+        }
         if (made->empty()) {
           work_.shell.showMessage(title, tr("The mesh has more than %1 bodies.").arg(kMaxBodies));
           return;
         }
-        if (made->size() == 1 && !open_) {
+        if (isSplit && made->size() == 1) {
           work_.shell.showMessage(title, tr("The part is one body."));
           return;
         }
+        // Closes the tool, which cancels a run that is not over yet.
+        const Made parts = *made;
+        const QString name = editName;
         if (open_)
           work_.viewport.setTool(Tool::None);
         work_.planning.cancel();
-        work_.document.replacePart(item, *made, editName);
-        work_.shell.say(tr("%n parts", nullptr, static_cast<int>(made->size())));
+        work_.document.replacePart(item, parts, name);
+        work_.shell.say(tr("%n parts", nullptr, static_cast<int>(parts.size())));
       },
       1);
 }

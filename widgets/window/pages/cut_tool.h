@@ -58,7 +58,7 @@ private:
   void cut();
   void split();
   void makeParts(
-      const QString& title, const QString& editName,
+      const QString& title, const QString& editName, bool isSplit,
       std::function<std::vector<document::Document::Successor>(const base::RunContext&)> work);
   bool canCut() const;
   QString partName() const;

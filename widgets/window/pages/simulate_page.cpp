@@ -148,6 +148,9 @@ void SimulatePage::jog(bool on) {
 
 void SimulatePage::left() {
   jogging_->end();
+  tracing_->cancel();
+  traced_.reset();
+  tracedClock_ = nullptr;
   work().viewport.scene().setTrace({});
 }
 
@@ -160,7 +163,9 @@ void SimulatePage::prepareTrace() {
   tracing_->cancel();
   traced_.reset();
   tracedClock_ = nullptr;
-  if (!clock || clock->empty() || !motion || !motion->cell)
+  // Between two plans the clock may be that of the one before.
+  if (!clock || clock->empty() || !motion || !motion->cell ||
+      motion->job.trajectory != clock->trajectory())
     return;
   tracedClock_ = clock;
   inBackground(
