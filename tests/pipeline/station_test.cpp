@@ -158,7 +158,7 @@ TEST(Together, MachinesInOnePlaceHaveAReason) {
   EXPECT_FALSE(passed(result));
   const plan::Finding* refusal = firstBlocking(result.findings);
   ASSERT_TRUE(refusal);
-  EXPECT_NE(plan::englishRemedy(*refusal).find("move them apart"), std::string::npos);
+  EXPECT_NE(plan::englishRemedy(*refusal).find("further apart"), std::string::npos);
   EXPECT_TRUE(refusal->where);
   const std::string note = "the plates of machine 1 (ur5-moving) and machine 2 (ur5-moving) "
                            "overlap by 200.0 mm (40000 mm2)";
