@@ -11035,6 +11035,14 @@ non stampati</translation>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>il filmato non può essere scritto: FFmpeg non ha un codificatore VP9</translation>
     </message>
+    <message>
+        <source>correct `pauseLayers`; layers are counted through the whole print</source>
+        <translation>correggi `pauseLayers`; gli strati si contano lungo tutta la stampa</translation>
+    </message>
+    <message>
+        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
+        <translation>nessuna pausa prima dello strato {layer}: la stampa finisce con lo strato {layers}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

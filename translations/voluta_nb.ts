@@ -11035,6 +11035,14 @@ uten utskrift</translation>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>filmen kan ikke skrives: FFmpeg har ingen koder for VP9</translation>
     </message>
+    <message>
+        <source>correct `pauseLayers`; layers are counted through the whole print</source>
+        <translation>rett `pauseLayers`; lagene telles gjennom hele utskriften</translation>
+    </message>
+    <message>
+        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
+        <translation>ingen pause før lag {layer}: utskriften slutter med lag {layers}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -11035,6 +11035,14 @@ voxels</translation>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>de film kan niet worden geschreven: FFmpeg heeft geen encoder voor VP9</translation>
     </message>
+    <message>
+        <source>correct `pauseLayers`; layers are counted through the whole print</source>
+        <translation>corrigeer `pauseLayers`; lagen worden door de hele print geteld</translation>
+    </message>
+    <message>
+        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
+        <translation>geen pauze vóór laag {layer}: de print eindigt met laag {layers}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -10950,6 +10950,14 @@ voxels</source>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>无法写入影片：FFmpeg 没有 VP9 编码器</translation>
     </message>
+    <message>
+        <source>correct `pauseLayers`; layers are counted through the whole print</source>
+        <translation>更正 `pauseLayers`；层号在整个打印中连续计数</translation>
+    </message>
+    <message>
+        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
+        <translation>第 {layer} 层前没有暂停：打印到第 {layers} 层为止</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -45,7 +45,8 @@ constexpr Figure kFigures[] = {{"Material", "materialMm3", 1e-3, "cm³", 2, true
 constexpr Figure kTime{"Time", "durationS", 1.0, "", 0, true};
 
 bool passed(const Json& row) {
-  return row.at("exitCode") == kDone;
+  return row.at("exitCode") == kDone &&
+         row.at("verdict") == pipeline::verdictId(pipeline::PlanVerdict::Passed);
 }
 
 struct Outcome {
@@ -57,6 +58,8 @@ Outcome outcomeOf(const Json& row) {
     return {"refused", "not planned"};
   if (passed(row))
     return {"passed", "passed"};
+  if (row.at("exitCode") == kDone)
+    return {"amber", "not verified"};
   if (row.at("exitCode") == kNotAll &&
       row.at("verdict") == pipeline::verdictId(pipeline::PlanVerdict::NotAsAsked))
     return {"amber", "safe to run, not as asked"};

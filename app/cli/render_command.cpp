@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "cli/run_interruptibly.h"
+#include "pictures/film_writer.h"
 #include "pictures/job_film.h"
 #include "pictures/job_picture.h"
 #include "pipeline/stage_options.h"
@@ -42,6 +43,14 @@ std::pair<int, int> sizeOf(const std::string& text) {
               "--size"_name, "give WIDTHxHEIGHT in pixels, such as 1280x800"_text);
 }
 
+// A slip of the keys must not replace the job, or a mesh.
+void requireEnding(const std::filesystem::path& file, const std::string& ending) {
+  if (file.extension() != ending)
+    throw Error(ErrorCode::Usage,
+                base::message("the file must have the ending {ending}"_text, ending),
+                file.string());
+}
+
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode renderCommand(const RenderOptions& options) {
   pictures::PictureOptions look = options.look;
@@ -69,6 +78,7 @@ struct FilmCommandOptions {
 
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode filmCommand(const FilmCommandOptions& options) {
+  requireEnding(options.film, ".webm");
   pictures::FilmOptions film = options.how;
   std::tie(film.look.width, film.look.height) = sizeOf(options.size);
   film.look.where = options.job.string();
@@ -80,7 +90,12 @@ ExitCode filmCommand(const FilmCommandOptions& options) {
         return true;
       },
       1, {}, [] {}));
-  return done ? kDone : kCancelled;
+  if (done)
+    return kDone;
+  // The thread that draws may not have ended.
+  std::error_code none;
+  std::filesystem::remove(pictures::stagedFilm(options.film), none);
+  return kCancelled;
 }
 
 } // namespace

@@ -157,6 +157,10 @@ TEST(BatchTable, IsAPageThatMarksTheBestJobs) {
   EXPECT_THAT(page, HasSubstr("<td class=\"number\">5 s</td>"));
   EXPECT_THAT(page, HasSubstr("safe to run, not as asked"));
   EXPECT_THAT(page, HasSubstr("<a href=\"jobs/a-slow\">"));
+  folder.write("out/jobs/a-fast/report.json", R"({"verdict": "notReplayed"})");
+  ASSERT_EQ(folder.batch("--table -o out").code, 0);
+  EXPECT_THAT(folder.read("out/compare.html"), HasSubstr("1 of 3 jobs passed"));
+  EXPECT_THAT(folder.read("out/compare.html"), HasSubstr("not verified"));
 }
 
 } // namespace

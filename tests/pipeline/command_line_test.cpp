@@ -41,6 +41,7 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   expectOneLine(run({"plan", part, "-o", out, "--scale", "huge"}), 2, {"scale"});
   expectOneLine(run({"plan", part, "-o", out, "--until", "motin"}), 2, {"motion"});
   expectOneLine(run({"plan", part}), 2, {"-o"});
+  expectOneLine(run({"film", part, "-o", part}), 2, {".webm"});
   expectOneLine(run({"plam"}), 2, {});
   expectOneLine(run({"list", "robot"}), 2, {"robots"});
   expectOneLine(run({"robot", "urr5", "--fk", "0,0,0,0,0,0"}), 2, {"ur5"});

@@ -116,13 +116,18 @@ struct FilmWriter::Impl {
   }
 };
 
+std::filesystem::path stagedFilm(const std::filesystem::path& film) {
+  std::filesystem::path staged = film;
+  staged += ".part";
+  return staged;
+}
+
 FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, int framesPerS)
     : impl_(std::make_unique<Impl>()) {
   base::require(width > 0 && height > 0 && width % 2 == 0 && height % 2 == 0 && framesPerS >= 1,
                 "a film of even size");
   av_log_set_level(AV_LOG_QUIET);
-  impl_->staged = file;
-  impl_->staged += ".part";
+  impl_->staged = stagedFilm(file);
   impl_->file = std::move(file);
   impl_->open(width, height, framesPerS);
 }

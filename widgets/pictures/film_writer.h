@@ -8,6 +8,9 @@
 
 namespace voluta::pictures {
 
+// Returns the name of a film while it is written.
+std::filesystem::path stagedFilm(const std::filesystem::path& film);
+
 // The file is there once finish() has returned; until then it has another name, and is removed if
 // finish() is not called.
 class FilmWriter {
