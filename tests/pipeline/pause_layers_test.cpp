@@ -3,6 +3,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/plan_result.h"
 #include "pipeline/plan_verdict.h"
+#include "plan/trajectory.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
