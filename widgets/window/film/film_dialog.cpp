@@ -33,7 +33,7 @@ FilmDialog::FilmDialog(std::shared_ptr<const pipeline::PlanResult> plan, const Q
   length_->setToolTip(tr("Length of the film. The whole print is shown in it, with equal steps"));
   size_->setObjectName("filmSize");
   for (const QSize& size : {QSize(1280, 720), QSize(1920, 1080), QSize(640, 360)})
-    size_->addItem(QString("%1 × %2").arg(size.width()).arg(size.height()), size);
+    size_->addItem(QString("%1 × %2 px").arg(size.width()).arg(size.height()), size);
   view_->setObjectName("filmView");
   view_->addItem(tr("Isometric"), "isometric");
   view_->addItem(tr("Front"), "front");
