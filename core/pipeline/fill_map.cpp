@@ -4,6 +4,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "plan/tool_plan.h"
+#include "replay/item_finder.h"
 #include "voxel/column_parity.h"
 
 #include <algorithm>
@@ -16,35 +17,31 @@ namespace voluta::pipeline {
 namespace {
 
 // Returns the intended share of each cube that contains some of the part, and 1 of the others.
-// `partMm3`: of the part per cube.
+// `cells`: those of the part per cube; `cellMm3`: the volume of one.
 std::vector<double> intendedShares(const geometry::TriangleMesh& part,
                                    std::span<const std::size_t> firstTriangle,
                                    const plan::ToolPlan& plan, const voxel::VoxelGrid& cubes,
-                                   const std::vector<double>& partMm3) {
+                                   const std::vector<double>& cells, double cellMm3) {
   std::vector<double> shares(cubes.cellCount(), 1.0);
   if (std::ranges::all_of(plan.fill, &plan::FillIntent::isSolid))
     return shares;
   const geometry::MeshQuery query(part);
-  const auto itemOf = [&](int triangle) {
-    const auto after = std::ranges::upper_bound(firstTriangle, static_cast<std::size_t>(triangle));
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - firstTriangle.begin() - 1));
-  };
+  const replay::ItemFinder items(part, query, firstTriangle, 0.0);
   std::map<std::size_t, std::vector<std::size_t>> sparse; // cubes by item
   std::map<std::size_t, double> volumeMm3;
   for (std::size_t c = 0; c < shares.size(); ++c) {
-    if (partMm3[c] <= 0.0)
+    if (cells[c] <= 0.0)
       continue;
     const Eigen::Vector3i cell = cubes.cell(c);
-    const geometry::MeshQuery::Closest nearest =
-        query.closest(cubes.centre(cell.x(), cell.y(), cell.z()));
-    const std::size_t item = itemOf(nearest.triangle);
-    if (nearest.distance > plan.fillOf(item).shellMm) {
+    const Eigen::Vector3d centre = cubes.centre(cell.x(), cell.y(), cell.z());
+    const std::size_t item = items.at(centre);
+    if (query.closest(centre).distance > plan.fillOf(item).shellMm) {
       sparse[item].push_back(c);
-      volumeMm3[item] += partMm3[c];
+      volumeMm3[item] += cellMm3 * cells[c];
     }
   }
-  for (const auto& [item, cells] : sparse)
-    for (const std::size_t c : cells)
+  for (const auto& [item, inside] : sparse)
+    for (const std::size_t c : inside)
       shares[c] = std::max(0.0, 1.0 - plan.fillOf(item).openMm3 / volumeMm3[item]);
   return shares;
 }
@@ -88,11 +85,7 @@ FillMap fillMap(const geometry::TriangleMesh& part, std::span<const std::size_t>
             collision::GrowingPart::kNeverFilled)
       filled[cube] += 1.0;
   }
-  const double cellMm3 = std::pow(grid.pitch, 3);
-  std::vector<double> partMm3(there);
-  for (double& volume : partMm3)
-    volume *= cellMm3;
-  map.intended = intendedShares(part, firstTriangle, plan, cubes, partMm3);
+  map.intended = intendedShares(part, firstTriangle, plan, cubes, there, std::pow(grid.pitch, 3));
   for (std::size_t c = 0; c < there.size(); ++c)
     map.filled.push_back(there[c] > 0.0 ? filled[c] / there[c] : -1.0);
   return map;

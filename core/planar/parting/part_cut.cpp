@@ -27,12 +27,12 @@ using Eigen::Vector3d;
 using geometry::BooleanOperation;
 using geometry::TriangleMesh;
 
-constexpr int kSides = 48;               // of a pin
-constexpr double kWallShare = 0.3;       // of a pin's diameter
-constexpr double kMinWallMm = 1.2;       // around holes
-constexpr double kChamferShare = 0.1;    // of a pin's diameter, at its ends
-constexpr double kFlankRad = 0.26179939; // 15 degrees, of a dovetail
-constexpr double kLostShare = 1e-6;      // of the volume, by rounding
+constexpr int kSides = 48;                   // of a pin
+constexpr double kWallShare = 0.3;           // of a pin's diameter
+constexpr double kMinWallMm = 1.2;           // around holes
+constexpr double kChamferShare = 0.1;        // of a pin's diameter, at its ends
+constexpr double kFlankRad = base::kPi / 12; // of a dovetail
+constexpr double kLostShare = 1e-6;          // of the volume, by rounding
 
 double wallMm(const Joint& joint) {
   return std::max(kMinWallMm, kWallShare * joint.sizeMm);
