@@ -1,6 +1,6 @@
 // Cutting, splitting and renaming parts in the window.
 #include "geometry/measures.h"
-#include "gui/window_fixture.h"
+#include "gui/part_view_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/cut_panel.h"
 #include "panels/object_tree.h"
@@ -27,22 +27,8 @@ namespace {
 
 using project::Stage;
 
-class CutWindowTest : public WindowTest {
+class CutWindowTest : public PartViewTest {
 protected:
-  void openFlat(const QString& file) {
-    openPart(file);
-    chooseFlat("rect:200x200");
-    ASSERT_TRUE(settled());
-    viewport().framePart();
-    picture();
-  }
-  bool settled() {
-    return waitFor([&] {
-      return document().sourceReady() && !window().planning().running() &&
-             document().upToDate(Stage::Load) && !window().presenter().busy();
-    });
-  }
-  viewer::Viewport& viewport() { return window().viewport(); }
   QWidget* panel() { return find<QWidget>("cutPanel"); }
   QString state() { return find<QLabel>("cutState")->text(); }
   QPushButton* apply() { return find<QPushButton>("cutApply"); }

@@ -1,5 +1,5 @@
 // Measuring in the view by clicks: corners, faces and edges of a block and of a disc.
-#include "gui/window_fixture.h"
+#include "gui/part_view_fixture.h"
 #include "helpers/shapes.h"
 #include "viewer/camera_control.h"
 #include "window/view_tools.h"
@@ -13,24 +13,8 @@
 namespace voluta::test {
 namespace {
 
-using project::Stage;
-
-class MeasureTest : public WindowTest {
+class MeasureTest : public PartViewTest {
 protected:
-  void openFlat(const QString& file) {
-    openPart(file);
-    chooseFlat("rect:200x200");
-    ASSERT_TRUE(settled());
-    viewport().framePart();
-    picture();
-  }
-  bool settled() {
-    return waitFor([&] {
-      return document().sourceReady() && !window().planning().running() &&
-             document().upToDate(Stage::Load) && !window().presenter().busy();
-    });
-  }
-  viewer::Viewport& viewport() { return window().viewport(); }
   QLabel* card() { return find<QLabel>("measureCard"); }
   // Clicks a place of the part in its place on the plate.
   void click(const Eigen::Vector3d& place) {

@@ -19,7 +19,6 @@ void writeFilm(const project::Job& job, const FilmOptions& options,
         base::message("give {least} to {most}"_text, base::seconds(kFilmLengthMinS),
                       base::seconds(kFilmLengthMaxS)));
   PictureOptions look = options.look;
-  look.show = "robot";
   look.layer.reset();
   look.timeS.reset();
   look.width -= look.width % 2;

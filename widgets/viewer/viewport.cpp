@@ -286,7 +286,7 @@ std::optional<scene::Hit> Viewport::hitAt(const QPointF& place) const {
   return scene_.pick(static_cast<int>(display.x()), static_cast<int>(display.y()));
 }
 
-// Measured are corners and edges too, of which one half of the places around is beside the part.
+// The user measures corners and edges too. Half of the places around an edge lie beside the part.
 std::optional<scene::Hit> Viewport::clickedAt(const QPointF& place) const {
   const std::optional<scene::Hit> hit = hitAt(place);
   const auto isPart = [](const std::optional<scene::Hit>& h) {

@@ -351,10 +351,9 @@ void ProjectFiles::noteOpened(const QString& path, bool project) {
 
 void ProjectFiles::newProject() {
   afterSaved([this] {
-    planning_.cancel();
+    planning_.startAfresh();
     opening_.cancel();
     document_.clear();
-    planning_.startAfresh();
     emit said({}); // Clear the message of the last run
     emit cleared();
   });

@@ -39,10 +39,6 @@ FilmDialog::FilmDialog(std::shared_ptr<const pipeline::PlanResult> plan, const Q
   view_->addItem(tr("Front"), "front");
   view_->addItem(tr("Right"), "right");
   view_->addItem(tr("Top"), "top");
-  for (const auto& [field, label] : {std::pair<QWidget*, QString>(length_, tr("&Length")),
-                                     {size_, tr("Si&ze")},
-                                     {view_, tr("&View")}})
-    field->setAccessibleName(QString(label).remove('&'));
   auto* form = new QFormLayout;
   form->addRow(tr("&Length"), length_);
   form->addRow(tr("Si&ze"), size_);

@@ -7,6 +7,7 @@
 #include "geometry/placement.h"
 #include "language/translated.h"
 #include "language/words.h"
+#include "pipeline/part_ways.h"
 #include "planar/pieces.h"
 #include "planar/plane_cut.h"
 #include "project/loaded_part.h"
@@ -199,13 +200,12 @@ CutTool::Mesh CutTool::placedPart() const {
   return placed && work_.document.upToDate(Stage::Load) ? placed->job.item().part : nullptr;
 }
 
-// The paths of a file would not be those of the halves. A part on a body or around a rod has its
-// place by the coordinates of its file, which the halves do not keep.
+// The paths of a file would not be those of the halves. A part that a mode or a body places has
+// its place by the coordinates of its file, which the halves do not keep.
 bool CutTool::canCut() const {
   const auto source = work_.document.source();
-  const std::string& mode = work_.document.choices().item().mode;
-  const bool isPlacedByFile =
-      work_.document.choices().item().platform.isBody() || mode == "substrate" || mode == "lathe";
+  const project::Choices& choices = work_.document.choices();
+  const bool isPlacedByFile = choices.item().platform.isBody() || !pipeline::standsFreely(choices);
   return page_.isShown() && source && !source->toolPaths && !isPlacedByFile;
 }
 
@@ -506,14 +506,11 @@ void CutTool::makeParts(
           work_.shell.showMessage(title, tr("The part is one body."));
           return;
         }
-        // Closes the tool, which cancels a run that is not over yet.
-        const Made parts = *made;
-        const QString name = editName;
         if (open_)
           work_.viewport.setTool(Tool::None);
         work_.planning.cancel();
-        work_.document.replacePart(item, parts, name);
-        work_.shell.say(tr("%n parts", nullptr, static_cast<int>(parts.size())));
+        work_.document.replacePart(item, *made, editName);
+        work_.shell.say(tr("%n parts", nullptr, static_cast<int>(made->size())));
       },
       1);
 }
