@@ -5,8 +5,8 @@
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
-#include "cli/joined_values.h"
 #include "cli/cut_command.h"
+#include "cli/joined_values.h"
 #include "cli/mill_command.h"
 #include "cli/option_texts.h"
 #include "cli/own_data_options.h"
@@ -133,6 +133,12 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
       ->allow_extra_args(false);
   command
       .add_option("--part", options.own, "NUMBER:KEY=VALUE: mode, scale or a parameter of one part")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--region", options.regions,
+          "[NUMBER:]SHAPE[;use=USE][;KEY=VALUE]...: a place in a part with settings or layers "
+          "of its own; see the manual, Regions")
       ->allow_extra_args(false);
   command
       .add_option_function<std::string>(

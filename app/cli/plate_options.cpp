@@ -7,6 +7,7 @@
 #include "pipeline/stage_options.h"
 #include "process/process.h"
 #include "project/cad_parts.h"
+#include "regions/region_text.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -72,6 +73,20 @@ void setOwn(pipeline::PlanRequest& request, std::size_t number, const std::strin
     for (const base::Message& note : pipeline::setItemParameters(item, {rest}))
       fmt::print(stderr, "note: {}\n", base::english(note));
   }
+}
+
+// Adds a region to the part of that number, or to every part. No shape begins with a digit.
+void addRegion(pipeline::PlanRequest& request, const std::string& text,
+               const base::RunContext& ctx) {
+  if (!text.empty() && text.front() >= '0' && text.front() <= '9') {
+    const auto [number, rest] =
+        numbered("--region", text, "NUMBER:SHAPE", request.choices.items.size());
+    request.choices.item(number).regions.push_back(regions::parsedRegion(rest, ctx));
+    return;
+  }
+  const project::Region region = regions::parsedRegion(text, ctx);
+  for (project::ItemChoices& item : request.choices.items)
+    item.regions.push_back(region);
 }
 
 // Prints a note if parts of a file touch: the plan refuses parts that overlap.
@@ -147,6 +162,8 @@ pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOption
     const auto [number, rest] = numbered("--part", text, "NUMBER:KEY=VALUE", count);
     setOwn(request, number, text, rest);
   }
+  for (const std::string& text : options.regions)
+    addRegion(request, text, ctx);
   for (const std::string& text : options.places) {
     const auto [number, rest] = numbered("--place", text, "NUMBER:X,Y,TURN,Z", count);
     place(request.choices.item(number), text, rest);

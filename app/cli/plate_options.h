@@ -13,12 +13,13 @@ class RunContext;
 namespace voluta::cli {
 
 struct PlateOptions {
-  std::vector<std::string> parts;  // mesh files, or sample:NAME
-  int copies = 1;                  // of each part
-  bool asOne = false;              // a file of several parts is one part
-  std::string facets;              // of CAD files: "MM" or "MM,DEGREES"; empty: from the bead
-  std::vector<std::string> places; // "NUMBER:X,Y" or "NUMBER:X,Y,TURN" [mm, degrees]
-  std::vector<std::string> own;    // "NUMBER:KEY=VALUE": mode, scale or a parameter of one part
+  std::vector<std::string> parts;   // mesh files, or sample:NAME
+  int copies = 1;                   // of each part
+  bool asOne = false;               // a file of several parts is one part
+  std::string facets;               // of CAD files: "MM" or "MM,DEGREES"; empty: from the bead
+  std::vector<std::string> places;  // "NUMBER:X,Y" or "NUMBER:X,Y,TURN" [mm, degrees]
+  std::vector<std::string> own;     // "NUMBER:KEY=VALUE": mode, scale or a parameter of one part
+  std::vector<std::string> regions; // "[NUMBER:]" and a text of regions::kRegionForm
 };
 
 // Returns the request with an item for each copy of each part, numbered from 1 in this order, all

@@ -103,6 +103,11 @@ ParameterSpec ofItem(ParameterSpec spec) {
   return spec;
 }
 
+ParameterSpec ofRegion(ParameterSpec spec) {
+  spec.scope = ParameterScope::Region;
+  return spec;
+}
+
 ParameterSpec withFile(ParameterSpec spec, ParameterFile file) {
   require(spec.type == ParameterType::Text, "withFile: a text parameter");
   spec.file = std::move(file);
@@ -159,7 +164,8 @@ void ParameterTable::appendOfItems(const ParameterTable& other) {
   const std::size_t first = specs_.size();
   append(other);
   for (std::size_t i = first; i < specs_.size(); ++i)
-    specs_[i].scope = ParameterScope::Item;
+    if (specs_[i].scope == ParameterScope::Job)
+      specs_[i].scope = ParameterScope::Item;
 }
 
 ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text) {

@@ -23,8 +23,8 @@ struct Choice {
   Text label;
 };
 
-// Whether all items of a job share one value, or each item has its own.
-enum class ParameterScope { Job, Item };
+// Whether all items of a job share one value, each item has its own, or each region of an item too.
+enum class ParameterScope { Job, Item, Region };
 
 // The files that the value of a text parameter may name.
 struct ParameterFile {
@@ -68,6 +68,8 @@ ParameterSpec choiceParameter(std::string key, std::string defaultValue,
 
 // Returns the spec with a value for each item.
 ParameterSpec ofItem(ParameterSpec spec);
+// Returns the spec with a value for each item, and for each of its regions.
+ParameterSpec ofRegion(ParameterSpec spec);
 // Returns the spec of a text whose value may be the name of a file.
 ParameterSpec withFile(ParameterSpec spec, ParameterFile file);
 
@@ -98,7 +100,7 @@ public:
   const ParameterSpec* find(std::string_view key) const;
   // Appends another module's table. Throws Error{Internal} on a shared key.
   void append(const ParameterTable& other);
-  // As append(), with a value for each item.
+  // As append(), with a value for each item; parameters of regions stay so.
   void appendOfItems(const ParameterTable& other);
 
 private:

@@ -31,9 +31,10 @@ struct Patch {
   // Per vertex, 1 on a seam: a boundary inside the part where another patch continues. Empty: no
   // seams.
   std::vector<std::uint8_t> innerRim;
-  Chart chart{}; // empty if the mode provides none
-  int item = 0;  // index in the job's items
-  int tool = 0;  // index in the job's tooling
+  Chart chart{};  // empty if the mode provides none
+  int item = 0;   // index in the job's items
+  int region = 0; // 0: of the item itself; k: of its k-th region
+  int tool = 0;   // index in the job's tooling
 };
 
 // A cavity that the layers leave open, to be filled from its top in one shot.

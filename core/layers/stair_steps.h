@@ -4,6 +4,8 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
 
+#include <vector>
+
 namespace voluta::base {
 class RunContext;
 }
@@ -21,5 +23,9 @@ struct StepFigures {
 // supports have none. Throws Cancelled.
 StepFigures stepsOf(const LayerStack& stack, const geometry::TriangleMesh& part,
                     const base::RunContext& ctx);
+
+// Same, on some of the part's faces only. Precondition: `isMeant` has an entry per triangle.
+StepFigures stepsOn(const LayerStack& stack, const geometry::TriangleMesh& part,
+                    const std::vector<char>& isMeant, const base::RunContext& ctx);
 
 } // namespace voluta::layers

@@ -43,19 +43,19 @@ std::vector<int> ToolAssignment::used() const {
 
 base::ParameterTable toolParameters() {
   return base::ParameterTable({
-      base::integerParameter(
+      base::ofRegion(base::integerParameter(
           kTool, 1, 1, kMaxTool, "Tools"_text, "tool"_text,
           "Number of the tool that prints the part. The tips of all tools are in one "
           "place, that of the cell's nozzle."_text,
-          true),
+          true)),
       base::integerParameter(kSupportTool, 0, 0, kMaxTool, "Tools"_text, "support tool"_text,
                              "Number of the tool that prints supports; 0: that of the part."_text,
                              true),
-      base::integerParameter(
+      base::ofRegion(base::integerParameter(
           kInfillTool, 0, 0, kMaxTool, "Tools"_text, "infill tool"_text,
           "Number of the tool that fills the interior within walls and skins; 0: that of "
           "the part."_text,
-          true),
+          true)),
       base::textParameter(
           kPieceTools, "Tools"_text, "tools of the pieces"_text,
           "Mode planar: numbers of the tools that print the pieces, separated by commas. "

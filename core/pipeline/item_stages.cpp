@@ -90,6 +90,14 @@ std::shared_ptr<const modes::LoadStage> onPlate(const modes::LoadStage& placed) 
   return lowered;
 }
 
+// The tool-paths of a file are printed as they are.
+void requireNoRegions(const project::Choices& choices) {
+  if (!choices.item().regions.empty())
+    throw base::Error(
+        base::ErrorCode::Usage, "the tool-paths of a file have no regions"_text, {},
+        "remove the regions, or plan layers of the part (`givenToolPaths=false`)"_text);
+}
+
 void append(plan::Findings& to, const plan::Findings& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
@@ -112,8 +120,10 @@ ItemStages::ItemStages(const StageContext& context, const project::Choices& give
   item().loaded = loaded_;
   item().partName = loaded_->name;
   hasGivenPaths_ = takesGivenPaths(*loaded_, resolved_.values);
-  if (hasGivenPaths_)
+  if (hasGivenPaths_) {
     requireOwnSize(resolved_.choices);
+    requireNoRegions(resolved_.choices);
+  }
   keys_ = keysOf(*loaded_, resolved_);
 }
 
@@ -152,8 +162,10 @@ const ShapedPart& ItemStages::shaped() {
 ItemOutcome ItemStages::load() {
   const base::RunContext span = context_.span(Stage::Load);
   placed_ = context_.cachedOrMade<modes::LoadStage>(keyOf(Stage::Load), slot({}), [&] {
-    return shaped().ground ? loadStageOnGround(shaped(), resolved_, span)
-                           : loadStage(*shaped().part, resolved_, span);
+    if (shaped().ground)
+      return loadStageOnGround(shaped(), resolved_, span);
+    return withCutRegions(loadStage(*shaped().part, resolved_, span), *loaded_->mesh, resolved_,
+                          fileUnitMm(), span.quiet());
   });
   result_.item(index_).placed = placed_;
   item().scale = placed_->scale;
@@ -219,14 +231,24 @@ std::shared_ptr<const modes::PartVoxels> ItemStages::voxels(double voxelMm,
       [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
 }
 
+double ItemStages::fileUnitMm() const {
+  return unitMm(*loaded_, resolved_.choices);
+}
+
 ItemOutcome ItemStages::decompose() {
+  if (hasRegions(resolved_))
+    regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers), slot("regions"), [&] {
+      return regionStage(*placed_, *loaded_->mesh, resolved_, fileUnitMm(),
+                         context_.span(Stage::Decompose).quiet());
+    });
   decomposed_ =
       context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), slot({}), [&] {
         // Modes know no part above the plate; with given paths only the platform is used.
-        const auto placed = shaped().ground ? onPlate(*placed_) : placed_;
+        const auto placed = shaped().ground ? onPlate(*placed_) : withoutLayeredRegions();
         modes::DecomposeInput in{*placed, [&](double voxelMm, const base::RunContext& ctx) {
-                                   return shaped().ground ? modes::partVoxels(*placed, voxelMm, ctx)
-                                                          : voxels(voxelMm, ctx);
+                                   return placed != placed_
+                                              ? modes::partVoxels(*placed, voxelMm, ctx)
+                                              : voxels(voxelMm, ctx);
                                  }};
         if (context_.observers().onPreview)
           in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
@@ -249,6 +271,8 @@ ItemOutcome ItemStages::decompose() {
   report().decomposition = decomposed_->report;
   report().decomposition.mode = resolved_.choices.item().mode;
   plan::Findings findings = decomposed_->findings;
+  if (regions_)
+    append(findings, regions_->findings);
   // Here and not in the mode, so that its pieces are not searched again for other supports.
   if (supportsSlices())
     std::erase_if(findings, isOverhangOfSlices);
@@ -269,11 +293,16 @@ ItemOutcome ItemStages::layers() {
     if (hasGivenPaths_)
       return layersOfGiven(*loaded_->toolPaths);
     const base::RunContext span = context_.span(Stage::Layers);
-    const auto made =
-        mode_.layers(resolved_.modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95));
-    return withTools(withSteps(withWalledSupport(made, item().printed()), item().printed(),
-                               span.sub(0.95, 1.0).quiet()),
-                     resolved_.tools);
+    const geometry::TriangleMesh& printed = item().printed();
+    auto made = mode_.layers(resolved_.modeChoices(), *decomposed_,
+                             regions_ && !regions_->layered.empty() ? *regions_->rest : printed,
+                             span.sub(0.0, 0.9));
+    made = withTools(withWalledSupport(std::move(made), printed), resolved_.tools);
+    if (regions_)
+      made = withRegionLayers(std::move(made), *regions_, printed, resolved_, span.sub(0.9, 0.95));
+    made = withSteps(std::move(made), printed, span.sub(0.95, 1.0).quiet());
+    return regions_ ? dividedByRegions(std::move(made), *regions_, printed, resolved_, span.quiet())
+                    : made;
   });
   item().layers = stage->layers;
   report().layers = stage->report;
@@ -282,13 +311,21 @@ ItemOutcome ItemStages::layers() {
   return {stage->findings, stage->timings};
 }
 
+// Returns the placed part without the solids of regions that have layers of their own.
+std::shared_ptr<const modes::LoadStage> ItemStages::withoutLayeredRegions() const {
+  if (!regions_ || regions_->layered.empty())
+    return placed_;
+  auto rest = std::make_shared<modes::LoadStage>(*placed_);
+  rest->part = regions_->rest;
+  rest->voxels = nullptr;
+  return rest;
+}
+
 toolpath::ItemLayers ItemStages::forToolpaths() const {
-  toolpath::ToolpathOptions options = toolpathOptionsOf(resolved_.values, resolved_.process());
-  if (resolved_.tools.infill != resolved_.tools.part)
-    options.infillTool = resolved_.tools.infill;
+  toolpath::ItemLayers all{result_.job.item(index_).layers, coverRules(resolved_)};
   if (hasGivenPaths_)
-    options.spiral = false; // it is not covered
-  return {result_.job.item(index_).layers, std::move(options), resolved_.tooling};
+    all.options().spiral = false; // it is not covered
+  return all;
 }
 
 } // namespace voluta::pipeline

@@ -1,6 +1,7 @@
 // The stages of one item, Load to Layers, each taken from the cache or made.
 #pragma once
 
+#include "pipeline/item_regions.h"
 #include "pipeline/resolved.h"
 #include "pipeline/shaped_paths.h"
 #include "pipeline/stage_context.h"
@@ -68,6 +69,8 @@ private:
   std::vector<base::Message> allRepairs() const;
   bool supportsSlices() const;
   plan::Findings startFindings();
+  double fileUnitMm() const;
+  std::shared_ptr<const modes::LoadStage> withoutLayeredRegions() const;
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx);
 
   const StageContext& context_;
@@ -80,6 +83,7 @@ private:
   ShapedPart shaped_; // Made when first needed
   std::shared_ptr<const modes::LoadStage> placed_;
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
+  std::shared_ptr<const RegionStage> regions_; // null without regions
   bool hasGivenPaths_ = false;
   project::StageKeys keys_;
 };

@@ -8,6 +8,7 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_text.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/item_regions.h"
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
 #include "pipeline/quality.h"
@@ -128,6 +129,7 @@ std::string loadText(const project::LoadedPart& loaded, const Resolved& resolved
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.choices, in.values, in.process);
+  text += cutRegionsKey(resolved);
   const OrientationPlan orientationSearch = orientationPlan(in);
   text += keyOfOrientation(orientationSearch);
   if (const modes::Mode& mode = modes::findMode(c.item().mode); orientationSearch.cuts && mode.cuts)
@@ -208,13 +210,14 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
     keys[project::indexOf(stage)] = next(before, stage, own);
   };
   put(project::Stage::Load, loadText(loaded, resolved, cellKey));
-  put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
-  put(project::Stage::Layers, mode.layers.key(in) + tools);
+  put(project::Stage::Decompose,
+      base::keyText(mode.id) + mode.decompose.key(in) + layeredRegionsKey(resolved));
+  put(project::Stage::Layers, mode.layers.key(in) + tools + dividingRegionsKey(resolved));
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);
   paths.canTilt = canTilt(choices, cell);
   put(project::Stage::Toolpath, cellKey + toolpath::optionsKey(paths) + processKeys.bead +
-                                    processKeys.head + loadKey(values));
+                                    processKeys.head + loadKey(values) + regionRulesKey(resolved));
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
   // Includes the program options of each format.
@@ -257,7 +260,7 @@ std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadSt
   return base::keyText(loaded.hash, isMended(loaded, in.choices),
                        placed.scale * unitMm(loaded, in.choices), at.rotation.coeffs(), at.centreMm,
                        at.liftMm) +
-         openSurfacesKey(in.choices, in.values, in.process);
+         openSurfacesKey(in.choices, in.values, in.process) + cutRegionsKey(resolved);
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

@@ -13,6 +13,7 @@
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
 #include "pipeline/quality.h"
+#include "pipeline/region_check.h"
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
 #include "process/joined_heads.h"
@@ -534,6 +535,7 @@ void checkChoices(const project::Choices& given) {
   const base::ParameterValues values = parameterValues(choices);
   for (const auto& [key, text] : choices.item().parameters)
     requireOfItem(*values.table().find(base::currentKey(key)));
+  checkRegions(choices.item(), values.table());
   checkLayerTimes(choices, values);
   static_cast<void>(qualityOf(values));
 }

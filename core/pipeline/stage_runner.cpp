@@ -255,13 +255,14 @@ private:
     std::vector<toolpath::ItemLayers> all;
     for (const auto& item : items_) {
       all.push_back(item->forToolpaths());
-      all.back().options.canTilt = canTilt(resolved_.choices, *result_.cell);
+      for (toolpath::CoverRules& rules : all.back().rules)
+        rules.options.canTilt = canTilt(resolved_.choices, *result_.cell);
     }
     // What holds for the whole job is stated by the first item that is planned.
     const auto planned =
         std::ranges::find_if(items_, [](const auto& item) { return !item->hasGivenPaths(); });
     if (planned != items_.end() && first().hasGivenPaths())
-      all.front().options = all[static_cast<std::size_t>(planned - items_.begin())].options;
+      all.front().options() = all[static_cast<std::size_t>(planned - items_.begin())].options();
     return all;
   }
 

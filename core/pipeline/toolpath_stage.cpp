@@ -16,7 +16,8 @@ MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
                             std::span<const Eigen::Vector3d> others) {
   auto stage = std::make_shared<ToolpathStage>();
   for (toolpath::ItemLayers& item : items)
-    item.options.platform = platform;
+    for (toolpath::CoverRules& rules : item.rules)
+      rules.options.platform = platform;
   toolpath::ToolpathResult planned =
       toolpath::planToolpaths(items, joined, cell, tooling, ctx, others);
   stage->report = planned.statistics;

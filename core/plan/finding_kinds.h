@@ -73,6 +73,7 @@ enum class FindingKind : std::uint8_t {
   BlockedPieces,
   SmallFoot,
   UniformMisses,
+  RegionOutside,
   // layers
   DroppedPieces,
   UnsupportedPatches,

@@ -2,9 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace voluta::plan {
+
+// Of one region of a part.
+struct RegionStatistics {
+  std::string region, use;
+  std::size_t patches = 0;
+  double volumeMm3 = 0.0; // of its layers
+  // Steps on the part's surface in the region, as in LayerStatistics.
+  double stepMeanMm = 0.0, stepMaxMm = 0.0;
+};
 
 // Of layers. Area-weighted, so that areaMm2 * thicknessMeanMm is the volume. Without supports,
 // unless noted.
@@ -17,6 +27,7 @@ struct LayerStatistics {
   // Height of the steps between the layers' edges and the part's surface: mean over the whole
   // surface, which has none where it follows a layer, and the greatest
   double stepMeanMm = 0.0, stepMaxMm = 0.0;
+  std::vector<RegionStatistics> regions; // as the item's
 
   double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
 };

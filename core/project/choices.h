@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "layers/print_order.h"
 #include "project/platform.h"
+#include "project/region.h"
 
 #include <map>
 #include <string>
@@ -28,6 +29,7 @@ struct ItemChoices {
   bool repair = true; // false: use the mesh as read
   // Non-default values as text, of parameters with a value for each item
   std::map<std::string, std::string> parameters;
+  std::vector<Region> regions; // in their order: the later one holds where two overlap
 };
 
 struct ToolChoice {

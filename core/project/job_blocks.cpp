@@ -1,6 +1,7 @@
 #include "project/job_blocks.h"
 
 #include "plan/marks.h"
+#include "project/block_portions.h"
 #include "project/named_tools.h"
 
 #include <algorithm>
@@ -14,34 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Number of columns per row.
-constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4,
-                      kPocketColumns = 11;
-
-// Value in the column of periods for a patch without a chart.
-constexpr double kNoChart = -1.0;
-
-[[noreturn]] void contradiction(const base::Message& what) {
-  throw base::Error(base::ErrorCode::UnreadableFile,
-                    base::message("the job file is inconsistent: {what}"_text, what), {},
-                    "plan the part again"_text);
-}
-
-// Hands out an array in consecutive portions.
-template <typename T> class Portions {
-public:
-  explicit Portions(std::vector<T> all) : all_(std::move(all)) {}
-  std::vector<T> next(std::int64_t count) {
-    if (count < 0 || static_cast<std::size_t>(count) > all_.size() - used_)
-      contradiction("row beyond the end of its array"_text);
-    const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(used_);
-    used_ += static_cast<std::size_t>(count);
-    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-  }
-
-private:
-  std::vector<T> all_;
-  std::size_t used_ = 0;
-};
+constexpr std::size_t kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
 
 // T: numbers or points.
 template <typename T> bool allFinite(const std::vector<T>& values) {
@@ -271,120 +245,6 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
     d.pieces.push_back(std::move(piece));
   }
   return d;
-}
-
-// A row of kPocketColumns numbers per pocket.
-std::vector<double> pocketRows(const std::vector<layers::Pocket>& pockets) {
-  std::vector<double> rows;
-  for (const layers::Pocket& p : pockets)
-    rows.insert(rows.end(), {p.top.x(), p.top.y(), p.top.z(), p.direction.x(), p.direction.y(),
-                             p.direction.z(), p.volumeMm3, p.depthMm, p.openingMm,
-                             static_cast<double>(p.layer), static_cast<double>(p.tool)});
-  return rows;
-}
-
-std::vector<layers::Pocket> pocketsOf(const std::vector<double>& rows) {
-  std::vector<layers::Pocket> pockets;
-  for (std::size_t i = 0; i + kPocketColumns <= rows.size(); i += kPocketColumns) {
-    const double* row = &rows[i];
-    layers::Pocket pocket;
-    pocket.top = {row[0], row[1], row[2]};
-    pocket.direction = {row[3], row[4], row[5]};
-    pocket.volumeMm3 = row[6];
-    pocket.depthMm = row[7];
-    pocket.openingMm = row[8];
-    pocket.layer = static_cast<int>(row[9]);
-    pocket.tool = static_cast<int>(row[10]);
-    pockets.push_back(pocket);
-  }
-  return pockets;
-}
-
-void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
-  std::vector<std::int64_t> rows{stack.layerCount};
-  for (const layers::Patch& patch : stack.patches)
-    rows.insert(rows.end(), {static_cast<std::int64_t>(patch.surface.vertices.size()),
-                             static_cast<std::int64_t>(patch.surface.triangles.size()), patch.layer,
-                             patch.group});
-  out.addOwned("layers.patches", rows);
-  const auto column = [&](const char* name, std::size_t item, const auto& arrayOf) {
-    out.begin(name, item);
-    for (const layers::Patch& patch : stack.patches)
-      out.append(arrayOf(patch));
-  };
-  using layers::Patch;
-  column(
-      "layers.vertices", sizeof(Eigen::Vector3d),
-      [](const Patch& p) -> const auto& { return p.surface.vertices; });
-  column(
-      "layers.triangles", sizeof(std::array<int, 3>),
-      [](const Patch& p) -> const auto& { return p.surface.triangles; });
-  column(
-      "layers.thickness", sizeof(double),
-      [](const Patch& p) -> const auto& { return p.thicknessMm; });
-  column(
-      "layers.direction", sizeof(Eigen::Vector3d),
-      [](const Patch& p) -> const auto& { return p.direction; });
-  column(
-      "layers.clearDirection", sizeof(Eigen::Vector3d),
-      [](const Patch& p) -> const auto& { return p.clearDirection; });
-  std::vector<std::uint8_t> rims;
-  for (const Patch& patch : stack.patches) {
-    rims.insert(rims.end(), patch.innerRim.begin(), patch.innerRim.end());
-    if (patch.innerRim.empty())
-      rims.insert(rims.end(), patch.surface.vertices.size(), 0);
-  }
-  out.addOwned("layers.innerRim", rims);
-  if (!stack.pockets.empty())
-    out.addOwned("layers.pockets", pocketRows(stack.pockets));
-  if (std::ranges::all_of(stack.patches, [](const Patch& p) { return p.chart.empty(); }))
-    return;
-  column(
-      "layers.chart", sizeof(Eigen::Vector2d),
-      [](const Patch& p) -> const auto& { return p.chart.at; });
-  std::vector<double> periods;
-  for (const Patch& patch : stack.patches)
-    periods.push_back(patch.chart.empty() ? kNoChart : patch.chart.periodMm);
-  out.addOwned("layers.chartPeriod", periods);
-}
-
-layers::LayerStack getLayers(const BlockReader& in) {
-  const auto rows = in.get<std::int64_t>("layers.patches");
-  if (rows.size() % kPatchColumns != 1)
-    contradiction("size of the table of patches"_text);
-  Portions vertices(in.get<Eigen::Vector3d>("layers.vertices"));
-  Portions triangles(in.get<std::array<int, 3>>("layers.triangles"));
-  Portions thickness(in.get<double>("layers.thickness"));
-  Portions direction(in.get<Eigen::Vector3d>("layers.direction"));
-  Portions clearDirection(in.get<Eigen::Vector3d>("layers.clearDirection"));
-  // Older projects lack these.
-  const bool hasRims = in.has("layers.innerRim");
-  Portions innerRim(hasRims ? in.get<std::uint8_t>("layers.innerRim")
-                            : std::vector<std::uint8_t>{});
-  const bool hasCharts = in.has("layers.chart");
-  Portions chart(hasCharts ? in.get<Eigen::Vector2d>("layers.chart")
-                           : std::vector<Eigen::Vector2d>{});
-  Portions chartPeriod(hasCharts ? in.get<double>("layers.chartPeriod") : std::vector<double>{});
-  layers::LayerStack stack;
-  stack.layerCount = static_cast<int>(rows[0]);
-  for (std::size_t i = 1; i < rows.size(); i += kPatchColumns) {
-    layers::Patch patch;
-    patch.surface.vertices = vertices.next(rows[i]);
-    patch.surface.triangles = triangles.next(rows[i + 1]);
-    patch.thicknessMm = thickness.next(rows[i]);
-    patch.direction = direction.next(rows[i]);
-    patch.clearDirection = clearDirection.next(rows[i]);
-    if (hasRims)
-      patch.innerRim = innerRim.next(rows[i]);
-    if (const double period = hasCharts ? chartPeriod.next(1).front() : kNoChart; period >= 0.0)
-      patch.chart = {chart.next(rows[i]), period};
-    patch.layer = static_cast<int>(rows[i + 2]);
-    patch.group = static_cast<int>(rows[i + 3]);
-    stack.patches.push_back(std::move(patch));
-  }
-  if (in.has("layers.pockets"))
-    stack.pockets = pocketsOf(in.get<double>("layers.pockets"));
-  return stack;
 }
 
 void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& name) {

@@ -16,6 +16,7 @@
 #include "voxel/voxel_text.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace voluta::project {
@@ -51,18 +52,31 @@ geometry::Placement readPlacement(const Json& j) {
   return p;
 }
 
+// The mesh of a region is in blocks.
+Json regionJson(const Region& region) {
+  Json j{{"shape", region.shape}, {"use", region.use}, {"parameters", region.parameters}};
+  if (!region.name.empty())
+    j["name"] = region.name;
+  if (region.mesh)
+    j["mesh"] = true;
+  return j;
+}
+
 Json itemJson(const ItemChoices& c) {
-  return Json{{"automatic", c.automatic},
-              {"platformStays", c.platformStays},
-              {"automaticWay", c.automaticStrategy},
-              {"mode", c.mode},
-              {"growth", c.growth.id()},
-              {"platform", c.platform.text()},
-              {"scale", c.scale},
-              {"units", c.units},
-              {"placement", placementJson(c.placement)},
-              {"repair", c.repair},
-              {"parameters", c.parameters}};
+  Json j{{"automatic", c.automatic},
+         {"platformStays", c.platformStays},
+         {"automaticWay", c.automaticStrategy},
+         {"mode", c.mode},
+         {"growth", c.growth.id()},
+         {"platform", c.platform.text()},
+         {"scale", c.scale},
+         {"units", c.units},
+         {"placement", placementJson(c.placement)},
+         {"repair", c.repair},
+         {"parameters", c.parameters}};
+  for (const Region& region : c.regions)
+    j["regions"].push_back(regionJson(region));
+  return j;
 }
 
 // The first item and the first tool at the top, as in projects that had one of each only.
@@ -99,7 +113,30 @@ ItemChoices readItem(const Json& j) {
   j.at("parameters").get_to(c.parameters);
   c.placement = readPlacement(j.at("placement"));
   j.at("repair").get_to(c.repair);
+  for (const Json& region : j.value("regions", Json::array()))
+    c.regions.push_back(
+        {.name = region.value("name", ""),
+         .shape = region.at("shape").get<std::string>(),
+         .use = region.at("use").get<std::string>(),
+         .parameters = region.at("parameters").get<std::map<std::string, std::string>>()});
   return c;
+}
+
+std::string regionBlock(std::size_t region) {
+  return fmt::format("region{}", region);
+}
+
+void addRegionMeshes(BlockWriter& blocks, const ItemChoices& item) {
+  for (std::size_t i = 0; i < item.regions.size(); ++i)
+    if (item.regions[i].mesh)
+      addMesh(blocks, regionBlock(i), *item.regions[i].mesh);
+}
+
+void readRegionMeshes(const BlockReader& blocks, ItemChoices& item) {
+  for (std::size_t i = 0; i < item.regions.size(); ++i)
+    if (hasMesh(blocks, regionBlock(i)))
+      item.regions[i].mesh =
+          std::make_shared<geometry::TriangleMesh>(getMesh(blocks, regionBlock(i)));
 }
 
 Choices readChoices(const Json& j) {
@@ -406,6 +443,7 @@ void readMoreItems(const Json& header, BlockReader& blocks, Job& job) {
     readPlaced(row, blocks, item);
     item.loaded = getLoaded(blocks);
     readResults(row, blocks, item);
+    readRegionMeshes(blocks, job.choices.item(job.items.size() - 1));
   }
   blocks.setPrefix({});
 }
@@ -421,6 +459,7 @@ Job readFrame(const FileFrame& frame, const std::string& where, const base::Para
   job.choices = readChoices(header.at("choices"));
   BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
   readPlaced(header, blocks, job.item());
+  readRegionMeshes(blocks, job.choices.item());
   if (header.at("planned").get<bool>())
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
@@ -493,9 +532,11 @@ Json addItem(BlockWriter& blocks, const JobItem& item) {
 void JobFile::add(const Job& job) {
   BlockWriter& blocks = blocks_;
   Json header = addItem(blocks, job.item());
+  addRegionMeshes(blocks, job.choices.item());
   for (std::size_t i = 1; i < job.items.size(); ++i) {
     blocks.setPrefix(blockPrefix(i));
     header["moreItems"].push_back(addItem(blocks, job.item(i)));
+    addRegionMeshes(blocks, job.choices.item(i));
   }
   blocks.setPrefix({});
   if (job.toolPlan)

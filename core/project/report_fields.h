@@ -53,6 +53,15 @@ constexpr auto fieldsOf(std::type_identity<DecompositionReport>) {
                     Field{"riskyAreaBeforeMm2", &R::riskyAreaBeforeMm2, "mm²"},
                     Field{"pieceList", &R::pieceList, "", true}};
 }
+constexpr auto fieldsOf(std::type_identity<plan::RegionStatistics>) {
+  using R = plan::RegionStatistics;
+  return std::tuple{Field{"region", &R::region},
+                    Field{"use", &R::use},
+                    Field{"patches", &R::patches},
+                    Field{"volumeMm3", &R::volumeMm3, "mm³"},
+                    Field{"stepMeanMm", &R::stepMeanMm, "mm"},
+                    Field{"stepMaxMm", &R::stepMaxMm, "mm"}};
+}
 constexpr auto fieldsOf(std::type_identity<plan::LayerStatistics>) {
   using R = plan::LayerStatistics;
   return std::tuple{Field{"count", &R::count},
@@ -63,7 +72,8 @@ constexpr auto fieldsOf(std::type_identity<plan::LayerStatistics>) {
                     Field{"thicknessP99Mm", &R::thicknessP99Mm, "mm"},
                     Field{"withinLimitsFraction", &R::withinLimitsFraction, "%"},
                     Field{"stepMeanMm", &R::stepMeanMm, "mm", true},
-                    Field{"stepMaxMm", &R::stepMaxMm, "mm", true}};
+                    Field{"stepMaxMm", &R::stepMaxMm, "mm", true},
+                    Field{"regions", &R::regions, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::StrengthStatistics>) {
   using R = plan::StrengthStatistics;

@@ -143,8 +143,9 @@ StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily&
   std::move(absorbedIslands.absorbed.dropped.begin(), absorbedIslands.absorbed.dropped.end(),
             std::back_inserter(absorbed.dropped));
   ctx.report(0.8, "ending layers on the surface"_text);
-  layers::followTop(result.stack, boundary,
-                    {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
+  if (family.endsBelowSurface)
+    layers::followTop(result.stack, boundary,
+                      {o.heightMinMm, o.heightMaxMm, kFineShare * o.beadWidthMm}, ctx);
   result.statistics = layers::layerStatistics(result.stack, {o.heightMinMm, o.heightMaxMm});
   reportDropped(absorbed.dropped, result);
   reportLeftOut(part, result);

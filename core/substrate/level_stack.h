@@ -46,6 +46,9 @@ struct LevelFamily {
   // Returns the unit growth direction at a point.
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> outward;
   GroundKind groundKind = GroundKind::Surface; // How messages name the ground
+  // The last levels end below slopes and steps of the part (layers::followTop()). False: the levels
+  // are parallel to its surface.
+  bool endsBelowSurface = true;
   // Modifies patches before slivers are absorbed; may be empty.
   std::function<void(std::vector<layers::Patch>&)> adapt;
 };

@@ -23,37 +23,37 @@ base::ParameterTable toolpathParameters() {
   for (const TapeKind& kind : tapeKinds())
     tapes.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
-      base::ofItem(base::integerParameter(
+      base::ofRegion(base::integerParameter(
           "walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text, "walls"_text,
           "Number of beads along the outline of each layer."_text, true)),
-      base::ofItem(base::choiceParameter(
+      base::ofRegion(base::choiceParameter(
           "infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text, "infill"_text,
           "Pattern that fills the interior of each layer."_text, true)),
-      base::ofItem(base::numberParameter(
+      base::ofRegion(base::numberParameter(
           "infillDensity", "share", 1.0, 0.0, 1.0, "Tool-paths"_text, "infill density"_text,
           "Share of the interior that is filled: the whole is solid, none is "
           "hollow. Walls and skins are always solid."_text,
           true)),
-      base::ofItem(base::choiceParameter("sparsePattern", ToolpathOptions{}.sparsePattern, patterns,
-                                         "Tool-paths"_text, "sparse pattern"_text,
-                                         "Pattern of the interior if it is not solid."_text, true)),
-      base::ofItem(base::integerParameter(
+      base::ofRegion(base::choiceParameter(
+          "sparsePattern", ToolpathOptions{}.sparsePattern, patterns, "Tool-paths"_text,
+          "sparse pattern"_text, "Pattern of the interior if it is not solid."_text, true)),
+      base::ofRegion(base::integerParameter(
           "topLayers", ToolpathOptions{}.topLayers, 0, 100, "Tool-paths"_text, "top layers"_text,
           "Solid layers between the sparse interior and the surface above it."_text, true)),
-      base::ofItem(base::integerParameter(
+      base::ofRegion(base::integerParameter(
           "bottomLayers", ToolpathOptions{}.bottomLayers, 0, 100, "Tool-paths"_text,
           "bottom layers"_text,
           "Solid layers between the sparse interior and the surface below it."_text, true)),
-      base::ofItem(base::numberParameter(
+      base::ofRegion(base::numberParameter(
           "skinMm", "mm", ToolpathOptions{}.skinMm, 0.0, 100.0, "Tool-paths"_text,
           "skin thickness"_text,
           "Minimum thickness of the top and bottom layers together with their "
           "number."_text)),
-      base::ofItem(base::numberParameter(
+      base::ofRegion(base::numberParameter(
           "infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0, "Tool-paths"_text,
           "infill direction"_text,
           "Direction of straight lines on the first layer, measured from x to y."_text)),
-      base::ofItem(base::numberParameter(
+      base::ofRegion(base::numberParameter(
           "infillRotation", "deg", ToolpathOptions{}.infillRotationDeg, 0.0, 90.0,
           "Tool-paths"_text, "infill rotation per layer"_text,
           "Rotation of straight lines from layer to layer; 0: the same direction "
@@ -85,7 +85,7 @@ base::ParameterTable toolpathParameters() {
       base::choiceParameter("seam", ToolpathOptions{}.seam, seams, "Tool-paths"_text, "seam"_text,
                             "Where closed walls begin and end. A seam aligned or in a corner is "
                             "less visible; spread seams weaken the part least."_text),
-      base::ofItem(base::choiceParameter(
+      base::ofRegion(base::choiceParameter(
           "thinWalls", ToolpathOptions{}.thinWalls,
           {{"bead", "as the narrowest bead"_text}, {"omit", "leave out"_text}}, "Tool-paths"_text,
           "thin walls"_text,

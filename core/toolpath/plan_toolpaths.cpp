@@ -72,9 +72,12 @@ std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
 }
 
 // Returns the finding about sparse infill that fills another share of the interior than asked.
-std::optional<plan::Finding> sparseShare(const LayerCovers& made, double asked) {
+std::optional<plan::Finding> sparseShare(const LayerCovers& made) {
   constexpr double kApart = 0.03;
-  const double found = made.sparseMm3 > 0.0 ? made.sparseBeadMm3 / made.sparseMm3 : asked;
+  if (made.sparseMm3 <= 0.0)
+    return std::nullopt;
+  const double found = made.sparseBeadMm3 / made.sparseMm3,
+               asked = made.sparseAskedMm3 / made.sparseMm3;
   if (asked <= 0.0 || std::abs(found - asked) <= kApart)
     return std::nullopt;
   const base::Text reason =
@@ -157,9 +160,9 @@ LayerCovers coverItems(std::span<const ItemLayers> items, const layers::LayerSta
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double count = static_cast<double>(items.size()), at = static_cast<double>(i);
     const base::RunContext span = ctx.sub(share * at / count, share * (at + 1.0) / count);
-    own.push_back(items[i].stack->patches.empty() ? LayerCovers{}
-                                                  : coverLayers(*items[i].stack, items[i].tooling,
-                                                                items[i].options, 1.0, span));
+    own.push_back(items[i].stack->patches.empty()
+                      ? LayerCovers{}
+                      : coverLayers(*items[i].stack, items[i].rules, 1.0, span));
     all.fill.push_back(own.back().fill.empty() ? plan::FillIntent{} : own.back().fill.front());
     all.sparseMm3 += own.back().sparseMm3;
     all.sparseBeadMm3 += own.back().sparseBeadMm3;
@@ -191,7 +194,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
   if (items == 1)
-    if (auto share = sparseShare(made, options.infillDensity))
+    if (auto share = sparseShare(made))
       r.findings.push_back(std::move(*share));
   if (options.spiral)
     if (auto ends = joinSpiral(assembled, options.bottomLayers))
@@ -268,30 +271,43 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   return r;
 }
 
+// Throws Error{Usage} for a spiral with regions.
+std::vector<CoverRules> withSpiral(std::vector<CoverRules> rules) {
+  if (!rules.front().options.spiral)
+    return rules;
+  if (rules.size() > 1)
+    throw base::Error(base::ErrorCode::Usage, "a spiral has no regions"_text, {},
+                      "remove the regions, or set spiral to false"_text);
+  rules.front().options = spiralOptions(rules.front().options);
+  return rules;
+}
+
 } // namespace
 
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
-                             const process::Tooling& tooling, const ToolpathOptions& given,
+                             const process::Tooling& tooling, const ToolpathOptions& options,
                              const base::RunContext& ctx) {
-  const ToolpathOptions options = given.spiral ? spiralOptions(given) : given;
-  const base::Stopwatch watch;
-  return planCovered(coverLayers(stack, tooling, options, kCoverShare, ctx), 1, stack, cell,
-                     tooling, options, {}, watch, ctx);
+  const std::shared_ptr<const layers::LayerStack> borrowed(&stack,
+                                                           [](const layers::LayerStack*) {});
+  const ItemLayers one{borrowed, {{options, tooling}}};
+  return planToolpaths({&one, 1}, stack, cell, tooling, ctx);
 }
 
 ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::LayerStack& joined,
                              const robot::Cell& cell, const process::Tooling& tooling,
                              const base::RunContext& ctx, std::span<const Vector3d> others) {
-  const ToolpathOptions& options = items.front().options;
-  if (items.size() == 1)
-    return planToolpaths(joined, cell, tooling, options, ctx);
+  const base::Stopwatch watch;
+  if (items.size() == 1) {
+    const std::vector<CoverRules> rules = withSpiral(items.front().rules);
+    return planCovered(coverLayers(joined, rules, kCoverShare, ctx), 1, joined, cell, tooling,
+                       rules.front().options, {}, watch, ctx);
+  }
   for (const ItemLayers& item : items)
-    if (item.options.spiral)
+    if (item.options().spiral)
       throw base::Error(base::ErrorCode::Usage, "a spiral is printed alone"_text, {},
                         "remove the other parts, or set spiral to false"_text);
-  const base::Stopwatch watch;
   return planCovered(coverItems(items, joined, kCoverShare, ctx), items.size(), joined, cell,
-                     tooling, options, others, watch, ctx);
+                     tooling, items.front().options(), others, watch, ctx);
 }
 
 } // namespace voluta::toolpath

@@ -4,12 +4,12 @@
 #include "plan/finding.h"
 #include "plan/statistics.h"
 #include "plan/tool_plan.h"
-#include "process/tooling.h"
-#include "toolpath/options.h"
+#include "toolpath/cover_rules.h"
 
 #include <Eigen/Core>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace voluta::base {
 class RunContext;
@@ -42,8 +42,9 @@ struct ToolpathResult {
 // supports.
 struct ItemLayers {
   std::shared_ptr<const layers::LayerStack> stack;
-  ToolpathOptions options;
-  process::Tooling tooling; // the job's, with the item's layer height, bead width and step
+  std::vector<CoverRules> rules; // by Patch::region, those of the item first
+  ToolpathOptions& options() { return rules.front().options; }
+  const ToolpathOptions& options() const { return rules.front().options; }
 };
 
 // Covers the layers of each item by its own options; then as planToolpaths() below for `joined`,
@@ -55,8 +56,8 @@ ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::La
                              const base::RunContext& ctx,
                              std::span<const Eigen::Vector3d> others = {});
 
-// Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
-// first tool is the cell's. Throws Cancelled, Error{Usage}.
+// Plans one item without regions: runs coverPatch for every patch, assemble and orientDirections.
+// Precondition: the process of the first tool is the cell's. Throws Cancelled, Error{Usage}.
 // Example:
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;

@@ -34,7 +34,7 @@ TEST(ParameterScope, ASettingOfTheJobIsRefusedForAPart) {
   for (const base::ParameterSpec& spec : table.specs()) {
     const std::string assignment = spec.key + "=" + test::otherText(spec);
     project::ItemChoices item;
-    if (spec.scope == ParameterScope::Item) {
+    if (spec.scope != ParameterScope::Job) {
       setItemParameters(item, {assignment});
       EXPECT_TRUE(item.parameters.contains(spec.key));
       continue;

@@ -336,7 +336,8 @@ struct Lid {
     process.stepMm = 1.0;
   }
   std::vector<PatchCover> covers() const {
-    return coverLayers(stack, process::Tooling(process), options, 1.0, base::RunContext()).covers;
+    const CoverRules rules{options, process::Tooling(process)};
+    return coverLayers(stack, {&rules, 1}, 1.0, base::RunContext()).covers;
   }
 };
 

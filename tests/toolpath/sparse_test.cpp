@@ -212,6 +212,19 @@ TEST(LayerCount, AGapASupportOrAnotherDirectionEndsTheCount) {
   EXPECT_EQ(toolpath::LayerCount(tilted, {}).along(0, place, up, kHeight, 9).count, 3);
 }
 
+toolpath::SplitLayers splitAll(const layers::LayerStack& stack, const toolpath::StackLayers& layers,
+                               const process::Tooling& tooling,
+                               const toolpath::ToolpathOptions& options) {
+  const toolpath::CoverRules rules{options, tooling};
+  return toolpath::splitLayers(stack, layers, {&rules, 1}, {});
+}
+
+toolpath::LayerCovers coverAll(const layers::LayerStack& stack, const process::Tooling& tooling,
+                               const toolpath::ToolpathOptions& options) {
+  const toolpath::CoverRules rules{options, tooling};
+  return toolpath::coverLayers(stack, {&rules, 1}, 1.0, {});
+}
+
 // Planes are split as polygons, and uneven ones as surfaces.
 const std::pair<Eigen::Quaterniond, double> kEvenAndUneven[] = {
     {kTurns[0], 0.0}, {kTurns[1], 0.0}, {kTurns[2], 0.0}, {kTurns[0], 1e-4}, {kTurns[2], 1e-4}};
@@ -227,7 +240,7 @@ TEST(SplitLayers, LeaveWallsAndSkinsSolid) {
     toolpath::ToolpathOptions o = sparseOptions();
     o.topLayers = 2;
     o.bottomLayers = 4;
-    const toolpath::SplitLayers split = toolpath::splitLayers(stack, layers, tooling, o, {});
+    const toolpath::SplitLayers split = splitAll(stack, layers, tooling, o);
     const double inner = kSide - 2.0 * o.walls * hatch();
     for (std::size_t k = 0; k < kLayers; ++k) {
       const bool isSkin = k < 4 || k >= kLayers - 2;
@@ -251,7 +264,7 @@ TEST(SplitLayers, SkinThicknessCountsBesideTheNumber) {
   o.topLayers = o.bottomLayers = 1;
   o.skinMm = 3.2; // Four layers
   const toolpath::SplitLayers split =
-      toolpath::splitLayers(stack, layers, process::Tooling{process::Process{}}, o, {});
+      splitAll(stack, layers, process::Tooling{process::Process{}}, o);
   for (std::size_t k = 0; k < 12; ++k)
     EXPECT_EQ(split.sparse[k].has_value(), k >= 4 && k < 8) << k;
 }
@@ -263,8 +276,8 @@ TEST(SplitLayers, AStepHasASkin) {
   for (std::size_t k = 10; k < 20; ++k)
     stack.patches[k] = narrow.patches[k];
   const toolpath::StackLayers layers(stack, false, base::RunContext{});
-  const toolpath::SplitLayers split = toolpath::splitLayers(
-      stack, layers, process::Tooling{process::Process{}}, sparseOptions(), {});
+  const toolpath::SplitLayers split =
+      splitAll(stack, layers, process::Tooling{process::Process{}}, sparseOptions());
   ASSERT_TRUE(split.sparse[8].has_value());
   ASSERT_TRUE(split.sparse[5].has_value());
   EXPECT_GT(areaOf(*split.sparse[5]), 1200.0); // Inside the walls
@@ -279,7 +292,7 @@ TEST(CoverLayers, FillsTheInteriorAtItsDensity) {
   for (const double density : {0.0, 0.2, 0.4}) {
     toolpath::ToolpathOptions o = sparseOptions(density);
     o.sparsePattern = "lines";
-    const toolpath::LayerCovers made = toolpath::coverLayers(stack, tooling, o, 1.0, {});
+    const toolpath::LayerCovers made = coverAll(stack, tooling, o);
     ASSERT_GT(made.sparseMm3, 0.0);
     // Beads that join the lines come on top.
     EXPECT_GE(made.sparseBeadMm3 / made.sparseMm3, 0.93 * density);
@@ -292,8 +305,7 @@ TEST(CoverLayers, FillsTheInteriorAtItsDensity) {
                   k == 7 &&
                       (bead.kind == plan::PathKind::Bridge || bead.kind == plan::PathKind::Infill));
   }
-  const toolpath::LayerCovers solid =
-      toolpath::coverLayers(stack, tooling, sparseOptions(1.0), 1.0, {});
+  const toolpath::LayerCovers solid = coverAll(stack, tooling, sparseOptions(1.0));
   EXPECT_TRUE(solid.fill.empty());
   EXPECT_EQ(solid.sparseMm3, 0.0);
 }
@@ -304,7 +316,7 @@ TEST(CoverLayers, NoSkinLayersAreNoShell) {
   o.topLayers = o.bottomLayers = 0;
   o.skinMm = 3.0;
   const toolpath::LayerCovers made =
-      toolpath::coverLayers(stackOf(10, 40.0), process::Tooling{process::Process{}}, o, 1.0, {});
+      coverAll(stackOf(10, 40.0), process::Tooling{process::Process{}}, o);
   EXPECT_EQ(made.fill.at(0).shellMm, 0.0);
 }
 

@@ -18,11 +18,11 @@ base::ParameterValue valueIn(const Settings& settings, const base::ParameterSpec
   }
 }
 
-// Replaces the settings of presets of that scope.
-void replace(Settings& given, const base::ParameterTable& table, ParameterScope scope,
-             const Settings& preset, const Settings& kept) {
+// Replaces the settings of presets that the job has, or its items.
+void replace(Settings& given, const base::ParameterTable& table, bool ofJob, const Settings& preset,
+             const Settings& kept) {
   for (const base::ParameterSpec& spec : table.specs()) {
-    if (spec.scope != scope)
+    if ((spec.scope == ParameterScope::Job) != ofJob)
       continue;
     given.erase(spec.key);
     if (const auto stays = kept.find(spec.key); stays != kept.end())
@@ -80,9 +80,9 @@ project::Choices withPreset(project::Choices choices, const std::string& preset,
   const base::ParameterTable& table = presetParameters();
   const auto keptOf = [&](std::size_t item) { return kept.empty() ? Settings() : kept[item]; };
   choices.preset = presetChoice(chosen);
-  replace(choices.parameters, table, ParameterScope::Job, settings, keptOf(0));
+  replace(choices.parameters, table, true, settings, keptOf(0));
   for (std::size_t i = 0; i < choices.items.size(); ++i)
-    replace(choices.item(i).parameters, table, ParameterScope::Item, settings, keptOf(i));
+    replace(choices.item(i).parameters, table, false, settings, keptOf(i));
   return choices;
 }
 

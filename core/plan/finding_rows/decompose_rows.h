@@ -115,6 +115,9 @@ inline constexpr FindingRow kDecomposeRows[] = {
         UniformMisses, "uniformMisses",
         "{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels|{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels"_plural,
         kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
+    info(RegionOutside, "regionOutside",
+         "region {region} is outside the part: it has no effect"_text,
+         "move it into the part, or remove it"_text),
 };
 
 } // namespace voluta::plan::finding_rows

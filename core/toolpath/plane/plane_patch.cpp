@@ -90,6 +90,7 @@ std::optional<layers::Patch> patchOver(const ClipperLib::Paths& area, const Plan
   patch.layer = like.layer;
   patch.group = like.group;
   patch.item = like.item;
+  patch.region = like.region;
   patch.tool = like.tool;
   std::map<Coordinates, int> number;
   std::vector<Vector2d> points;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -71,10 +72,16 @@ PatchCover coverOf(BridgedLayer layer) {
   return cover;
 }
 
-// `whole`: the layers that carry those of `stack`.
+bool isOfRegion(const layers::Patch& patch, std::size_t region) {
+  return patch.region == static_cast<int>(region);
+}
+
+// Covers the patches of one region; the covers of the others are empty. `whole`: the layers that
+// carry those of `stack`.
 std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers::LayerStack& whole,
-                                   const process::Tooling& tooling, const ToolpathOptions& options,
-                                   double share, const base::RunContext& ctx) {
+                                   const CoverRules& rules, std::size_t region, double share,
+                                   const base::RunContext& ctx) {
+  const auto& [options, tooling] = rules;
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
   std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
@@ -107,12 +114,13 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     choices[i].insert(choices[i].end(), {isFirstLayer[i] != 0 ? 1.0 : 0.0,
                                          std::fmod(layer * options.infillRotationDeg, 180.0),
                                          directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0),
-                                         static_cast<double>(wallsOf(i))});
+                                         static_cast<double>(wallsOf(i)),
+                                         static_cast<double>(stack.patches[i].region)});
   }
   const std::vector<SameShape> same = sameShapes(patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
   for (std::size_t i = 0; i < same.size(); ++i)
-    if (same[i].patch == i)
+    if (same[i].patch == i && isOfRegion(stack.patches[i], region))
       shapes.push_back(i);
   std::vector<PatchCover> covers(stack.patches.size());
   base::parallelWithProgress(ctx, shapes.size(), share, "tool-paths"_text, [&](std::size_t s) {
@@ -122,10 +130,10 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     covers[i] = coverPatch(*patches[i], processAt(i), own, silent, wallWidths[i], directions[i]);
   });
   for (std::size_t i = 0; i < same.size(); ++i)
-    if (same[i].patch != i)
+    if (same[i].patch != i && isOfRegion(stack.patches[i], region))
       covers[i] = moved(covers[same[i].patch], same[i].shiftMm);
   for (std::size_t i = 0; i < bridged.size(); ++i)
-    if (bridged[i])
+    if (bridged[i] && isOfRegion(stack.patches[i], region))
       append(covers[i], coverOf(std::move(*bridged[i])));
   return covers;
 }
@@ -162,10 +170,10 @@ void markBridges(PatchCover& cover, const IsOverSparse& isOverSparse) {
 class SparseInfill {
 public:
   SparseInfill(const layers::LayerStack& stack, const StackLayers& layers, const SplitLayers& split,
-               const process::Tooling& tooling, const ToolpathOptions& options,
-               const base::RunContext& ctx)
-      : stack_(stack), layers_(layers), split_(split), tooling_(tooling), options_(options),
-        ctx_(ctx), frames_(patternFrames(stack, options)) {
+               std::span<const CoverRules> rules, const base::RunContext& ctx)
+      : stack_(stack), layers_(layers), split_(split), rules_(rules), ctx_(ctx) {
+    for (const CoverRules& own : rules)
+      frames_.push_back(patternFrames(stack, own.options));
     if (layers.count)
       solid_.emplace(split.solid, ctx);
   }
@@ -189,25 +197,38 @@ public:
     }
   }
 
-  // Precondition: split.sparse[i].
+  // Is the interior of a patch sparse?
+  bool isSparse(std::size_t i) const {
+    return split_.sparse[i] && rulesOf(i).options.infillDensity < 1.0;
+  }
+
+  // Precondition: isSparse(i).
   std::vector<Bead> beads(std::size_t i) const {
-    const int tool = options_.infillTool < 0 ? stack_.patches[i].tool : options_.infillTool;
-    const process::Process& process = tooling_.at(tool).process;
+    const ToolpathOptions& options = rulesOf(i).options;
+    const int tool = options.infillTool < 0 ? stack_.patches[i].tool : options.infillTool;
+    const process::Process& process = rulesOf(i).tooling.at(tool).process;
+    const PatternFrame& frame = frames_[regionOf(i)][i];
     std::vector<Bead> made;
-    if (layers_.levels.isEven(i) && !sparsePattern(options_.sparsePattern).followsWalls)
-      made = planeSparseBeads(*layers_.levels.patch(i), split_.sparseAreas[i], frames_[i],
-                              sparseFrom(i, 1, branchLayers(process)), process, options_, ctx_);
+    if (layers_.levels.isEven(i) && !sparsePattern(options.sparsePattern).followsWalls)
+      made = planeSparseBeads(*layers_.levels.patch(i), split_.sparseAreas[i], frame,
+                              sparseFrom(i, 1, branchLayers(process, options)), process, options,
+                              ctx_);
     else
-      made = sparseBeads(*split_.sparse[i], {stack_, i, *layers_.count, frames_[i]}, process,
-                         options_, ctx_);
+      made = sparseBeads(*split_.sparse[i], {stack_, i, *layers_.count, frame}, process, options,
+                         ctx_);
     for (Bead& bead : made)
       bead.tool = tool;
     return made;
   }
 
 private:
-  int branchLayers(const process::Process& process) const {
-    return options_.topLayers == 0 ? 0 : branchesOf(process, options_).layers();
+  std::size_t regionOf(std::size_t i) const {
+    return static_cast<std::size_t>(stack_.patches[i].region);
+  }
+  const CoverRules& rulesOf(std::size_t i) const { return rules_[regionOf(i)]; }
+
+  static int branchLayers(const process::Process& process, const ToolpathOptions& options) {
+    return options.topLayers == 0 ? 0 : branchesOf(process, options).layers();
   }
 
   // Returns the sparse parts of the levels that follow a patch.
@@ -216,7 +237,8 @@ private:
     for (const PlaneLevels::Level* level : layers_.levels.from(i, sign, count)) {
       areas.emplace_back();
       for (const std::size_t patch : level->patches)
-        std::ranges::copy(split_.sparseAreas[patch], std::back_inserter(areas.back()));
+        if (isSparse(patch))
+          std::ranges::copy(split_.sparseAreas[patch], std::back_inserter(areas.back()));
     }
     return areas;
   }
@@ -224,86 +246,117 @@ private:
   const layers::LayerStack& stack_;
   const StackLayers& layers_;
   const SplitLayers& split_;
-  const process::Tooling& tooling_;
-  const ToolpathOptions& options_;
+  std::span<const CoverRules> rules_; // by region
   const base::RunContext& ctx_;
-  std::vector<PatternFrame> frames_;
+  std::vector<std::vector<PatternFrame>> frames_; // by region, per patch
   std::optional<LayerCount> solid_;
 };
 
 // Returns the distance from the surface up to which all places are in walls or skins.
-double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
+double shellOf(std::span<const CoverRules> rules) {
   double shell = INFINITY;
-  for (const process::Tool& tool : tooling.tools()) {
-    const process::Process& p = tool.process;
-    const double hatch = process::hatchOf(p.beadWidthMm, p.layerHeightMm);
-    const int layers = std::min(o.topLayers, o.bottomLayers); // 0: no skin, however thick
-    const double skin = layers == 0 ? 0.0 : std::max(o.skinMm, layers * p.layerHeightMm);
-    shell = std::min({shell, o.walls * hatch - kRoundSide * p.beadWidthMm, skin});
+  for (const auto& [o, tooling] : rules) {
+    if (o.infillDensity >= 1.0)
+      continue;
+    for (const process::Tool& tool : tooling.tools()) {
+      const process::Process& p = tool.process;
+      const double hatch = process::hatchOf(p.beadWidthMm, p.layerHeightMm);
+      const int layers = std::min(o.topLayers, o.bottomLayers); // 0: no skin, however thick
+      const double skin = layers == 0 ? 0.0 : std::max(o.skinMm, layers * p.layerHeightMm);
+      shell = std::min({shell, o.walls * hatch - kRoundSide * p.beadWidthMm, skin});
+    }
   }
   return std::max(0.0, shell);
 }
 
-// Covers solid layers whose interior another tool fills: its beads follow those of the skin in the
-// cover of the patch.
-std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack,
-                                       const process::Tooling& tooling,
-                                       const ToolpathOptions& options, double share,
-                                       const base::RunContext& ctx) {
-  constexpr double kSkinShare = 0.5; // of the progress
-  const base::RunContext silent = ctx.quiet();
-  SplitLayers split =
-      splitLayers(stack, StackLayers(stack, false, silent), tooling, options, silent);
-  std::vector<PatchCover> all =
-      coverSolid(split.solid, stack, tooling, options, kSkinShare * share, ctx);
+// Is the interior of these patches covered apart from walls and skins?
+bool isSplit(const ToolpathOptions& options) {
+  return options.infillDensity < 1.0 || options.infillTool >= 0;
+}
+
+// Covers solid interiors that another tool fills: their beads follow those of the skin in the cover
+// of the patch.
+void coverSolidCores(const SplitLayers& split, const layers::LayerStack& stack,
+                     const CoverRules& rules, std::size_t region, const base::RunContext& ctx,
+                     std::vector<PatchCover>& covers) {
+  if (rules.options.infillTool < 0 || rules.options.infillDensity < 1.0)
+    return;
   layers::LayerStack core;
   core.layerCount = stack.layerCount;
   std::vector<std::size_t> of; // patch of the stack
   for (std::size_t i = 0; i < split.sparse.size(); ++i)
-    if (split.sparse[i]) {
-      core.patches.push_back(std::move(*split.sparse[i]));
-      core.patches.back().tool = options.infillTool;
+    if (split.sparse[i] && isOfRegion(stack.patches[i], region)) {
+      core.patches.push_back(*split.sparse[i]);
+      core.patches.back().tool = rules.options.infillTool;
       of.push_back(i);
     }
-  ToolpathOptions own = options;
-  own.walls = 0;
-  std::vector<PatchCover> covers = coverSolid(core, stack, tooling, own, share, ctx);
-  for (std::size_t i = 0; i < covers.size(); ++i) {
-    for (Bead& bead : covers[i].beads)
-      bead.tool = options.infillTool;
-    append(all[of[i]], std::move(covers[i]));
+  CoverRules own = rules;
+  own.options.walls = 0;
+  std::vector<PatchCover> cores = coverSolid(core, stack, own, region, 1.0, ctx);
+  for (std::size_t i = 0; i < cores.size(); ++i) {
+    for (Bead& bead : cores[i].beads)
+      bead.tool = rules.options.infillTool;
+    append(covers[of[i]], std::move(cores[i]));
   }
-  return all;
 }
-} // namespace
 
-LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling& tooling,
-                        const ToolpathOptions& options, double share, const base::RunContext& ctx) {
-  LayerCovers out;
-  if (options.infillDensity >= 1.0) {
-    out.covers = options.infillTool < 0 ? coverSolid(stack, stack, tooling, options, share, ctx)
-                                        : coverSolidCore(stack, tooling, options, share, ctx);
-    return out;
-  }
-  const base::RunContext silent = ctx.quiet();
-  const StackLayers layers(stack, sparsePattern(options.sparsePattern).followsWalls, silent);
-  const SplitLayers split = splitLayers(stack, layers, tooling, options, silent);
-  out.covers = coverSolid(split.solid, stack, tooling, options, share, ctx);
-  const SparseInfill infill(stack, layers, split, tooling, options, silent);
+void addSparse(const SparseInfill& infill, const layers::LayerStack& stack,
+               const SplitLayers& split, std::span<const CoverRules> rules,
+               const base::RunContext& ctx, LayerCovers& out) {
   std::vector<std::vector<Bead>> sparse(stack.patches.size());
-  base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
+  base::parallelChunks(ctx, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
     infill.markBridgesOf(i, out.covers[i]);
-    if (split.sparse[i])
+    if (infill.isSparse(i))
       sparse[i] = infill.beads(i);
   });
   for (std::size_t i = 0; i < sparse.size(); ++i) {
-    if (split.sparse[i])
-      out.sparseMm3 += volumeOf(*split.sparse[i]);
+    if (infill.isSparse(i)) {
+      const double mm3 = volumeOf(*split.sparse[i]);
+      out.sparseMm3 += mm3;
+      out.sparseAskedMm3 +=
+          mm3 * rules[static_cast<std::size_t>(stack.patches[i].region)].options.infillDensity;
+    }
     out.sparseBeadMm3 += volumeOf(sparse[i]);
     std::ranges::move(sparse[i], std::back_inserter(out.covers[i].beads));
   }
   if (out.sparseMm3 > 0.0)
-    out.fill = {{shellOf(tooling, options), std::max(0.0, out.sparseMm3 - out.sparseBeadMm3)}};
+    out.fill = {{shellOf(rules), std::max(0.0, out.sparseMm3 - out.sparseBeadMm3)}};
+}
+
+bool followsWalls(const CoverRules& rules) {
+  return rules.options.infillDensity < 1.0 &&
+         sparsePattern(rules.options.sparsePattern).followsWalls;
+}
+} // namespace
+
+LayerCovers coverLayers(const layers::LayerStack& stack, std::span<const CoverRules> rules,
+                        double share, const base::RunContext& ctx) {
+  const base::RunContext silent = ctx.quiet();
+  const bool anySplit =
+      std::ranges::any_of(rules, [](const CoverRules& own) { return isSplit(own.options); });
+  const bool anySparse = std::ranges::any_of(
+      rules, [](const CoverRules& own) { return own.options.infillDensity < 1.0; });
+  std::optional<StackLayers> layers;
+  SplitLayers split;
+  if (anySplit) {
+    layers.emplace(stack, std::ranges::any_of(rules, followsWalls), silent);
+    split = splitLayers(stack, *layers, rules, silent);
+  }
+  const layers::LayerStack& solid = anySplit ? split.solid : stack;
+  LayerCovers out;
+  out.covers.resize(stack.patches.size());
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    const double each = share / static_cast<double>(rules.size());
+    const base::RunContext span =
+        ctx.sub(each * static_cast<double>(r), each * (static_cast<double>(r) + 1.0));
+    std::vector<PatchCover> own = coverSolid(solid, stack, rules[r], r, 1.0, span);
+    coverSolidCores(split, stack, rules[r], r, silent, own);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (isOfRegion(stack.patches[i], r))
+        out.covers[i] = std::move(own[i]);
+  }
+  if (anySparse)
+    addSparse(SparseInfill(stack, *layers, split, rules, silent), stack, split, rules, silent, out);
   return out;
 }
 

@@ -4,10 +4,10 @@
 #include "base/run_context.h"
 #include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
-#include "process/tooling.h"
+#include "toolpath/cover_rules.h"
 #include "toolpath/coverage/cover_patch.h"
-#include "toolpath/options.h"
 
+#include <span>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -17,14 +17,18 @@ struct LayerCovers {
   // the solid part.
   std::vector<PatchCover> covers;
   std::vector<plan::FillIntent> fill; // as plan::ToolPlan::fill
-  double sparseMm3 = 0.0;     // Volume of the sparse parts
-  double sparseBeadMm3 = 0.0; // Volume of their beads
+  double sparseMm3 = 0.0;             // volume of the sparse parts
+  double sparseBeadMm3 = 0.0;         // volume of their beads
+  double sparseAskedMm3 = 0.0;        // volume of beads that their densities ask for
 };
 
 // Runs coverPatch() for every patch; with an infill density below 1 for the solid part of each, and
-// sparseBeads() for the rest. Solid infill beads that partly rest on a sparse
-// part become PathKind::Bridge. Reports progress up to `share`. Throws Cancelled, Error{Usage}.
-LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling& tooling,
-                        const ToolpathOptions& options, double share, const base::RunContext& ctx);
+// sparseBeads() for the rest. Solid infill beads that partly rest on a sparse part become
+// PathKind::Bridge. `rules`: by Patch::region, those of the item first. Walls and skins are found
+// for the item as a whole: a skin is below or above the part's surface, not at the end of a region.
+// Reports progress up to `share`. Precondition: rules for each region of the stack's patches.
+// Throws Cancelled, Error{Usage}.
+LayerCovers coverLayers(const layers::LayerStack& stack, std::span<const CoverRules> rules,
+                        double share, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -112,6 +112,7 @@ layers::Patch cutOut(const PatchSurface& s, const std::vector<double>& values,
   part.layer = patch.layer;
   part.group = patch.group;
   part.item = patch.item;
+  part.region = patch.region;
   part.tool = patch.tool;
   return part;
 }
@@ -159,14 +160,16 @@ void splitPlane(std::size_t i, const layers::Patch& patch, const PlaneLevels& le
 } // namespace
 
 SplitLayers splitLayers(const layers::LayerStack& stack, const StackLayers& layers,
-                        const process::Tooling& tooling, const ToolpathOptions& options,
-                        const base::RunContext& ctx) {
+                        std::span<const CoverRules> rules, const base::RunContext& ctx) {
   SplitLayers split{stack, {}, {}};
   split.sparse.resize(stack.patches.size());
   split.sparseAreas.resize(stack.patches.size());
   base::parallelChunks(ctx, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
     const layers::Patch& patch = stack.patches[i];
     if (patch.surface.empty() || patch.group == layers::kSupportGroup)
+      return;
+    const auto& [options, tooling] = rules[at(patch.region)];
+    if (options.infillDensity >= 1.0 && options.infillTool < 0)
       return;
     const process::Process& process = tooling.at(patch.tool).process;
     if (layers.levels.isEven(i))

@@ -4,11 +4,11 @@
 #include "base/run_context.h"
 #include "geometry/polygon_paths.h"
 #include "layers/layer_stack.h"
-#include "process/tooling.h"
-#include "toolpath/options.h"
+#include "toolpath/cover_rules.h"
 #include "toolpath/sparse/stack_layers.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -26,9 +26,10 @@ struct SplitLayers {
 // other layers, at least skinMm thick, are between it and the part's surface along the build
 // direction. Skins extend by kSkinExtension beads into the sparse part. Sparse parts narrower than
 // kMinSparse beads become solid, and so do supports. Plane layers are split as polygons
-// (plane_split.h). `layers`: of the same stack. Throws Cancelled.
+// (plane_split.h). `rules`: by Patch::region; patches of a region without sparse infill, and
+// without a tool of its own for the interior, stay whole. `layers`: of the same stack. Throws
+// Cancelled.
 SplitLayers splitLayers(const layers::LayerStack& stack, const StackLayers& layers,
-                        const process::Tooling& tooling, const ToolpathOptions& options,
-                        const base::RunContext& ctx);
+                        std::span<const CoverRules> rules, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

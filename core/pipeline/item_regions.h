@@ -1,0 +1,63 @@
+// The regions of an item in its stages.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/triangle_mesh.h"
+#include "modes/mode_stages.h"
+#include "project/job_stage.h"
+#include "regions/part_regions.h"
+#include "toolpath/cover_rules.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace voluta::pipeline {
+
+struct Resolved;
+
+bool hasRegions(const Resolved& resolved);
+
+// Returns the stage with the part that the cutting regions leave; itself without any. Throws as
+// regions::withoutCuts().
+std::shared_ptr<const modes::LoadStage>
+withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::TriangleMesh& file,
+               const Resolved& resolved, double unitMm, const base::RunContext& ctx);
+
+// The solids of an item's regions, part of the stage Decompose.
+struct RegionStage {
+  static constexpr project::Stage kStage = project::Stage::Decompose;
+  std::shared_ptr<const geometry::TriangleMesh> rest; // has the layers of the item's mode
+  std::vector<regions::LayeredRegion> layered;
+  std::vector<geometry::TriangleMesh> bodies; // of every region; empty: no settings of its own
+  plan::Findings findings;
+};
+// Throws as regions::divided().
+std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
+                                               const geometry::TriangleMesh& file,
+                                               const Resolved& resolved, double unitMm,
+                                               const base::RunContext& ctx);
+
+// Returns the layers of the mode followed by those of the regions. Throws as regions::layersOf().
+std::shared_ptr<const modes::LayersStage>
+withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionStage& regions,
+                 const geometry::TriangleMesh& part, const Resolved& resolved,
+                 const base::RunContext& ctx);
+
+// Returns the layers with their patches divided at the regions that have settings of their own, and
+// with the tools and the figures of the regions. Throws Cancelled.
+std::shared_ptr<const modes::LayersStage>
+dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionStage& regions,
+                 const geometry::TriangleMesh& part, const Resolved& resolved,
+                 const base::RunContext& ctx);
+
+// Returns how the item and its regions are covered, by Patch::region. Throws Error{Usage}.
+std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved);
+
+// Return the inputs of these functions, as text; empty without regions.
+std::string cutRegionsKey(const Resolved& resolved);
+std::string layeredRegionsKey(const Resolved& resolved);
+std::string dividingRegionsKey(const Resolved& resolved);
+std::string regionRulesKey(const Resolved& resolved);
+
+} // namespace voluta::pipeline

@@ -1,0 +1,71 @@
+#include "pipeline/region_check.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/parameters.h"
+#include "modes/mode.h"
+#include "modes/mode_table.h"
+#include "project/choices.h"
+#include "regions/region_kinds.h"
+#include "regions/region_uses.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace voluta::pipeline {
+
+namespace {
+using base::Error;
+using base::ErrorCode;
+using project::Region;
+
+void requireRegionSetting(const base::ParameterTable& table, const std::string& key,
+                          const std::string& value) {
+  const base::ParameterSpec* spec = table.find(key);
+  if (spec && spec->scope == base::ParameterScope::Region) {
+    base::parseParameter(*spec, value);
+    return;
+  }
+  std::vector<std::string> keys;
+  for (const base::ParameterSpec& known : table.specs())
+    if (known.scope == base::ParameterScope::Region)
+      keys.push_back(known.key);
+  if (spec)
+    throw Error(ErrorCode::Usage,
+                base::message("{key} is a setting of the part, not of a region"_text, key), {},
+                base::message("settings of a region: {keys}"_text,
+                              fmt::format("{}", fmt::join(keys, ", "))));
+  throw Error(ErrorCode::Usage, base::message("unknown parameter {key}"_text, key), {},
+              base::didYouMean(key, keys));
+}
+} // namespace
+
+void checkRegions(const project::ItemChoices& item, const base::ParameterTable& table) {
+  for (const Region& region : item.regions) {
+    const regions::Shape shape = regions::parsedShape(region.shape);
+    const regions::RegionUse& use = regions::findUse(region.use);
+    if (shape.kind->mesh != regions::ShapeMesh::None && !region.mesh)
+      throw Error(ErrorCode::Usage, base::message("region {region} has no mesh"_text, region.shape),
+                  {}, "add it from its file again"_text);
+    if (use.hasLayers && shape.kind->frame != regions::ShapeFrame::Part)
+      throw Error(
+          ErrorCode::Usage,
+          base::message("region {region} follows no surface: it has no layers of its own"_text,
+                        region.shape),
+          {}, "give it as a skin, or use it for settings"_text);
+    for (const auto& [key, value] : region.parameters)
+      requireRegionSetting(table, key, value);
+  }
+  const modes::Mode* mode = modes::modeNamed(item.mode);
+  const bool anyLayers = std::ranges::any_of(
+      item.regions, [](const Region& region) { return regions::findUse(region.use).hasLayers; });
+  if (anyLayers && mode && !item.automatic &&
+      (mode->aroundRod || mode->onPart || mode->platforms.front() == project::PlatformUse::Body))
+    throw Error(ErrorCode::Usage,
+                base::message("mode {mode} has no layers along the part's surface"_text, item.mode),
+                {}, "choose mode flat, planar or curved, or remove the skin"_text);
+}
+
+} // namespace voluta::pipeline

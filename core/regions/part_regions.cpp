@@ -1,0 +1,140 @@
+#include "regions/part_regions.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_boolean.h"
+#include "regions/closed_contour.h"
+#include "regions/region_kinds.h"
+#include "regions/region_uses.h"
+#include "substrate/skin.h"
+
+#include <optional>
+#include <utility>
+
+namespace voluta::regions {
+
+namespace {
+using geometry::BooleanOperation;
+using geometry::TriangleMesh;
+
+// Volume below which a remainder is rounding.
+constexpr double kNothingMm3 = 1e-6;
+
+TriangleMesh moved(TriangleMesh mesh, const PlacedPart& part) {
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v = part.work_T_file * (part.scale * v);
+  return mesh;
+}
+
+TriangleMesh combined(BooleanOperation operation, const TriangleMesh& part,
+                      const TriangleMesh& body, const project::Region& region) {
+  auto made = geometry::meshBoolean(operation, part, body, true);
+  if (!made)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("region {region} cannot be separated from the part: one of "
+                                    "them is not closed or intersects itself"_text,
+                                    region.shape),
+                      {}, "repair the part, or move the region a little"_text);
+  if (made->empty() || geometry::volume(*made) < kNothingMm3)
+    return {};
+  return std::move(*made);
+}
+
+substrate::Skin skinOf(const Shape& shape) {
+  return {shape.numbers[0], base::degreesToRadians(shape.numbers[1])};
+}
+
+TriangleMesh skinBody(const project::Region& region, const Shape& shape, const TriangleMesh& part,
+                      const substrate::LevelOptions& levels, const base::RunContext& ctx) {
+  const double gridMm = substrate::offsetGridMm(levels);
+  const substrate::Skin skin = skinOf(shape);
+  const substrate::SkinSurface surface(part, skin, gridMm);
+  if (surface.empty())
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message("region {region}: no face of the part is as flat as that"_text, region.shape),
+        {}, "give a steeper slope"_text);
+  Eigen::AlignedBox3d box = geometry::bounds(surface.surface());
+  box.min().array() -= skin.depthMm + 2.0 * gridMm;
+  box.max().array() += skin.depthMm + 2.0 * gridMm;
+  return closedContour([&](const Eigen::Vector3d& p) { return surface.excess(p); }, box, gridMm,
+                       ctx);
+}
+} // namespace
+
+TriangleMesh bodyOf(const project::Region& region, const PlacedPart& part,
+                    const substrate::LevelOptions& levels, const base::RunContext& ctx) {
+  const Shape shape = parsedShape(region.shape);
+  switch (shape.kind->frame) {
+  case ShapeFrame::Plate:
+    return shape.kind->body(shape.numbers, geometry::bounds(part.mesh));
+  case ShapeFrame::Part:
+    return skinBody(region, shape, part.mesh, levels, ctx);
+  case ShapeFrame::File:
+    break;
+  }
+  if (shape.kind->mesh == ShapeMesh::None)
+    return moved(shape.kind->body(shape.numbers, geometry::bounds(part.mesh)), part);
+  base::require(region.mesh != nullptr, "the region has its mesh");
+  const TriangleMesh mesh = moved(*region.mesh, part);
+  return shape.kind->mesh == ShapeMesh::Painted
+             ? substrate::bodyAround(mesh, shape.numbers[0], substrate::offsetGridMm(levels), ctx)
+             : mesh;
+}
+
+TriangleMesh withoutCuts(const PlacedPart& part, std::span<const project::Region> all,
+                         const substrate::LevelOptions& levels, const base::RunContext& ctx) {
+  TriangleMesh left = part.mesh;
+  for (const project::Region& region : all) {
+    if (!findUse(region.use).cuts)
+      continue;
+    left = combined(BooleanOperation::Difference, left, bodyOf(region, part, levels, ctx), region);
+    if (left.empty())
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          base::message("region {region} cuts away the whole part"_text, region.shape), {},
+          "make the region smaller, or move it"_text);
+    ctx.checkpoint();
+  }
+  return left;
+}
+
+PartRegions divided(const PlacedPart& part, std::span<const project::Region> all,
+                    const substrate::LevelOptions& levels, const base::RunContext& ctx) {
+  PartRegions result{part.mesh, {}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const project::Region& region = all[i];
+    if (!findUse(region.use).hasLayers)
+      continue;
+    const TriangleMesh body = bodyOf(region, part, levels, ctx);
+    TriangleMesh solid = combined(BooleanOperation::Intersection, part.mesh, body, region);
+    ctx.checkpoint();
+    if (solid.empty())
+      continue;
+    for (LayeredRegion& earlier : result.layered)
+      earlier.solid = combined(BooleanOperation::Difference, earlier.solid, body, region);
+    result.rest = combined(BooleanOperation::Difference, result.rest, body, region);
+    if (result.rest.empty())
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          base::message("region {region} contains the whole part: nothing carries its "
+                        "layers"_text,
+                        region.shape),
+          {}, "make the region smaller"_text);
+    result.layered.push_back({i, std::move(solid)});
+    ctx.checkpoint();
+  }
+  std::erase_if(result.layered, [](const LayeredRegion& region) { return region.solid.empty(); });
+  return result;
+}
+
+substrate::StackedLevels layersOf(const project::Region& region, const TriangleMesh& solid,
+                                  const TriangleMesh& whole, const substrate::LevelOptions& levels,
+                                  const base::RunContext& ctx) {
+  return substrate::stackLevels(
+      solid, substrate::skinLevels(solid, whole, skinOf(parsedShape(region.shape)), levels), levels,
+      ctx);
+}
+
+} // namespace voluta::regions

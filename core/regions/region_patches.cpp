@@ -1,0 +1,203 @@
+#include "regions/region_patches.h"
+
+#include "base/parallel.h"
+#include "geometry/append_mesh.h"
+#include "geometry/measures.h"
+#include "geometry/polygon_paths.h"
+#include "layers/clean_surface.h"
+#include "layers/part_boundary.h"
+#include "layers/patches.h"
+#include "layers/trim.h"
+#include "planar/slicing/section.h"
+#include "planar/slicing/section_paths.h"
+#include "toolpath/plane/connected_parts.h"
+#include "toolpath/plane/plane_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace voluta::regions {
+
+namespace {
+using ClipperLib::Paths;
+using Eigen::Vector3d;
+using geometry::TriangleMesh;
+using layers::Patch;
+
+constexpr double kSmallestMm2 = 1e-3;
+constexpr double kCellMm = 2.0;    // of the grid that finds places near a body
+constexpr double kBeyondMm = 10.0; // of the box around a region whose outside is wanted
+
+// A body with its inside and its outside as boundaries for trimming, and its sections.
+class Body {
+public:
+  Body(const SettingsRegion& region, const Eigen::AlignedBox3d& around, const base::RunContext& ctx)
+      : region_(region), inside_(region.body, kCellMm, ctx),
+        outside_(outsideOf(region.body, around), kCellMm, ctx) {}
+
+  int number() const { return region_.number; }
+  const layers::PartBoundary& boundary(bool inside) const { return inside ? inside_ : outside_; }
+
+  // Returns the section by the plane of a patch, in the frame of the patch.
+  Paths section(const toolpath::PlanePatch& plane) const {
+    const planar::Section cut = planar::Sections(region_.body, plane.direction).at(plane.heightMm);
+    std::map<int, std::vector<int>> next;
+    for (const auto& [a, b] : cut.edges)
+      next[a].push_back(b);
+    Paths loops;
+    while (!next.empty()) {
+      ClipperLib::Path loop;
+      int at = next.begin()->first;
+      for (auto entry = next.find(at); entry != next.end(); entry = next.find(at)) {
+        loop.push_back(geometry::pathPoint(
+            (plane.plane_R_work * cut.points[static_cast<std::size_t>(at)]).head<2>()));
+        at = entry->second.back();
+        entry->second.pop_back();
+        if (entry->second.empty())
+          next.erase(entry);
+      }
+      loops.push_back(std::move(loop));
+    }
+    return geometry::united(loops);
+  }
+
+private:
+  // Returns a box around everything with the body as a cavity.
+  static TriangleMesh outsideOf(const TriangleMesh& body, Eigen::AlignedBox3d box) {
+    box.extend(geometry::bounds(body));
+    const Vector3d low = box.min().array() - kBeyondMm, high = box.max().array() + kBeyondMm;
+    TriangleMesh mesh;
+    for (int k = 0; k < 8; ++k)
+      mesh.vertices.emplace_back((k & 1) != 0 ? high.x() : low.x(),
+                                 (k & 2) != 0 ? high.y() : low.y(),
+                                 (k & 4) != 0 ? high.z() : low.z());
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    TriangleMesh cavity = body;
+    for (auto& t : cavity.triangles)
+      std::swap(t[1], t[2]);
+    geometry::appendMesh(mesh, cavity);
+    return mesh;
+  }
+
+  const SettingsRegion& region_;
+  layers::PartBoundary inside_, outside_;
+};
+
+Patch withPlaceOf(Patch patch, const Patch& like, int region) {
+  patch.layer = like.layer;
+  patch.group = like.group;
+  patch.item = like.item;
+  patch.tool = like.tool;
+  patch.region = region;
+  return patch;
+}
+
+// Appends a patch for each connected part of the area. Returns whether all of them could be made.
+bool addPlaneParts(const Paths& area, const toolpath::PlanePatch& plane, const Patch& like,
+                   int region, std::vector<Patch>& to) {
+  for (const Paths& part : toolpath::connectedParts(area)) {
+    if (std::abs(geometry::areaMm2(part)) < kSmallestMm2)
+      continue;
+    toolpath::PlanePatch outline = plane;
+    outline.outline = part;
+    auto made = toolpath::patchOver(part, outline, like);
+    if (!made)
+      return false;
+    if (!made->surface.empty())
+      to.push_back(withPlaceOf(std::move(*made), like, region));
+  }
+  return true;
+}
+
+std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& body) {
+  const auto plane = toolpath::planePatch(patch);
+  if (!plane || !plane->isEven || !plane->seams.empty())
+    return std::nullopt;
+  const Paths section = body.section(*plane);
+  const Paths inside = geometry::combined(plane->outline, section, ClipperLib::ctIntersection);
+  if (std::abs(geometry::areaMm2(inside)) < kSmallestMm2)
+    return std::vector{patch};
+  std::vector<Patch> parts;
+  const Paths outside = geometry::combined(plane->outline, section, ClipperLib::ctDifference);
+  if (!addPlaneParts(outside, *plane, patch, patch.region, parts) ||
+      !addPlaneParts(inside, *plane, patch, body.number(), parts))
+    return std::nullopt;
+  return parts;
+}
+
+layers::LevelSurface surfaceOf(const Patch& patch) {
+  layers::LevelSurface level;
+  level.surface = patch.surface;
+  level.thicknessMm = patch.thicknessMm;
+  level.direction = patch.direction;
+  level.clearDirection = patch.clearDirection;
+  level.innerRim = patch.innerRim;
+  level.chart = patch.chart;
+  level.level = patch.layer;
+  return level;
+}
+
+std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
+                                  const base::RunContext& ctx) {
+  std::vector<Patch> parts;
+  for (const bool inside : {false, true}) {
+    layers::LevelSurface surface =
+        layers::trimToPart(surfaceOf(patch), body.boundary(inside), {}, ctx);
+    if (surface.surface.empty())
+      continue;
+    layers::cleanSurface(surface, {}, ctx);
+    layers::PatchesOfLevel made = layers::makePatches(surface, {0.0});
+    for (Patch& part : made.patches)
+      parts.push_back(withPlaceOf(std::move(part), patch, inside ? body.number() : patch.region));
+  }
+  return parts;
+}
+} // namespace
+
+layers::LayerStack dividedPatches(const layers::LayerStack& stack,
+                                  std::span<const SettingsRegion> regions,
+                                  const base::RunContext& ctx) {
+  Eigen::AlignedBox3d box;
+  for (const Patch& patch : stack.patches)
+    box.extend(geometry::bounds(patch.surface));
+  std::vector<std::unique_ptr<const Body>> bodies;
+  for (const SettingsRegion& region : regions)
+    bodies.push_back(std::make_unique<const Body>(region, box, ctx));
+  std::vector<std::vector<Patch>> divided(stack.patches.size());
+  base::parallelChunks(ctx, divided.size(), 1, [&](std::size_t begin, std::size_t end) {
+    const base::RunContext silent = ctx.quiet();
+    for (std::size_t i = begin; i < end; ++i) {
+      std::vector<Patch>& parts = divided[i];
+      parts = {stack.patches[i]};
+      if (stack.patches[i].group == layers::kSupportGroup)
+        continue;
+      for (const auto& body : bodies) {
+        std::vector<Patch> next;
+        for (const Patch& part : parts) {
+          auto made = part.surface.empty()
+                          ? std::vector{part}
+                          : dividedPlane(part, *body).value_or(std::vector<Patch>{});
+          if (made.empty())
+            made = dividedSurface(part, *body, silent);
+          std::ranges::move(made, std::back_inserter(next));
+        }
+        parts = std::move(next);
+      }
+    }
+  });
+  layers::LayerStack result;
+  result.layerCount = stack.layerCount;
+  result.pockets = stack.pockets;
+  for (std::vector<Patch>& parts : divided)
+    std::ranges::move(parts, std::back_inserter(result.patches));
+  return result;
+}
+
+} // namespace voluta::regions

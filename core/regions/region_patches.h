@@ -1,0 +1,25 @@
+// Divides the patches of layers between an item and its regions.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/triangle_mesh.h"
+#include "layers/layer_stack.h"
+
+#include <span>
+
+namespace voluta::regions {
+
+// A region that has settings of its own, but the layers of its item.
+struct SettingsRegion {
+  int number = 0;              // Patch::region
+  geometry::TriangleMesh body; // closed, work frame
+};
+
+// Returns the stack with each patch divided at the bodies; the later region holds where two
+// overlap. Patches of other regions and supports stay. The ends of a region are walls: each side is
+// covered up to them. Plane layers are divided as polygons, others as surfaces. Throws Cancelled.
+layers::LayerStack dividedPatches(const layers::LayerStack& stack,
+                                  std::span<const SettingsRegion> regions,
+                                  const base::RunContext& ctx);
+
+} // namespace voluta::regions

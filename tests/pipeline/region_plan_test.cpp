@@ -1,0 +1,150 @@
+// Parts with regions from the mesh to the replayed program.
+#include "base/error.h"
+#include "box_request.h"
+#include "helpers/given_parameters.h"
+#include "helpers/temporary_folder.h"
+#include "layers/layer_stack.h"
+#include "pipeline/checked_program.h"
+#include "pipeline/plan_reasons.h"
+#include "pipeline/road.h"
+#include "pipeline/stage_options.h"
+#include "plan/tool_plan.h"
+#include "process/bead_model.h"
+#include "project/job.h"
+#include "regions/region_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace voluta::pipeline {
+namespace {
+
+using test::reasons;
+
+PlanRequest requestWith(const std::vector<std::string>& regions, const std::string& density,
+                        const std::string& mode = "flat") {
+  PlanRequest request;
+  request.item().loaded = test::loadedBox({-20, -16, 0}, {20, 16, 16});
+  request.choices.item().mode = mode;
+  request.choices.formats = {"gcode-extended"};
+  test::giveParameters(request.choices, {{"infillDensity", density}});
+  for (const std::string& text : regions)
+    request.choices.item().regions.push_back(regions::parsedRegion(text, {}));
+  return request;
+}
+
+double volumeWithin(const plan::ToolPlan& plan, double lowZ, double highZ) {
+  double mm3 = 0.0;
+  for (const plan::ToolPath& path : plan.paths) {
+    if (plan::isWaste(path.kind))
+      continue;
+    for (std::size_t w = path.first + 1; w < path.first + path.count; ++w) {
+      const Eigen::Vector3d middle = 0.5 * (plan.position[w] + plan.position[w - 1]);
+      if (middle.z() > lowZ && middle.z() < highZ)
+        mm3 += (plan.position[w] - plan.position[w - 1]).norm() *
+               process::beadArea(plan.widthMm[w], plan.heightMm[w]);
+    }
+  }
+  return mm3;
+}
+
+// A range of heights is solid, the rest is not: the beads show it.
+TEST(RegionPlan, ARangeOfHeightsHasItsDensity) {
+  const PlanResult plan = planPart(requestWith({"height:6.4,9.6;infillDensity=1"}, "0.2"), {});
+  ASSERT_EQ(plan.checked.size(), 1u);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
+  const plan::ToolPlan& paths = *plan.job.toolPlan;
+  EXPECT_NEAR(volumeWithin(paths, 6.6, 9.7) / (40.0 * 32.0 * 3.2), 1.0, 0.02);
+  EXPECT_LT(volumeWithin(paths, 9.7, 12.9) / (40.0 * 32.0 * 3.2), 0.6);
+  const auto& regions = plan.job.report.item().layers.regions;
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_NEAR(regions[0].volumeMm3 / (40.0 * 32.0 * 3.2), 1.0, 0.01);
+  EXPECT_EQ(regions[0].stepMaxMm, 0.0);
+}
+
+// More walls round a place: beads inside it are walls only.
+TEST(RegionPlan, ACylinderHasItsWalls) {
+  const PlanResult plan = planPart(requestWith({"cylinder:0,0,8,12,40;walls=6"}, "1"), {});
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << reasons(plan);
+  const plan::ToolPlan& paths = *plan.job.toolPlan;
+  double wallMm = 0.0, otherMm = 0.0;
+  for (const plan::ToolPath& path : paths.paths)
+    for (std::size_t w = path.first + 1; w < path.first + path.count; ++w) {
+      const Eigen::Vector3d a = paths.position[w - 1], b = paths.position[w];
+      if ((0.5 * (a + b)).head<2>().norm() < 5.0)
+        (path.kind == plan::PathKind::Wall ? wallMm : otherMm) += (b - a).norm();
+    }
+  EXPECT_GT(wallMm, 20.0 * otherMm);
+}
+
+TEST(RegionPlan, CutsAndSkinsPassInTheirModes) {
+  for (const auto& [mode, regions] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"flat", {"box:0,0,16,10,100,8;use=cut"}},
+           {"flat", {"skin:1.6"}},
+           {"curved", {"sphere:0,0,16,14;infillDensity=1"}},
+           {"planar", {"height:3,8;infillAngle=0"}}}) {
+    const PlanResult plan = planPart(requestWith(regions, "1", mode), {});
+    ASSERT_EQ(plan.checked.size(), 1u);
+    EXPECT_TRUE(plan.checked[0]->verdict.passed) << mode << " " << regions[0] << reasons(plan);
+  }
+}
+
+TEST(RegionPlan, ARegionOutsideThePartIsReported) {
+  PlanRequest request = requestWith({"box:100,0,0,5,5,5;name=Far away;walls=3"}, "1");
+  request.until = project::Stage::Layers;
+  const PlanResult plan = planPart(request, {});
+  EXPECT_THAT(reasons(plan), testing::HasSubstr("region Far away is outside the part"));
+}
+
+TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {
+  for (const std::string text :
+       {"box:0,0,0,5,5,5;quality=strict", "box:0,0,0,5,5,5;wals=3", "box:0,0,0,5,5,5;walls=99",
+        "box:0,0,0,5,5,5;use=surface", "height:1,2;layerHeightMm=0.6", "height:1,2;tool=3"}) {
+    PlanRequest request = requestWith({text}, "1");
+    EXPECT_THROW(planPart(request, {}), base::Error) << text;
+  }
+  EXPECT_THROW(planPart(requestWith({"skin:2"}, "1", "lathe"), {}), base::Error);
+}
+
+// A project keeps regions, meshes included; its results stay those of its choices.
+TEST(RegionPlan, AProjectKeepsRegions) {
+  const test::TemporaryFolder folder;
+  PlanRequest request = requestWith({"height:4,8;infillDensity=0.5;name=Band"}, "0.2");
+  request.choices.item().regions.push_back(
+      {.name = "Body",
+       .shape = "mesh:body.stl",
+       .mesh = std::make_shared<geometry::TriangleMesh>(test::box({-5, -5, -1}, {5, 5, 20})),
+       .parameters = {{"walls", "4"}}});
+  request.until = project::Stage::Layers;
+  const PlanResult plan = planPart(request, {});
+  project::writeJob(folder.path() / "job.voluta", plan.job);
+  const project::Job read = project::readJob(folder.path() / "job.voluta", allParameters());
+  EXPECT_EQ(read.choices.item().regions, request.choices.item().regions);
+  ASSERT_EQ(read.item().layers->patches.size(), plan.job.item().layers->patches.size());
+  for (std::size_t i = 0; i < read.item().layers->patches.size(); ++i)
+    EXPECT_EQ(read.item().layers->patches[i].region, plan.job.item().layers->patches[i].region);
+  EXPECT_EQ(read.keys(), plan.job.keys());
+}
+
+// The key of each stage changes with what it uses, and with nothing else.
+TEST(RegionPlan, KeysFollowTheRegions) {
+  const auto keysWith = [](const std::string& region) {
+    PlanRequest request = requestWith({region}, "0.5");
+    request.until = project::Stage::Load;
+    return stageKeys(request);
+  };
+  const auto differ = [&](const std::string& a, const std::string& b, project::Stage first) {
+    const auto x = keysWith(a), y = keysWith(b);
+    for (std::size_t s = 0; s < x.size(); ++s)
+      EXPECT_EQ(x[s] != y[s], s >= project::indexOf(first)) << a << b << s;
+  };
+  using enum project::Stage;
+  differ("height:4,8;use=cut", "height:4,9;use=cut", Load);
+  differ("skin:1.6", "skin:2.4", Decompose);
+  differ("height:4,8", "height:4,9", Layers);
+  differ("height:4,8;walls=3", "height:4,8;walls=4", Toolpath);
+  EXPECT_EQ(keysWith("height:4,8;name=a"), keysWith("height:4,8;name=b"));
+}
+
+} // namespace
+} // namespace voluta::pipeline

@@ -1,0 +1,116 @@
+// The solids into which regions divide a part, and the layers of a skin, in closed form.
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "regions/part_regions.h"
+
+#include "helpers/layer_volume.h"
+#include "helpers/made_solids.h"
+#include "helpers/shapes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::regions {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::TriangleMesh;
+using test::operator+;
+
+const substrate::LevelOptions kLevels{0.8, 0.4, 1.0, 0.0, 1.2};
+
+// A cap of a sphere on a cylinder: the steepest slope is at its edge.
+TriangleMesh dome(double radius, double edgeRadius, double baseMm) {
+  const double middle = baseMm - std::sqrt(radius * radius - edgeRadius * edgeRadius);
+  std::vector<Eigen::Vector2d> section{{0.01, 0.0}, {edgeRadius, 0.0}};
+  for (int i = 0; i <= 60; ++i) {
+    const double r = std::max(0.01, edgeRadius * (1.0 - i / 60.0));
+    section.emplace_back(r, middle + std::sqrt(radius * radius - r * r));
+  }
+  return test::turned(section, 120);
+}
+
+TEST(PartRegions, CutsLeaveTheRemainder) {
+  const TriangleMesh part = test::box({-20, -15, 0}, {20, 15, 10});
+  const std::vector<project::Region> all{{.shape = "cylinder:5,0,5,10,20", .use = "cut"},
+                                         {.shape = "height:2,4", .use = "settings"},
+                                         {.shape = "box:-20,0,5,4,4,4", .use = "cut"}};
+  const TriangleMesh left = withoutCuts({part}, all, kLevels, {});
+  EXPECT_NEAR(geometry::volume(left), 12000.0 - base::kPi * 250.0 - 32.0, 0.5);
+  const std::vector<project::Region> whole{{.shape = "sphere:0,0,0,200", .use = "cut"}};
+  EXPECT_THROW(withoutCuts({part}, whole, kLevels, {}), base::Error);
+}
+
+// Below a flat top the skin is a slab; at constant depth it follows a dome.
+TEST(PartRegions, ASkinAndItsCoreAreThePart) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> size(12.0, 30.0), depth(0.8, 3.2);
+  for (int i = 0; i < 12; ++i) {
+    const double a = size(random), b = size(random), h = size(random), d = depth(random);
+    const TriangleMesh box = test::box({0, 0, 0}, {a, b, h});
+    const std::vector<project::Region> skin{
+        {.shape = "skin:" + std::to_string(d), .use = "surface"}};
+    const PartRegions made = divided({box}, skin, kLevels, {});
+    ASSERT_EQ(made.layered.size(), 1u);
+    EXPECT_NEAR(geometry::volume(made.layered[0].solid) / (a * b * d), 1.0, 0.01);
+    EXPECT_NEAR(geometry::volume(made.rest) + geometry::volume(made.layered[0].solid), a * b * h,
+                1e-3);
+    const substrate::StackedLevels layers =
+        layersOf(skin[0], made.layered[0].solid, box, kLevels, {});
+    EXPECT_EQ(layers.stack.layerCount,
+              std::clamp(static_cast<int>(std::lround(d / 0.8)), static_cast<int>(std::ceil(d)),
+                         static_cast<int>(std::floor(d / 0.4))));
+    EXPECT_NEAR(test::volumeOf(layers.stack) / (a * b * d), 1.0, 0.01);
+  }
+}
+
+TEST(PartRegions, LayersOfASkinAreParallelToADome) {
+  const double radius = 40.0, edge = 25.0, base = 6.0, depth = 2.4;
+  const TriangleMesh part = dome(radius, edge, base);
+  const std::vector<project::Region> skin{{.shape = "skin:2.4", .use = "surface"}};
+  const PartRegions made = divided({part}, skin, kLevels, {});
+  ASSERT_EQ(made.layered.size(), 1u);
+  const substrate::StackedLevels layers =
+      layersOf(skin[0], made.layered[0].solid, part, kLevels, {});
+  ASSERT_EQ(layers.stack.layerCount, 3);
+  const Vector3d middle(0.0, 0.0, base - std::sqrt(radius * radius - edge * edge));
+  std::size_t vertices = 0, askew = 0;
+  for (const layers::Patch& patch : layers.stack.patches)
+    for (std::size_t v = 0; v < patch.surface.vertices.size(); ++v) {
+      const Vector3d out = patch.surface.vertices[v] - middle;
+      EXPECT_NEAR(out.norm(), radius - depth + 0.8 * (patch.layer + 0.5), 0.05);
+      ++vertices;
+      askew += out.normalized().dot(patch.direction[v]) < 0.99 ? 1 : 0;
+      EXPECT_NEAR(patch.thicknessMm[v], 0.8, 0.03);
+    }
+  EXPECT_LT(askew, vertices / 1000); // at the edge of the dome
+  EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(made.layered[0].solid), 1.0, 0.01);
+}
+
+// The higher half of a step keeps its wall: the skin of the lower one ends there.
+TEST(PartRegions, ASkinEndsAtARisingWall) {
+  const TriangleMesh part = test::box({0, 0, 0}, {40, 20, 8}) + test::box({20, 0, 4}, {40, 20, 20});
+  const std::vector<project::Region> skin{{.shape = "skin:1.6", .use = "surface"}};
+  const PartRegions made = divided({part}, skin, kLevels, {});
+  double mm3 = 0.0;
+  for (const LayeredRegion& region : made.layered)
+    mm3 += geometry::volume(region.solid);
+  EXPECT_NEAR(mm3 / (2.0 * 20.0 * 20.0 * 1.6), 1.0, 0.02);
+}
+
+TEST(PartRegions, ASkinNeedsASurfaceAndACore) {
+  const TriangleMesh part = test::box({0, 0, 0}, {20, 20, 5});
+  const std::vector<project::Region> thick{{.shape = "skin:6", .use = "surface"}};
+  EXPECT_THROW(divided({part}, thick, kLevels, {}), base::Error);
+  TriangleMesh roof = test::box({0, 0, 0}, {4, 20, 20}); // steep sides only
+  for (Vector3d& v : roof.vertices)
+    if (v.z() > 1.0)
+      v.x() = 2.0;
+  const std::vector<project::Region> skin{{.shape = "skin:1,30", .use = "surface"}};
+  EXPECT_THROW(divided({roof}, skin, kLevels, {}), base::Error);
+}
+
+} // namespace
+} // namespace voluta::regions
