@@ -16,6 +16,7 @@
 #include "regions/region_uses.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -28,15 +29,16 @@ const std::vector<Region>& regionsOf(const Resolved& resolved) {
   return resolved.choices.item().regions;
 }
 
-bool any(const Resolved& resolved, bool regions::RegionUse::*is) {
-  return std::ranges::any_of(
-      regionsOf(resolved), [&](const Region& region) { return regions::findUse(region.use).*is; });
+template <typename Is> bool any(const Resolved& resolved, const Is& is) {
+  return std::ranges::any_of(regionsOf(resolved), [&](const Region& region) {
+    return std::invoke(is, regions::findUse(region.use));
+  });
 }
 
-regions::PlacedPart placedPart(const modes::LoadStage& placed, const geometry::TriangleMesh& file,
-                               double unitMm) {
+regions::PlacedPart placedPart(const modes::LoadStage& placed, const geometry::TriangleMesh& whole,
+                               const geometry::TriangleMesh& file, double unitMm) {
   const double scale = placed.scale * unitMm;
-  return {*placed.part, modes::motionOf(file, scale, placed.placement), scale};
+  return {whole, modes::motionOf(file, scale, placed.placement), scale};
 }
 
 // Keys of the regions for which `isMeant` holds; empty without any.
@@ -56,8 +58,10 @@ Resolved resolvedRegion(const Resolved& item, const Region& region) {
   project::Choices own = item.choices;
   for (const auto& [key, value] : region.parameters)
     own.item().parameters[key] = value;
-  // A skin is solid unless it is asked not to be.
-  if (regions::findUse(region.use).hasLayers && !region.parameters.contains("infillDensity"))
+  // A skin or jacket is solid unless it is asked not to be.
+  const regions::RegionLayers layers = regions::findUse(region.use).layers;
+  if ((layers == regions::RegionLayers::Surface || layers == regions::RegionLayers::Around) &&
+      !region.parameters.contains("infillDensity"))
     own.item().parameters["infillDensity"] = "1";
   return resolve(own);
 }
@@ -82,7 +86,7 @@ withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::Tr
     return stage;
   auto cut = std::make_shared<modes::LoadStage>(*stage);
   cut->part = std::make_shared<geometry::TriangleMesh>(
-      regions::withoutCuts(placedPart(*stage, file, unitMm), regionsOf(resolved),
+      regions::withoutCuts(placedPart(*stage, *stage->part, file, unitMm), regionsOf(resolved),
                            modes::levelOptions(resolved.modeChoices()), ctx));
   cut->voxels = nullptr;
   cut->report.volumeMm3 = geometry::volume(*cut->part);
@@ -90,14 +94,15 @@ withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::Tr
 }
 
 std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
+                                               std::shared_ptr<const geometry::TriangleMesh> whole,
                                                const geometry::TriangleMesh& file,
                                                const Resolved& resolved, double unitMm,
                                                const base::RunContext& ctx) {
-  const regions::PlacedPart part = placedPart(placed, file, unitMm);
+  const regions::PlacedPart part = placedPart(placed, *whole, file, unitMm);
   const substrate::LevelOptions levels = modes::levelOptions(resolved.modeChoices());
   const std::vector<Region>& all = regionsOf(resolved);
   auto stage = std::make_shared<RegionStage>();
-  stage->rest = placed.part;
+  stage->rest = whole;
   if (any(resolved, &regions::RegionUse::hasLayers)) {
     regions::PartRegions made = regions::divided(part, all, levels, ctx);
     stage->layered = std::move(made.layered);
@@ -110,10 +115,10 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     bool isInPart =
         use.cuts || std::ranges::find(stage->layered, i, &regions::LayeredRegion::index) !=
                         stage->layered.end();
-    if (!use.cuts && !use.hasLayers) {
+    if (!use.cuts && !use.hasLayers()) {
       stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
-      const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection,
-                                                *placed.part, stage->bodies.back(), false);
+      const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
+                                                stage->bodies.back(), false);
       isInPart = !shared || !shared->empty();
     }
     if (!isInPart)
@@ -135,8 +140,8 @@ withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   auto made = std::make_shared<modes::LayersStage>(*stage);
   layers::LayerStack stack = *stage->layers;
   for (const regions::LayeredRegion& region : regions.layered) {
-    substrate::StackedLevels own =
-        regions::layersOf(regionsOf(resolved)[region.index], region.solid, part, levels, ctx);
+    substrate::StackedLevels own = regions::layersOf(
+        regionsOf(resolved)[region.index], region.solid, {part, *regions.rest}, levels, ctx);
     for (layers::Patch& patch : own.stack.patches) {
       patch.layer += stack.layerCount;
       patch.region = static_cast<int>(region.index) + 1;
@@ -193,12 +198,12 @@ std::string cutRegionsKey(const Resolved& resolved) {
 }
 
 std::string layeredRegionsKey(const Resolved& resolved) {
-  return keysOf(resolved, [](const regions::RegionUse& use) { return use.hasLayers; });
+  return keysOf(resolved, [](const regions::RegionUse& use) { return use.hasLayers(); });
 }
 
 std::string dividingRegionsKey(const Resolved& resolved) {
   return keysOf(resolved,
-                [](const regions::RegionUse& use) { return !use.cuts && !use.hasLayers; });
+                [](const regions::RegionUse& use) { return !use.cuts && !use.hasLayers(); });
 }
 
 std::string regionRulesKey(const Resolved& resolved) {

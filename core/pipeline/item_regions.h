@@ -32,8 +32,9 @@ struct RegionStage {
   std::vector<geometry::TriangleMesh> bodies; // of every region; empty: no settings of its own
   plan::Findings findings;
 };
-// Throws as regions::divided().
+// `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().
 std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
+                                               std::shared_ptr<const geometry::TriangleMesh> whole,
                                                const geometry::TriangleMesh& file,
                                                const Resolved& resolved, double unitMm,
                                                const base::RunContext& ctx);

@@ -235,12 +235,20 @@ double ItemStages::fileUnitMm() const {
   return unitMm(*loaded_, resolved_.choices);
 }
 
+void ItemStages::makeRegions(std::shared_ptr<const geometry::TriangleMesh> whole) {
+  if (!hasRegions(resolved_))
+    return;
+  regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers), slot("regions"), [&] {
+    return regionStage(*placed_, std::move(whole), *loaded_->mesh, resolved_, fileUnitMm(),
+                       context_.span(Stage::Decompose).quiet());
+  });
+}
+
 ItemOutcome ItemStages::decompose() {
-  if (hasRegions(resolved_))
-    regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers), slot("regions"), [&] {
-      return regionStage(*placed_, *loaded_->mesh, resolved_, fileUnitMm(),
-                         context_.span(Stage::Decompose).quiet());
-    });
+  // Modes on a ground find no order or pieces, but the volume that the ground occupies.
+  const bool isOnGround = mode_.result == project::ResultKind::OnGround;
+  if (!isOnGround)
+    makeRegions(placed_->part);
   decomposed_ =
       context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), slot({}), [&] {
         // Modes know no part above the plate; with given paths only the platform is used.
@@ -268,6 +276,10 @@ ItemOutcome ItemStages::decompose() {
       });
   item().platform = decomposed_->platform;
   item().result = decomposed_->result;
+  if (isOnGround) {
+    const auto* reduced = std::get_if<project::ReducedPlatform>(&decomposed_->result);
+    makeRegions(reduced && reduced->part ? reduced->part : placed_->part);
+  }
   report().decomposition = decomposed_->report;
   report().decomposition.mode = resolved_.choices.item().mode;
   plan::Findings findings = decomposed_->findings;

@@ -70,6 +70,7 @@ private:
   bool supportsSlices() const;
   plan::Findings startFindings();
   double fileUnitMm() const;
+  void makeRegions(std::shared_ptr<const geometry::TriangleMesh> whole);
   std::shared_ptr<const modes::LoadStage> withoutLayeredRegions() const;
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx);
 

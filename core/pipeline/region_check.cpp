@@ -49,7 +49,14 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
     if (shape.kind->mesh != regions::ShapeMesh::None && !region.mesh)
       throw Error(ErrorCode::Usage, base::message("region {region} has no mesh"_text, region.shape),
                   {}, "add it from its file again"_text);
-    if (use.hasLayers && shape.kind->frame != regions::ShapeFrame::Part)
+    const bool followsSurface = shape.kind->frame == regions::ShapeFrame::Part;
+    if (use.layers == regions::RegionLayers::Turning &&
+        regions::directionOf(region.use).cross(Eigen::Vector3d::UnitZ()).norm() < 1e-3)
+      throw Error(
+          ErrorCode::Usage,
+          base::message("layers of region {region} turn to where they are"_text, region.shape), {},
+          "give another direction than upwards"_text);
+    if (use.layers == regions::RegionLayers::Surface && !followsSurface)
       throw Error(
           ErrorCode::Usage,
           base::message("region {region} follows no surface: it has no layers of its own"_text,
@@ -59,13 +66,10 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
       requireRegionSetting(table, key, value);
   }
   const modes::Mode* mode = modes::modeNamed(item.mode);
-  const bool anyLayers = std::ranges::any_of(
-      item.regions, [](const Region& region) { return regions::findUse(region.use).hasLayers; });
-  if (anyLayers && mode && !item.automatic &&
-      (mode->aroundRod || mode->onPart || mode->platforms.front() == project::PlatformUse::Body))
+  if (mode && mode->onPart && !item.automatic && !item.regions.empty())
     throw Error(ErrorCode::Usage,
-                base::message("mode {mode} has no layers along the part's surface"_text, item.mode),
-                {}, "choose mode flat, planar or curved, or remove the skin"_text);
+                base::message("mode {mode} prints on the part: it has no regions"_text, item.mode),
+                {}, "remove the regions, or choose another mode"_text);
 }
 
 } // namespace voluta::pipeline

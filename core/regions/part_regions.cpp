@@ -5,12 +5,17 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_boolean.h"
 #include "regions/closed_contour.h"
+#include "regions/plane_layers.h"
 #include "regions/region_kinds.h"
 #include "regions/region_uses.h"
+#include "substrate/ground_distance.h"
 #include "substrate/skin.h"
+#include "substrate/substrate_layers.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace voluta::regions {
 
@@ -18,13 +23,28 @@ namespace {
 using geometry::BooleanOperation;
 using geometry::TriangleMesh;
 
-// Volume below which a remainder is rounding.
-constexpr double kNothingMm3 = 1e-6;
+// Mean thickness up to which a piece is rounding, as between two bodies that touch.
+constexpr double kFilmMm = 0.01;
 
 TriangleMesh moved(TriangleMesh mesh, const PlacedPart& part) {
   for (Eigen::Vector3d& v : mesh.vertices)
     v = part.work_T_file * (part.scale * v);
   return mesh;
+}
+
+TriangleMesh withoutFilms(const TriangleMesh& mesh) {
+  const geometry::Components pieces = geometry::components(mesh);
+  std::vector<bool> isKept(mesh.triangles.size(), true);
+  for (int piece = 0; piece < pieces.count; ++piece) {
+    std::vector<bool> isOfPiece(isKept.size());
+    for (std::size_t t = 0; t < isOfPiece.size(); ++t)
+      isOfPiece[t] = pieces.ofTriangle[t] == piece;
+    const TriangleMesh one = geometry::subMesh(mesh, isOfPiece);
+    if (2.0 * std::abs(geometry::volume(one)) < kFilmMm * geometry::area(one))
+      for (std::size_t t = 0; t < isKept.size(); ++t)
+        isKept[t] = isKept[t] && !isOfPiece[t];
+  }
+  return geometry::subMesh(mesh, isKept);
 }
 
 TriangleMesh combined(BooleanOperation operation, const TriangleMesh& part,
@@ -36,9 +56,7 @@ TriangleMesh combined(BooleanOperation operation, const TriangleMesh& part,
                                     "them is not closed or intersects itself"_text,
                                     region.shape),
                       {}, "repair the part, or move the region a little"_text);
-  if (made->empty() || geometry::volume(*made) < kNothingMm3)
-    return {};
-  return std::move(*made);
+  return withoutFilms(*made);
 }
 
 substrate::Skin skinOf(const Shape& shape) {
@@ -105,7 +123,7 @@ PartRegions divided(const PlacedPart& part, std::span<const project::Region> all
   PartRegions result{part.mesh, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const project::Region& region = all[i];
-    if (!findUse(region.use).hasLayers)
+    if (!findUse(region.use).hasLayers())
       continue;
     const TriangleMesh body = bodyOf(region, part, levels, ctx);
     TriangleMesh solid = combined(BooleanOperation::Intersection, part.mesh, body, region);
@@ -130,11 +148,30 @@ PartRegions divided(const PlacedPart& part, std::span<const project::Region> all
 }
 
 substrate::StackedLevels layersOf(const project::Region& region, const TriangleMesh& solid,
-                                  const TriangleMesh& whole, const substrate::LevelOptions& levels,
+                                  const RegionGround& ground, const substrate::LevelOptions& levels,
                                   const base::RunContext& ctx) {
-  return substrate::stackLevels(
-      solid, substrate::skinLevels(solid, whole, skinOf(parsedShape(region.shape)), levels), levels,
-      ctx);
+  switch (findUse(region.use).layers) {
+  case RegionLayers::Surface:
+    return substrate::stackLevels(
+        solid,
+        substrate::skinLevels(solid, ground.whole, skinOf(parsedShape(region.shape)), levels),
+        levels, ctx);
+  case RegionLayers::Around: {
+    substrate::SubstrateOptions offset;
+    static_cast<substrate::LevelOptions&>(offset) = levels;
+    offset.firstLayerMm = 0.0;
+    return substrate::stackLevels(
+        solid, substrate::substrateLevels(solid, substrate::distanceFrom(ground.rest), offset, ctx),
+        offset, ctx);
+  }
+  case RegionLayers::Flat:
+    return flatLayers(solid, directionOf(region.use), levels, ctx);
+  case RegionLayers::Turning:
+    return turningLayers(solid, directionOf(region.use), levels, ctx);
+  case RegionLayers::None:
+    break;
+  }
+  throw base::Error(base::ErrorCode::Internal, "layersOf: a region with layers of its own"_text);
 }
 
 } // namespace voluta::regions

@@ -49,11 +49,16 @@ struct PartRegions {
 PartRegions divided(const PlacedPart& part, std::span<const project::Region> all,
                     const substrate::LevelOptions& levels, const base::RunContext& ctx);
 
-// Returns the layers of a region, numbered from 0. `whole`: the part. Throws Error{UnusableInput}
-// if it has no room for a layer; Cancelled.
+// What the layers of a region follow.
+struct RegionGround {
+  const geometry::TriangleMesh& whole; // the part
+  const geometry::TriangleMesh& rest;  // the part without regions that have layers of their own
+};
+
+// Returns the layers of a region, numbered from 0. Throws Error{UnusableInput} if it has no room
+// for a layer, or for the turn of its layers; Cancelled.
 substrate::StackedLevels layersOf(const project::Region& region,
-                                  const geometry::TriangleMesh& solid,
-                                  const geometry::TriangleMesh& whole,
+                                  const geometry::TriangleMesh& solid, const RegionGround& ground,
                                   const substrate::LevelOptions& levels,
                                   const base::RunContext& ctx);
 

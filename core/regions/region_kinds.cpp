@@ -144,7 +144,7 @@ const std::vector<RegionKind>& regionKinds() {
       {.word = "skin",
        .label = "Skin below the upper surface"_text,
        .fields = {length("DEPTH", "Depth"_text),
-                  {"SLOPE", "Steepest slope (degrees)"_text, 0.0, 89.0, 60.0}},
+                  {"SLOPE", "Steepest slope (degrees)"_text, 0.0, 179.0, 60.0}},
        .frame = ShapeFrame::Part,
        .usualUse = "surface"},
       {.word = "painted",
@@ -156,15 +156,18 @@ const std::vector<RegionKind>& regionKinds() {
   return kKinds;
 }
 
-std::string formOf(const RegionKind& kind) {
-  std::string form = fmt::format("{}:", kind.word);
-  if (kind.mesh == ShapeMesh::File)
-    return form + "FILE";
-  for (std::size_t i = 0; i < kind.fields.size(); ++i) {
-    const std::string name = fmt::format("{}{}", i == 0 ? "" : ",", kind.fields[i].name);
-    form += kind.fields[i].usual ? fmt::format("[{}]", name) : name;
+std::string formOf(const std::vector<ShapeField>& fields) {
+  std::string form;
+  for (const ShapeField& field : fields) {
+    const std::string name = fmt::format("{}{}", form.empty() ? "" : ",", field.name);
+    form += field.usual ? fmt::format("[{}]", name) : name;
   }
   return form;
+}
+
+std::string formOf(const RegionKind& kind) {
+  return fmt::format("{}:{}", kind.word,
+                     kind.mesh == ShapeMesh::File ? std::string("FILE") : formOf(kind.fields));
 }
 
 std::string allForms() {
@@ -187,27 +190,34 @@ Shape parsedShape(std::string_view text) {
                 base::didYouMean(word, words));
   }
   Shape shape{&*kind, {}, {}};
-  const std::string_view rest =
-      colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
-  const auto malformed = [&] {
-    return Error(ErrorCode::Usage, base::message("region '{text}' is incomplete"_text, text), {},
-                 base::message("write {form}, in mm"_text, formOf(*kind)));
-  };
   if (kind->mesh == ShapeMesh::File) {
-    if (rest.empty())
-      throw malformed();
-    shape.file = rest;
+    if (colon == std::string_view::npos || colon + 1 == text.size())
+      throw Error(ErrorCode::Usage, base::message("'{text}' is incomplete"_text, text), {},
+                  base::message("write {form}"_text, formOf(*kind)));
+    shape.file = text.substr(colon + 1);
     return shape;
   }
+  shape.numbers = parsedNumbers(text, kind->fields, formOf(*kind));
+  return shape;
+}
+
+std::vector<double> parsedNumbers(std::string_view text, const std::vector<ShapeField>& fields,
+                                  const std::string& form) {
+  const std::size_t colon = text.find(':');
+  std::string_view left =
+      colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+  const auto malformed = [&] {
+    return Error(ErrorCode::Usage, base::message("'{text}' is incomplete"_text, text), {},
+                 base::message("write {form}, lengths in mm"_text, form));
+  };
   const std::size_t given =
-      rest.empty() ? 0 : 1 + static_cast<std::size_t>(std::ranges::count(rest, ','));
-  if (given > kind->fields.size())
+      left.empty() ? 0 : 1 + static_cast<std::size_t>(std::ranges::count(left, ','));
+  if (given > fields.size() || (colon != std::string_view::npos && given == 0))
     throw malformed();
-  std::string_view left = rest;
-  for (std::size_t i = 0; i < kind->fields.size(); ++i) {
-    const ShapeField& field = kind->fields[i];
+  std::vector<double> numbers;
+  for (const ShapeField& field : fields) {
     double number = field.usual.value_or(0.0);
-    if (i < given) {
+    if (numbers.size() < given) {
       const std::size_t comma = left.find(',');
       if (!base::readNumbers(left.substr(0, comma), ',', {&number}))
         throw malformed();
@@ -217,14 +227,14 @@ Shape parsedShape(std::string_view text) {
     }
     if (!(number >= field.minimum && number <= field.maximum))
       throw Error(ErrorCode::Usage,
-                  base::message("region '{text}': {field} {number} is out of range"_text, text,
-                                field.name, base::number(number)),
+                  base::message("'{text}': {field} {number} is out of range"_text, text, field.name,
+                                base::number(number)),
                   {},
                   base::message("give {field} from {least} to {most}"_text, field.name,
                                 base::number(field.minimum), base::number(field.maximum)));
-    shape.numbers.push_back(number);
+    numbers.push_back(number);
   }
-  return shape;
+  return numbers;
 }
 
 } // namespace voluta::regions

@@ -65,4 +65,11 @@ struct Shape {
 // Throws Error{Usage} that names the nearest kind, or the form or the range of a field.
 Shape parsedShape(std::string_view text);
 
+// Returns the names of fields as a form, "X,Y[,Z]".
+std::string formOf(const std::vector<ShapeField>& fields);
+// Returns the numbers behind the colon of a text, usual ones for fields that are left out. Throws
+// Error{Usage} with the form, or the range of a field.
+std::vector<double> parsedNumbers(std::string_view text, const std::vector<ShapeField>& fields,
+                                  const std::string& form);
+
 } // namespace voluta::regions

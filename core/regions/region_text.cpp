@@ -19,6 +19,11 @@ std::shared_ptr<const geometry::TriangleMesh> closedMesh(const std::string& file
                       file, "repair it in a modelling program"_text);
   return loaded->mesh;
 }
+// Throws as findUse().
+std::string checkedUse(const std::string& use) {
+  findUse(use);
+  return use;
+}
 } // namespace
 
 project::Region parsedRegion(const std::string& text, const base::RunContext& ctx) {
@@ -39,7 +44,7 @@ project::Region parsedRegion(const std::string& text, const base::RunContext& ct
           base::message("write {form}"_text, kRegionForm));
     const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
     if (key == "use")
-      region.use = findUse(value).id;
+      region.use = checkedUse(value);
     else if (key == "name")
       region.name = value;
     else

@@ -8,25 +8,66 @@
 
 namespace voluta::regions {
 
+namespace {
+std::vector<ShapeField> direction() {
+  return {{"DX", "Direction X"_text, -1.0, 1.0, 0.0},
+          {"DY", "Direction Y"_text, -1.0, 1.0, 0.0},
+          {"DZ", "Direction Z"_text, -1.0, 1.0, 1.0}};
+}
+
+std::string_view idOf(std::string_view text) {
+  return text.substr(0, text.find(':'));
+}
+} // namespace
+
 const std::vector<RegionUse>& regionUses() {
   static const std::vector<RegionUse> kUses{
       {.id = "settings", .label = "Own settings"_text},
       {.id = "cut", .label = "Cut away"_text, .cuts = true},
-      {.id = "surface", .label = "Layers along the surface"_text, .hasLayers = true},
+      {.id = "surface", .label = "Layers along the surface"_text, .layers = RegionLayers::Surface},
+      {.id = "around", .label = "Layers around the rest"_text, .layers = RegionLayers::Around},
+      {.id = "flat",
+       .label = "Flat layers along a direction"_text,
+       .layers = RegionLayers::Flat,
+       .fields = direction()},
+      {.id = "turn",
+       .label = "Layers that turn to a direction"_text,
+       .layers = RegionLayers::Turning,
+       .fields = direction()},
   };
   return kUses;
 }
 
-const RegionUse& findUse(std::string_view id) {
+std::string formOf(const RegionUse& use) {
+  return use.fields.empty() ? std::string(use.id) : std::string(use.id) + ":" + formOf(use.fields);
+}
+
+const RegionUse& findUse(std::string_view text) {
+  const std::string_view id = idOf(text);
   const auto found = std::ranges::find(regionUses(), id, &RegionUse::id);
-  if (found != regionUses().end())
-    return *found;
-  std::vector<std::string> ids;
-  for (const RegionUse& use : regionUses())
-    ids.emplace_back(use.id);
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("unknown use '{name}' of a region"_text, id), {},
-                    base::didYouMean(id, ids));
+  if (found == regionUses().end()) {
+    std::vector<std::string> ids;
+    for (const RegionUse& use : regionUses())
+      ids.emplace_back(use.id);
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("unknown use '{name}' of a region"_text, id), {},
+                      base::didYouMean(id, ids));
+  }
+  if (text.size() > id.size() || !found->fields.empty())
+    parsedNumbers(text, found->fields, formOf(*found));
+  return *found;
+}
+
+Eigen::Vector3d directionOf(std::string_view text) {
+  const RegionUse& use = findUse(text);
+  base::require(use.fields.size() == 3, "a use with a direction");
+  const std::vector<double> numbers = parsedNumbers(text, use.fields, formOf(use));
+  const Eigen::Vector3d direction(numbers[0], numbers[1], numbers[2]);
+  if (direction.norm() < 1e-6)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("use '{text}' of a region has no direction"_text, text), {},
+                      base::message("write {form}"_text, formOf(use)));
+  return direction.normalized();
 }
 
 } // namespace voluta::regions

@@ -2,22 +2,44 @@
 #pragma once
 
 #include "base/text.h"
+#include "regions/region_kinds.h"
 
+#include <Eigen/Core>
 #include <string_view>
 #include <vector>
 
 namespace voluta::regions {
 
+// The layers that a region has of its own.
+enum class RegionLayers {
+  None,
+  Surface, // parallel to the part's upper surface; of skins
+  Around,  // at constant distance from what is printed before
+  Flat,    // perpendicular to a direction
+  Turning  // planes that turn from horizontal to a direction, thicker on one side
+};
+
 struct RegionUse {
-  std::string_view id;
+  std::string_view id; // before the colon of its text
   base::Text label;
-  bool cuts = false;      // the part ends at the region
-  bool hasLayers = false; // has layers of its own, parallel to the part's upper surface
+  bool cuts = false; // the part ends at the region
+  RegionLayers layers = RegionLayers::None;
+  std::vector<ShapeField> fields = {}; // of its text, as those of shapes
+
+  bool hasLayers() const { return layers != RegionLayers::None; }
 };
 
 // In the order shown to users.
 const std::vector<RegionUse>& regionUses();
-// Throws Error{Usage} that names the nearest one.
-const RegionUse& findUse(std::string_view id);
+
+// The form of a use, for example "flat:[DX,DY,DZ]".
+std::string formOf(const RegionUse& use);
+
+// Returns the use of a text such as "flat:0,1,1". Throws Error{Usage} that names the nearest one,
+// or its form.
+const RegionUse& findUse(std::string_view text);
+// Returns the unit direction that the text of a use states. Throws Error{Usage} for a direction of
+// no length. Precondition: the use has a direction.
+Eigen::Vector3d directionOf(std::string_view text);
 
 } // namespace voluta::regions

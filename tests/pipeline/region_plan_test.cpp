@@ -103,7 +103,7 @@ TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {
     PlanRequest request = requestWith({text}, "1");
     EXPECT_THROW(planPart(request, {}), base::Error) << text;
   }
-  EXPECT_THROW(planPart(requestWith({"skin:2"}, "1", "lathe"), {}), base::Error);
+  EXPECT_THROW(planPart(requestWith({"skin:2"}, "1", "trace"), {}), base::Error);
 }
 
 // A project keeps regions, meshes included; its results stay those of its choices.

@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 using test::operator+;
+using test::operator-;
 
 const substrate::LevelOptions kLevels{0.8, 0.4, 1.0, 0.0, 1.2};
 
@@ -58,7 +59,7 @@ TEST(PartRegions, ASkinAndItsCoreAreThePart) {
     EXPECT_NEAR(geometry::volume(made.rest) + geometry::volume(made.layered[0].solid), a * b * h,
                 1e-3);
     const substrate::StackedLevels layers =
-        layersOf(skin[0], made.layered[0].solid, box, kLevels, {});
+        layersOf(skin[0], made.layered[0].solid, {box, made.rest}, kLevels, {});
     EXPECT_EQ(layers.stack.layerCount,
               std::clamp(static_cast<int>(std::lround(d / 0.8)), static_cast<int>(std::ceil(d)),
                          static_cast<int>(std::floor(d / 0.4))));
@@ -73,7 +74,7 @@ TEST(PartRegions, LayersOfASkinAreParallelToADome) {
   const PartRegions made = divided({part}, skin, kLevels, {});
   ASSERT_EQ(made.layered.size(), 1u);
   const substrate::StackedLevels layers =
-      layersOf(skin[0], made.layered[0].solid, part, kLevels, {});
+      layersOf(skin[0], made.layered[0].solid, {part, made.rest}, kLevels, {});
   ASSERT_EQ(layers.stack.layerCount, 3);
   const Vector3d middle(0.0, 0.0, base - std::sqrt(radius * radius - edge * edge));
   std::size_t vertices = 0, askew = 0;
@@ -98,6 +99,84 @@ TEST(PartRegions, ASkinEndsAtARisingWall) {
   for (const LayeredRegion& region : made.layered)
     mm3 += geometry::volume(region.solid);
   EXPECT_NEAR(mm3 / (2.0 * 20.0 * 20.0 * 1.6), 1.0, 0.02);
+}
+
+// Layers of a jacket are at constant distance from the core.
+TEST(PartRegions, AJacketIsWoundAroundItsCore) {
+  const TriangleMesh part = test::cylinder({0, 0, 0}, {0, 0, 30}, 12.0);
+  const std::vector<project::Region> jacket{{.shape = "height:5,25", .use = "around"}};
+  // The core stands through the range of heights.
+  const TriangleMesh core = test::cylinder({0, 0, 0}, {0, 0, 30}, 9.6);
+  const TriangleMesh solid =
+      test::cylinder({0, 0, 5}, {0, 0, 25}, 12.0) - test::cylinder({0, 0, -1}, {0, 0, 31}, 9.6);
+  const substrate::StackedLevels layers = layersOf(jacket[0], solid, {part, core}, kLevels, {});
+  EXPECT_EQ(layers.stack.layerCount, 3);
+  for (const layers::Patch& patch : layers.stack.patches)
+    for (std::size_t v = 0; v < patch.surface.vertices.size(); ++v) {
+      const Eigen::Vector2d at = patch.surface.vertices[v].head<2>();
+      EXPECT_NEAR(at.norm(), 9.6 + 0.8 * (patch.layer + 0.5), 0.12);
+      EXPECT_NEAR(patch.direction[v].z(), 0.0, 0.01);
+    }
+  EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(solid), 1.0, 0.02);
+}
+
+TEST(PartRegions, FlatLayersFollowTheirDirection) {
+  const TriangleMesh solid = test::box({0, 0, 10}, {16, 12, 26});
+  const std::vector<project::Region> flat{{.shape = "height:10,26", .use = "flat:1,0,0"}};
+  const substrate::StackedLevels layers = layersOf(flat[0], solid, {solid, solid}, kLevels, {});
+  EXPECT_EQ(layers.stack.layerCount, 20);
+  EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(solid), 1.0, 1e-3);
+  for (const layers::Patch& patch : layers.stack.patches)
+    EXPECT_TRUE(patch.direction.front().isApprox(Vector3d::UnitX()));
+}
+
+// Planes that turn fill a wedge: thickness grows with the distance from the line they turn about.
+TEST(PartRegions, TurningLayersFillAWedge) {
+  const double tilt = base::degreesToRadians(30.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> near(10.0, 25.0), width(4.0, 18.0);
+  int refused = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double r0 = near(random), r1 = r0 + width(random);
+    // Between the plane z = 5 and one tilted about y through (0, 0, 5).
+    TriangleMesh wedge = test::box({r0, -6, 5}, {r1, 6, 6});
+    for (Vector3d& v : wedge.vertices)
+      if (v.z() > 5.5)
+        v = {v.x() * std::cos(tilt), v.y(), 5.0 + v.x() * std::sin(tilt)};
+    const Vector3d direction(-std::sin(tilt), 0.0, std::cos(tilt));
+    const std::vector<project::Region> turn{
+        {.shape = "height:5,40",
+         .use = "turn:" + std::to_string(direction.x()) + ",0," + std::to_string(direction.z())}};
+    const bool fits = std::ceil(r1 * tilt / 1.0 - 1e-4) <= std::floor(r0 * tilt / 0.4 + 1e-4);
+    try {
+      const auto layers = layersOf(turn[0], wedge, {wedge, wedge}, kLevels, {});
+      EXPECT_TRUE(fits) << r0 << " " << r1;
+      EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(wedge), 1.0, 0.02);
+      for (const layers::Patch& patch : layers.stack.patches)
+        for (std::size_t v = 0; v < patch.surface.vertices.size(); ++v) {
+          const Vector3d& p = patch.surface.vertices[v];
+          EXPECT_NEAR(patch.thicknessMm[v],
+                      Vector3d(p.x(), 0.0, p.z() - 5.0).norm() * tilt / layers.stack.layerCount,
+                      1e-3);
+        }
+    } catch (const base::Error&) {
+      EXPECT_FALSE(fits) << r0 << " " << r1;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 20);
+}
+
+// Bodies that touch up to rounding leave no film between them.
+TEST(PartRegions, BodiesThatTouchLeaveNoFilm) {
+  const TriangleMesh part = test::box({-10, -10, 0}, {10, 10, 30});
+  const std::vector<project::Region> all{{.shape = "box:0,0,15,40,40,9.9999", .use = "flat"},
+                                         {.shape = "box:0,0,25,40,40,10.0000", .use = "flat"}};
+  const PartRegions made = divided({part}, all, kLevels, {});
+  ASSERT_EQ(made.layered.size(), 2u);
+  EXPECT_NEAR(geometry::bounds(made.rest).max().z(), 10.0, 0.001);
+  EXPECT_EQ(geometry::components(made.rest).count, 1);
 }
 
 TEST(PartRegions, ASkinNeedsASurfaceAndACore) {

@@ -102,6 +102,12 @@ TEST(RegionText, ReadsUseNameAndSettings) {
   EXPECT_THAT(region.parameters, testing::UnorderedElementsAre(testing::Pair("walls", "3"),
                                                                testing::Pair("infill", "fermat")));
   EXPECT_EQ(parsedRegion("skin:2", {}).use, "surface");
+  EXPECT_EQ(parsedRegion("height:1,5;use=flat:0,1,1", {}).use, "flat:0,1,1");
+  for (const std::string wrong : {"flat:1,2", "flat:2,0,0", "turn:a", "cut:1", "flat:"})
+    EXPECT_THROW(parsedRegion("height:1,5;use=" + wrong, {}), base::Error) << wrong;
+  EXPECT_THROW(directionOf("flat:0,0,0"), base::Error);
+  EXPECT_TRUE(directionOf("turn:0,1,1").isApprox(Vector3d(0, 1, 1).normalized()));
+  EXPECT_TRUE(directionOf("flat").isApprox(Vector3d::UnitZ()));
   EXPECT_THROW(parsedRegion("sphere:0,0,5,8;walls", {}), base::Error);
   EXPECT_THROW(parsedRegion("sphere:0,0,5,8;use=cat", {}), base::Error);
   EXPECT_THROW(parsedRegion("mesh:", {}), base::Error);
