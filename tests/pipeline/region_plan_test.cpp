@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "box_request.h"
 #include "helpers/given_parameters.h"
+#include "helpers/made_solids.h"
 #include "helpers/temporary_folder.h"
 #include "layers/layer_stack.h"
 #include "pipeline/checked_program.h"
@@ -20,6 +21,7 @@ namespace voluta::pipeline {
 namespace {
 
 using test::reasons;
+using test::operator+;
 
 PlanRequest requestWith(const std::vector<std::string>& regions, const std::string& density,
                         const std::string& mode = "flat") {
@@ -87,6 +89,28 @@ TEST(RegionPlan, CutsAndSkinsPassInTheirModes) {
     ASSERT_EQ(plan.checked.size(), 1u);
     EXPECT_TRUE(plan.checked[0]->verdict.passed) << mode << " " << regions[0] << reasons(plan);
   }
+}
+
+// Wound around a rod, then a flat lug on it.
+TEST(RegionPlan, AFlatLugStandsOnAWoundGrip) {
+  PlanRequest request;
+  const geometry::TriangleMesh grip =
+      test::cylinder({-15, 0, 0}, {15, 0, 0}, 8.0) + test::box({-6, -4, 0}, {6, 4, 14});
+  request.item().loaded =
+      project::loadedFrom("grip.stl", std::make_shared<geometry::TriangleMesh>(grip), {}, true, {});
+  request.choices.item().mode = "lathe";
+  request.choices.item().platform = project::Platform("rod:5x200");
+  request.choices.cell = "lathe";
+  request.choices.formats = {"gcode-extended"};
+  test::giveParameters(request.choices, {{"rodAxis", "x"}});
+  request.choices.item().regions.push_back(
+      regions::parsedRegion("box:0,0,16,20,10,18;use=flat", {}));
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
+  const auto& regions = plan.job.report.item().layers.regions;
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_NEAR(regions[0].volumeMm3 / (12.0 * 8.0 * 6.0), 1.0, 0.25); // and the cap below it
 }
 
 TEST(RegionPlan, ARegionOutsideThePartIsReported) {
