@@ -3,6 +3,8 @@
 #include "base/key_text.h"
 #include "project/content_hash.h"
 
+#include <tuple>
+
 namespace voluta::project {
 
 std::string keyOf(const Region& region) {
@@ -14,7 +16,11 @@ std::string keyOf(const Region& region) {
 }
 
 bool operator==(const Region& a, const Region& b) {
-  return a.name == b.name && keyOf(a) == keyOf(b);
+  const auto tied = [](const Region& r) { return std::tie(r.name, r.shape, r.use, r.parameters); };
+  if (tied(a) != tied(b) || (a.mesh == nullptr) != (b.mesh == nullptr))
+    return false;
+  return a.mesh == b.mesh ||
+         (a.mesh->vertices == b.mesh->vertices && a.mesh->triangles == b.mesh->triangles);
 }
 
 } // namespace voluta::project
