@@ -1,5 +1,6 @@
 #include "pipeline/item_regions.h"
 
+#include "base/error.h"
 #include "base/key_text.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
@@ -10,6 +11,7 @@
 #include "modes/platform_body.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 #include "regions/region_figures.h"
 #include "regions/region_patches.h"
@@ -24,6 +26,8 @@ namespace voluta::pipeline {
 
 namespace {
 using project::Region;
+
+constexpr double kOnPlateMm = 1e-3;
 
 const std::vector<Region>& regionsOf(const Resolved& resolved) {
   return resolved.choices.item().regions;
@@ -88,8 +92,18 @@ withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::Tr
   cut->part = std::make_shared<geometry::TriangleMesh>(
       regions::withoutCuts(placedPart(*stage, *stage->part, file, unitMm), regionsOf(resolved),
                            modes::levelOptions(resolved.modeChoices()), ctx));
+  const double floatsMm =
+      geometry::bounds(*cut->part).min().z() - geometry::bounds(*stage->part).min().z();
+  if (floatsMm > kOnPlateMm)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("regions cut away what the part stands on: it would float "
+                                    "{gap:.3g} above its place"_text,
+                                    base::mm(floatsMm)),
+                      {}, "cut the part in two instead, or leave a part of its foot"_text);
   cut->voxels = nullptr;
-  cut->report.volumeMm3 = geometry::volume(*cut->part);
+  project::ModelReport report = modelReport(*cut->part);
+  report.scale = cut->report.scale;
+  cut->report = std::move(report);
   return cut;
 }
 
@@ -172,7 +186,9 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
       dividing.push_back({static_cast<int>(i) + 1, regions.bodies[i]});
   auto made = std::make_shared<modes::LayersStage>(*stage);
   layers::LayerStack stack =
-      dividing.empty() ? *stage->layers : regions::dividedPatches(*stage->layers, dividing, ctx);
+      dividing.empty()
+          ? *stage->layers
+          : regions::dividedPatches(*stage->layers, dividing, resolved.process().beadWidthMm, ctx);
   std::vector<int> tools{resolved.tools.part};
   for (const Region& region : all)
     tools.push_back(resolvedRegion(resolved, region).tools.part);

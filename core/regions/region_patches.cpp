@@ -31,6 +31,7 @@ using geometry::TriangleMesh;
 using layers::Patch;
 
 constexpr double kSmallestMm2 = 1e-3;
+constexpr double kNarrow = 0.5;    // [beads]
 constexpr double kCellMm = 2.0;    // of the grid that finds places near a body
 constexpr double kBeyondMm = 10.0; // of the box around a region whose outside is wanted
 
@@ -39,14 +40,18 @@ class Body {
 public:
   Body(const SettingsRegion& region, const Eigen::AlignedBox3d& around, const base::RunContext& ctx)
       : region_(region), inside_(region.body, kCellMm, ctx),
-        outside_(outsideOf(region.body, around), kCellMm, ctx) {}
+        outside_(outsideOf(region.body, around), kCellMm, ctx),
+        upwards_(region.body, Vector3d::UnitZ()) {}
 
   int number() const { return region_.number; }
   const layers::PartBoundary& boundary(bool inside) const { return inside ? inside_ : outside_; }
 
   // Returns the section by the plane of a patch, in the frame of the patch.
   Paths section(const toolpath::PlanePatch& plane) const {
-    const planar::Section cut = planar::Sections(region_.body, plane.direction).at(plane.heightMm);
+    const bool isLevel = plane.direction == Vector3d::UnitZ();
+    const planar::Section cut =
+        isLevel ? upwards_.at(plane.heightMm)
+                : planar::Sections(region_.body, plane.direction).at(plane.heightMm);
     std::map<int, std::vector<int>> next;
     for (const auto& [a, b] : cut.edges)
       next[a].push_back(b);
@@ -88,6 +93,7 @@ private:
 
   const SettingsRegion& region_;
   layers::PartBoundary inside_, outside_;
+  planar::Sections upwards_;
 };
 
 Patch withPlaceOf(Patch patch, const Patch& like, int region) {
@@ -116,16 +122,35 @@ bool addPlaneParts(const Paths& area, const toolpath::PlanePatch& plane, const P
   return true;
 }
 
-std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& body) {
+// Moves the connected parts of `from` that are narrower than `widthMm` to `to`.
+void moveNarrow(Paths& from, Paths& to, double widthMm) {
+  Paths wide;
+  bool anyNarrow = false;
+  for (const Paths& part : toolpath::connectedParts(from)) {
+    const bool isNarrow = geometry::offsetPaths(part, -0.5 * widthMm, {}).empty();
+    Paths& side = isNarrow ? to : wide;
+    side.insert(side.end(), part.begin(), part.end());
+    anyNarrow = anyNarrow || isNarrow;
+  }
+  if (!anyNarrow)
+    return;
+  from = std::move(wide);
+  to = geometry::united(to);
+}
+
+std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& body,
+                                               double beadWidthMm) {
   const auto plane = toolpath::planePatch(patch);
   if (!plane || !plane->isEven || !plane->seams.empty())
     return std::nullopt;
   const Paths section = body.section(*plane);
-  const Paths inside = geometry::combined(plane->outline, section, ClipperLib::ctIntersection);
+  Paths inside = geometry::combined(plane->outline, section, ClipperLib::ctIntersection);
+  Paths outside = geometry::combined(plane->outline, section, ClipperLib::ctDifference);
+  moveNarrow(inside, outside, kNarrow * beadWidthMm);
   if (std::abs(geometry::areaMm2(inside)) < kSmallestMm2)
     return std::vector{patch};
+  moveNarrow(outside, inside, kNarrow * beadWidthMm);
   std::vector<Patch> parts;
-  const Paths outside = geometry::combined(plane->outline, section, ClipperLib::ctDifference);
   if (!addPlaneParts(outside, *plane, patch, patch.region, parts) ||
       !addPlaneParts(inside, *plane, patch, body.number(), parts))
     return std::nullopt;
@@ -162,7 +187,7 @@ std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
 } // namespace
 
 layers::LayerStack dividedPatches(const layers::LayerStack& stack,
-                                  std::span<const SettingsRegion> regions,
+                                  std::span<const SettingsRegion> regions, double beadWidthMm,
                                   const base::RunContext& ctx) {
   Eigen::AlignedBox3d box;
   for (const Patch& patch : stack.patches)
@@ -183,7 +208,7 @@ layers::LayerStack dividedPatches(const layers::LayerStack& stack,
         for (const Patch& part : parts) {
           auto made = part.surface.empty()
                           ? std::vector{part}
-                          : dividedPlane(part, *body).value_or(std::vector<Patch>{});
+                          : dividedPlane(part, *body, beadWidthMm).value_or(std::vector<Patch>{});
           if (made.empty())
             made = dividedSurface(part, *body, silent);
           std::ranges::move(made, std::back_inserter(next));

@@ -16,10 +16,11 @@ struct SettingsRegion {
 };
 
 // Returns the stack with each patch divided at the bodies; the later region holds where two
-// overlap. Patches of other regions and supports stay. The ends of a region are walls: each side is
-// covered up to them. Plane layers are divided as polygons, others as surfaces. Throws Cancelled.
+// overlap. Supports stay whole. The ends of a region are walls: each side is covered up to them.
+// Plane layers are divided as polygons, others as surfaces; parts of plane layers that are narrower
+// than half a bead go to the other side. Throws Cancelled.
 layers::LayerStack dividedPatches(const layers::LayerStack& stack,
-                                  std::span<const SettingsRegion> regions,
+                                  std::span<const SettingsRegion> regions, double beadWidthMm,
                                   const base::RunContext& ctx);
 
 } // namespace voluta::regions

@@ -128,6 +128,7 @@ TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {
     EXPECT_THROW(planPart(request, {}), base::Error) << text;
   }
   EXPECT_THROW(planPart(requestWith({"skin:2"}, "1", "trace"), {}), base::Error);
+  EXPECT_THROW(planPart(requestWith({"height:-1,3;use=cut"}, "1"), {}), base::Error);
 }
 
 // A project keeps regions, meshes included; its results stay those of its choices.

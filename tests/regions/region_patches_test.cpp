@@ -52,7 +52,8 @@ TEST(RegionPatches, AreasAreThoseOfTheBodies) {
     const bool fits = std::abs(x) + r < 20.0 && std::abs(y) + r < 20.0;
     for (const bool uneven : {false, true}) {
       const layers::LayerStack stack = squares(4, uneven);
-      const auto of = volumes(dividedPatches(stack, std::vector<SettingsRegion>{{1, body}}, {}));
+      const auto of =
+          volumes(dividedPatches(stack, std::vector<SettingsRegion>{{1, body}}, 1.2, {}));
       EXPECT_NEAR((of.at(0) + of.at(1)) / test::volumeOf(stack), 1.0, 1e-3) << i << uneven;
       if (fits && !uneven) {
         EXPECT_NEAR(of.at(1) / (base::kPi * r * r * 4.0), 1.0, 0.01) << i;
@@ -64,17 +65,28 @@ TEST(RegionPatches, AreasAreThoseOfTheBodies) {
 TEST(RegionPatches, TheLaterRegionHolds) {
   const std::vector<SettingsRegion> regions{{1, test::box({-10, -10, -1}, {10, 10, 9})},
                                             {2, test::box({0, -5, 1}, {15, 5, 9})}};
-  const auto of = volumes(dividedPatches(squares(4, false), regions, {}));
+  const auto of = volumes(dividedPatches(squares(4, false), regions, 1.2, {}));
   EXPECT_NEAR(of.at(2), 15.0 * 10.0 * 3.0, 0.1);
   EXPECT_NEAR(of.at(1), 400.0 * 4.0 - 10.0 * 10.0 * 3.0, 0.1);
   EXPECT_NEAR(of.at(0) + of.at(1) + of.at(2), 1600.0 * 4.0, 0.1);
+}
+
+// A strip too narrow for a bead is not cut off: the other side has it.
+TEST(RegionPatches, NarrowStripsGoToTheOtherSide) {
+  const auto nearly = std::vector<SettingsRegion>{{1, test::box({-30, -30, -1}, {19.7, 30, 9})}};
+  const auto of = volumes(dividedPatches(squares(2, false), nearly, 1.2, {}));
+  EXPECT_EQ(of.count(0), 0u);
+  EXPECT_NEAR(of.at(1), 1600.0 * 2.0, 0.1);
+  const auto strip = std::vector<SettingsRegion>{{1, test::box({19.7, -30, -1}, {30, 30, 9})}};
+  const auto same = volumes(dividedPatches(squares(2, false), strip, 1.2, {}));
+  EXPECT_EQ(same.count(1), 0u);
 }
 
 TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
   layers::LayerStack stack = squares(3, false);
   stack.patches[1].group = layers::kSupportGroup;
   const auto divided = dividedPatches(
-      stack, std::vector<SettingsRegion>{{1, test::box({-5, -5, -1}, {5, 5, 9})}}, {});
+      stack, std::vector<SettingsRegion>{{1, test::box({-5, -5, -1}, {5, 5, 9})}}, 1.2, {});
   int supports = 0;
   for (const layers::Patch& patch : divided.patches)
     if (patch.group == layers::kSupportGroup) {
@@ -84,7 +96,8 @@ TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
     }
   EXPECT_EQ(supports, 1);
   const auto same = dividedPatches(
-      squares(3, false), std::vector<SettingsRegion>{{1, test::box({50, 50, 0}, {60, 60, 9})}}, {});
+      squares(3, false), std::vector<SettingsRegion>{{1, test::box({50, 50, 0}, {60, 60, 9})}}, 1.2,
+      {});
   EXPECT_EQ(same.patches.size(), 3u);
 }
 

@@ -346,6 +346,9 @@ LayerCovers coverLayers(const layers::LayerStack& stack, std::span<const CoverRu
   LayerCovers out;
   out.covers.resize(stack.patches.size());
   for (std::size_t r = 0; r < rules.size(); ++r) {
+    if (std::ranges::none_of(stack.patches,
+                             [&](const layers::Patch& patch) { return isOfRegion(patch, r); }))
+      continue;
     const double each = share / static_cast<double>(rules.size());
     const base::RunContext span =
         ctx.sub(each * static_cast<double>(r), each * (static_cast<double>(r) + 1.0));
