@@ -17,6 +17,7 @@ constexpr double kBracketShare = 0.18; // of an edge of the box, at each of its 
 constexpr double kBesidePixels = 16.0;
 constexpr int kFontPixels = 12;
 constexpr float kBracketPixels = 1.5F;
+constexpr double kGapPixels = 3.0;   // between labels
 constexpr double kLabelGround = 0.7; // opacity
 
 Eigen::Vector3d cornerOf(const Eigen::AlignedBox3d& box, int corner) {
@@ -118,10 +119,42 @@ void SizeMarks::place(std::size_t label, const Eigen::Vector3d& at, const Eigen:
   // So far that the label's box clears the place in that direction.
   const double reach = std::abs(unit.x()) * half.x() + std::abs(unit.y()) * half.y();
   const Eigen::Vector2d centre = shown + (reach + 0.4 * kBesidePixels * ratio_) * unit;
+  putAt(label, centre, half);
+}
+
+void SizeMarks::putAt(std::size_t label, const Eigen::Vector2d& centre,
+                      const Eigen::Vector2d& half) {
   labels_[label]->SetPosition(centre.x(), centre.y());
+  areas_[label] = {centre - half, centre + half};
+}
+
+// At a small part the labels of its edges are beside the same place.
+void SizeMarks::separate() {
+  const double gap = kGapPixels * ratio_;
+  for (std::size_t i = 1; i < kLabels; ++i)
+    for (std::size_t tries = 0, j = 0; j < i && tries < 2 * kLabels; ++j) {
+      if (!labels_[i]->GetVisibility() || !labels_[j]->GetVisibility())
+        continue;
+      const Eigen::Vector2d apart = areas_[i].center() - areas_[j].center();
+      const Eigen::Vector2d missing = 0.5 * (areas_[i].sizes() + areas_[j].sizes()) +
+                                      Eigen::Vector2d::Constant(gap) - apart.cwiseAbs();
+      if (missing.minCoeff() <= 1e-6)
+        continue;
+      const int axis = missing.x() < missing.y() ? 0 : 1;
+      Eigen::Vector2d centre = areas_[i].center();
+      centre[axis] += std::copysign(missing[axis], apart[axis]);
+      putAt(i, centre, 0.5 * areas_[i].sizes());
+      j = static_cast<std::size_t>(-1); // it may now cover one before
+      ++tries;
+    }
 }
 
 void SizeMarks::update() {
+  placeAll();
+  separate();
+}
+
+void SizeMarks::placeAll() {
   if (!part_.isEmpty()) {
     const Eigen::Vector3d middle = part_.center();
     const Eigen::Vector3d eye =
@@ -162,6 +195,14 @@ void SizeMarks::update() {
   const Eigen::Vector3d centre(box.center().x(), box.center().y(), 0.0);
   place(kPlate, corner, centre);
   place(kOrigin, Eigen::Vector3d::Zero(), {1.0, 1.0, 0.0});
+}
+
+std::vector<Eigen::AlignedBox2d> SizeMarks::areas() const {
+  std::vector<Eigen::AlignedBox2d> areas;
+  for (std::size_t i = 0; i < kLabels; ++i)
+    if (labels_[i]->GetVisibility())
+      areas.push_back(areas_[i]);
+  return areas;
 }
 
 std::vector<std::string> SizeMarks::shown() const {

@@ -29,11 +29,16 @@ public:
 
   // Returns the labels on display: along x, y and z of the part, of the plate, of its origin.
   std::vector<std::string> shown() const;
+  // Returns their areas in the picture [pixels from the lower left corner], which do not overlap.
+  std::vector<Eigen::AlignedBox2d> areas() const;
 
 private:
   static constexpr std::size_t kPlate = 3, kOrigin = 4, kLabels = 5;
 
   void drawBrackets();
+  void placeAll();
+  void separate();
+  void putAt(std::size_t label, const Eigen::Vector2d& centre, const Eigen::Vector2d& half);
   // Puts a label beside a place, away from another one of the same object.
   void place(std::size_t label, const Eigen::Vector3d& at, const Eigen::Vector3d& from);
   Eigen::Vector2d onScreen(const Eigen::Vector3d& inWork) const;
@@ -45,6 +50,7 @@ private:
   Eigen::Isometry3d world_T_work_ = Eigen::Isometry3d::Identity();
   vtkSmartPointer<vtkActor> brackets_;
   std::array<vtkSmartPointer<vtkTextActor>, kLabels> labels_;
+  std::array<Eigen::AlignedBox2d, kLabels> areas_;
 };
 
 } // namespace voluta::scene
