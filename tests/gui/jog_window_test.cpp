@@ -182,6 +182,27 @@ TEST_F(JogTest, TheTraceIsWhereTheNozzleWas) {
   const auto motion = document().result(Stage::Motion);
   const window::TipTrace trace = window::tipTrace(*clock(), *motion->cell, {});
   ASSERT_GE(trace.timeS.size(), clock()->pointCount());
+TEST_F(JogTest, TheTraceHasTheColoursOfTheLook) {
+  planPlinth();
+  QComboBox* traces = find<QComboBox>("tipTrace");
+  window().viewport().framePart();
+  const QImage without = picture();
+  traces->setCurrentIndex(traces->count() - 1);
+  ASSERT_TRUE(waitFor([&] { return differingShare(without, picture()) > 2e-4; }, 10000));
+  const QImage light = picture();
+  for (const char* look : {"highContrast", "light"}) {
+    find<QAction>(look)->trigger();
+    QTest::qWait(100);
+    const QImage changed = picture();
+    keepPicture(window(), (std::string("trace-") + look).c_str());
+    traces->setCurrentIndex(0);
+    EXPECT_GT(differingShare(changed, picture()), 2e-4);
+    traces->setCurrentIndex(traces->count() - 1); // drawn in the look
+    EXPECT_LT(differingShare(changed, picture()), 1e-4) << look;
+  }
+  EXPECT_LT(differingShare(light, picture()), 1e-4);
+}
+
   EXPECT_TRUE(std::ranges::is_sorted(trace.timeS));
   for (std::size_t i = 0; i < trace.timeS.size(); i += 37) {
     const Eigen::Vector3d tip =
@@ -210,6 +231,44 @@ TEST_F(JogTest, SimulateHasTheStatisticsToo) {
   ASSERT_TRUE(waitFor([&] { return window().presenter().statistics() != nullptr; }));
   EXPECT_TRUE(window().viewport().view().materialColour);
   click("simulateKinds");
+// A print of two million points: all of it is in the trace, on the beads.
+TEST(TipTrace, OfALongPrintShowsItsBeginningToo) {
+  window::TipTrace trace;
+  constexpr int kPoints = 2'000'000, kEachTurn = 1000;
+  const auto tipAt = [](int i) {
+    const double angle = base::kTwoPi * i / kEachTurn;
+    return Eigen::Vector3d(50.0 * std::cos(angle), 50.0 * std::sin(angle), 0.0002 * i);
+  };
+  for (int i = 0; i < kPoints; ++i) {
+    trace.timeS.push_back(0.01 * i);
+    trace.tipMm.push_back(tipAt(i).cast<float>());
+    trace.prints.push_back(i % (100 * kEachTurn) != 0);
+  }
+  const auto lines = window::traceLines(trace, 0.0, trace.timeS.back(), scene::lightTheme());
+  std::size_t points = 0;
+  double length = 0.0, lowest = 1e9, farthest = 0.0;
+  for (const auto& line : lines[0].lines)
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      ++points;
+      lowest = std::min(lowest, line[i].z());
+      farthest = std::max(farthest, std::abs(line[i].head<2>().norm() - 50.0));
+      if (i > 0) {
+        length += (line[i] - line[i - 1]).norm();
+        farthest =
+            std::max(farthest, std::abs((0.5 * (line[i] + line[i - 1])).head<2>().norm() - 50.0));
+      }
+    }
+  EXPECT_LE(points, window::kMaxTracePoints);
+  EXPECT_LT(lowest, 1.0);
+  EXPECT_LT(farthest, 0.3);
+  const double whole = base::kTwoPi * 50.0 * kPoints / kEachTurn;
+  EXPECT_NEAR(length, whole, 0.01 * whole);
+  // A short stretch keeps every point.
+  const auto last =
+      window::traceLines(trace, trace.timeS.back() - 10.0, trace.timeS.back(), scene::lightTheme());
+  EXPECT_GE(last[0].lines.back().size(), 1000u);
+}
+
   EXPECT_FALSE(window().viewport().view().materialColour);
   keepPicture(window(), "simulate-kinds");
   click("simulateKinds");

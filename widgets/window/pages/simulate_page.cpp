@@ -26,6 +26,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QScrollArea>
@@ -112,6 +113,7 @@ void SimulatePage::listen() {
   });
   connect(follow_, &QCheckBox::toggled, this, &SimulatePage::followNozzle);
   connect(jog_, &QCheckBox::toggled, this, &SimulatePage::jog);
+  side_->installEventFilter(this);
   connect(jogging_.get(), &Jogging::moved, this, [this] {
     showCursor();
     work().shell.showView();
@@ -189,14 +191,25 @@ void SimulatePage::showTrace() {
   const int of = traces_->currentIndex();
   if (of != kNoTrace)
     prepareTrace();
-  std::vector<scene::LineGroup> last;
-  if (of != kNoTrace && of != kWholeTrace && traced_) {
+  const scene::Theme theme = sceneTheme(side_->palette());
+  std::vector<scene::LineGroup> lines;
+  if (of == kWholeTrace && traced_) {
+    lines = traced_->whole;
+    colourTrace(lines, theme);
+  } else if (of != kNoTrace && traced_) {
     const double now = work().timeline.timeS();
-    last = traceLines(traced_->trace, now - (of == kLastSeconds ? kShortTraceS : kLongTraceS), now,
-                      sceneTheme(side_->palette()));
+    lines = traceLines(traced_->trace, now - (of == kLastSeconds ? kShortTraceS : kLongTraceS), now,
+                       theme);
   }
-  work().viewport.scene().setTrace(of == kWholeTrace && traced_ ? traced_->whole : last);
+  work().viewport.scene().setTrace(lines);
   work().viewport.requestFrame();
+}
+
+// The trace has colours of the look.
+bool SimulatePage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == side_ && event->type() == QEvent::PaletteChange)
+    showTrace();
+  return Page::eventFilter(watched, event);
 }
 
 std::vector<Command> SimulatePage::commands() {

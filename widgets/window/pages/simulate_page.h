@@ -52,6 +52,7 @@ public:
 
 protected:
   void left() override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   // A trace of the tip, and all of it as lines.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace voluta::window {
 
@@ -15,6 +16,42 @@ constexpr int kMaxCurveSteps = 100;
 constexpr double kDashMm = 3.0; // of travels, and the gap after each
 constexpr double kMaxDashes = 50'000.0;
 constexpr double kOverBeadMm = 0.3; // so that the bead does not hide its line
+constexpr double kFinestMm = 0.01;
+
+using Line = std::vector<Eigen::Vector3d>;
+
+// Returns the line without points that are closer than the tolerance to the straight line from the
+// last point kept.
+Line thinned(const Line& line, double toleranceMm) {
+  Line kept{line.front()};
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    Eigen::Vector3d from = line[i] - kept.back();
+    if (!along.isZero() &&
+        (from.dot(along) < 0.0 || from.cross(along).squaredNorm() > toleranceMm * toleranceMm)) {
+      kept.push_back(line[i - 1]);
+      from = line[i] - kept.back();
+      along.setZero();
+    }
+    if (along.isZero())
+      along = from.norm() > toleranceMm ? from.normalized() : Eigen::Vector3d::Zero();
+  }
+  kept.push_back(line.back());
+  return kept;
+}
+
+// Leaves out points until about kMaxTracePoints are left, the straightest places first.
+void thin(std::vector<Line>& lines) {
+  const auto points = [&] {
+    return std::accumulate(lines.begin(), lines.end(), std::size_t{0},
+                           [](std::size_t sum, const Line& line) { return sum + line.size(); });
+  };
+  // Lines of two points cannot be thinned.
+  const std::size_t enough = std::max(kMaxTracePoints, 2 * lines.size());
+  for (double toleranceMm = kFinestMm; points() > enough; toleranceMm *= 2.0)
+    for (Line& line : lines)
+      line = thinned(line, toleranceMm);
+}
 
 // Draws a polyline as dashes that continue from segment to segment.
 class Dashes {
@@ -68,13 +105,10 @@ TipTrace tipTrace(const timeline::Clock& clock, const robot::Cell& cell,
 std::vector<scene::LineGroup> traceLines(const TipTrace& trace, double fromS, double toS,
                                          const scene::Theme& theme) {
   std::vector<scene::LineGroup> groups(2);
-  groups[0].colour = theme.marker;
-  groups[1].colour = theme.text;
+  colourTrace(groups, theme);
   const auto begin = std::ranges::lower_bound(trace.timeS, fromS) - trace.timeS.begin();
   const auto end = std::ranges::upper_bound(trace.timeS, toS) - trace.timeS.begin();
-  const auto last = static_cast<std::size_t>(end);
-  const std::size_t first =
-      std::max(static_cast<std::size_t>(begin), last - std::min(last, kMaxTracePoints));
+  const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
   double travelMm = 0.0;
   for (std::size_t i = first + 1; i < last; ++i)
     if (!trace.prints[i])
@@ -91,7 +125,13 @@ std::vector<scene::LineGroup> traceLines(const TipTrace& trace, double fromS, do
       groups[0].lines.push_back({from});
     groups[0].lines.back().push_back(to);
   }
+  thin(groups[0].lines);
   return groups;
+}
+
+void colourTrace(std::vector<scene::LineGroup>& lines, const scene::Theme& theme) {
+  lines[0].colour = theme.marker;
+  lines[1].colour = theme.text;
 }
 
 } // namespace voluta::window

@@ -32,9 +32,11 @@ TipTrace tipTrace(const timeline::Clock& clock, const robot::Cell& cell,
                   const base::RunContext& ctx);
 
 // Returns the lines from one time to another: solid where the nozzle prints, dashed in the colour
-// of travels elsewhere. At most about kMaxTracePoints of them, the latest.
+// of travels elsewhere. Of more than about kMaxTracePoints, the straightest places are thinned.
 std::vector<scene::LineGroup> traceLines(const TipTrace& trace, double fromS, double toS,
                                          const scene::Theme& theme);
 inline constexpr std::size_t kMaxTracePoints = 300'000;
+// Gives such lines the colours of another theme.
+void colourTrace(std::vector<scene::LineGroup>& lines, const scene::Theme& theme);
 
 } // namespace voluta::window
