@@ -55,6 +55,10 @@ protected:
   }
   void press(const char* name) { QTest::mouseClick(find<QToolButton>(name), Qt::LeftButton); }
   QString message() { return find<QLabel>("jogMessage")->text(); }
+  // Of the check of the present pose, which runs in the background.
+  bool says(const char* beginning) {
+    return waitFor([&] { return message().startsWith(beginning); }, 10000);
+  }
   const robot::JointVector& shownJoints() { return window().viewport().view().joints; }
   // Of the shown joints, on the platform.
   Eigen::Vector3d tip() {
@@ -71,7 +75,8 @@ TEST_F(JogTest, TheArmFollowsTheJointsAndTheNozzleAndGoesBackToThePlan) {
   EXPECT_FALSE(find<QWidget>("plotsArea")->isVisible());
   EXPECT_TRUE(shownJoints().isApprox(planned)) << "where the plan is";
   EXPECT_NEAR(field("jogJoint1")->value(), base::radiansToDegrees(planned[0]), 0.006);
-  ASSERT_TRUE(waitFor([&] { return !message().contains('\n'); })) << "the part is checked";
+  ASSERT_TRUE(waitFor([&] { return message().startsWith("Free") && !message().contains('\n'); }))
+      << "the part is checked";
   keepPicture(window(), "jog");
 
   const Eigen::Vector3d before = tip();
@@ -80,7 +85,7 @@ TEST_F(JogTest, TheArmFollowsTheJointsAndTheNozzleAndGoesBackToThePlan) {
   EXPECT_NEAR(tip().z(), before.z() + 20.0, 1e-6);
   EXPECT_NEAR(tip().x(), before.x(), 1e-6);
   EXPECT_NEAR(field("jogZ")->value(), tip().z(), 0.006);
-  EXPECT_TRUE(message().startsWith("Free")) << message().toStdString();
+  EXPECT_TRUE(says("Free")) << message().toStdString();
   type("jogX", "15");
   EXPECT_NEAR(tip().x(), 15.0, 1e-6);
   press("jogMoreA");
@@ -107,13 +112,13 @@ TEST_F(JogTest, TheArmFollowsTheJointsAndTheNozzleAndGoesBackToThePlan) {
 TEST_F(JogTest, CollisionsAndPosesOutOfReachAreSaid) {
   planPlinth();
   click("jogArm");
-  ASSERT_TRUE(waitFor([&] { return !message().contains('\n'); }));
+  ASSERT_TRUE(waitFor([&] { return message().startsWith("Free") && !message().contains('\n'); }));
   const Eigen::Vector3d before = tip();
   type("jogZ", "-30"); // through the plate
-  EXPECT_TRUE(message().startsWith("Collision")) << message().toStdString();
+  EXPECT_TRUE(says("Collision")) << message().toStdString();
   keepPicture(window(), "jog-collision");
   type("jogZ", QLocale().toString(before.z() + 20.0));
-  EXPECT_TRUE(message().startsWith("Free")) << message().toStdString();
+  EXPECT_TRUE(says("Free")) << message().toStdString();
   const robot::JointVector there = shownJoints();
   type("jogX", "9000");
   EXPECT_TRUE(message().contains("does not reach")) << message().toStdString();
@@ -177,11 +182,6 @@ TEST_F(JogTest, TheTipLeavesATrace) {
   EXPECT_LT(differingShare(layers, picture()), 1e-4) << "it is of Simulate alone";
 }
 
-TEST_F(JogTest, TheTraceIsWhereTheNozzleWas) {
-  planPlinth();
-  const auto motion = document().result(Stage::Motion);
-  const window::TipTrace trace = window::tipTrace(*clock(), *motion->cell, {});
-  ASSERT_GE(trace.timeS.size(), clock()->pointCount());
 TEST_F(JogTest, TheTraceHasTheColoursOfTheLook) {
   planPlinth();
   QComboBox* traces = find<QComboBox>("tipTrace");
@@ -203,6 +203,11 @@ TEST_F(JogTest, TheTraceHasTheColoursOfTheLook) {
   EXPECT_LT(differingShare(light, picture()), 1e-4);
 }
 
+TEST_F(JogTest, TheTraceIsWhereTheNozzleWas) {
+  planPlinth();
+  const auto motion = document().result(Stage::Motion);
+  const window::TipTrace trace = window::tipTrace(*clock(), *motion->cell, {});
+  ASSERT_GE(trace.timeS.size(), clock()->pointCount());
   EXPECT_TRUE(std::ranges::is_sorted(trace.timeS));
   for (std::size_t i = 0; i < trace.timeS.size(); i += 37) {
     const Eigen::Vector3d tip =
@@ -226,11 +231,6 @@ TEST_F(JogTest, TheTraceHasTheColoursOfTheLook) {
   EXPECT_GT(whole[1].lines.size(), 10u) << "dashes";
 }
 
-TEST_F(JogTest, SimulateHasTheStatisticsToo) {
-  planPlinth();
-  ASSERT_TRUE(waitFor([&] { return window().presenter().statistics() != nullptr; }));
-  EXPECT_TRUE(window().viewport().view().materialColour);
-  click("simulateKinds");
 // A print of two million points: all of it is in the trace, on the beads.
 TEST(TipTrace, OfALongPrintShowsItsBeginningToo) {
   window::TipTrace trace;
@@ -269,6 +269,11 @@ TEST(TipTrace, OfALongPrintShowsItsBeginningToo) {
   EXPECT_GE(last[0].lines.back().size(), 1000u);
 }
 
+TEST_F(JogTest, SimulateHasTheStatisticsToo) {
+  planPlinth();
+  ASSERT_TRUE(waitFor([&] { return window().presenter().statistics() != nullptr; }));
+  EXPECT_TRUE(window().viewport().view().materialColour);
+  click("simulateKinds");
   EXPECT_FALSE(window().viewport().view().materialColour);
   keepPicture(window(), "simulate-kinds");
   click("simulateKinds");

@@ -60,7 +60,7 @@ std::shared_ptr<const collision::GrowingPart> joggingPart(const pipeline::PlanRe
 
 JoggedArm::JoggedArm(std::shared_ptr<const pipeline::PlanResult> plan, robot::JointVector joints)
     : plan_(std::move(plan)), joints_(std::move(joints)),
-      collision_(std::make_unique<collision::CellCollision>(*plan_->cell,
+      collision_(std::make_shared<collision::CellCollision>(*plan_->cell,
                                                             plan_->tooling().first().process)) {}
 
 NozzlePose JoggedArm::nozzle() const {
@@ -105,23 +105,25 @@ void JoggedArm::setPart(std::shared_ptr<const collision::GrowingPart> part, std:
   before_ = before;
 }
 
-JoggedArm::Check JoggedArm::check() const {
-  const collision::Margins touching{0.0, 0.0, 0.0};
-  collision::CellCollision::Frames frames;
-  cell().framePoses(joints_, frames);
-  const auto contact = part_ ? collision_->any(frames, *part_, before_, touching)
-                             : collision_->bodies(frames, touching);
-  Check check;
-  if (contact) {
-    check.colliding.emplace(collision_->nameOf(contact->first),
-                            collision_->nameOf(contact->second));
+std::function<JoggedArm::Check()> JoggedArm::check() const {
+  return [plan = plan_, joints = joints_, collision = collision_, part = part_, before = before_] {
+    const collision::Margins touching{0.0, 0.0, 0.0};
+    collision::CellCollision::Frames frames;
+    plan->cell->framePoses(joints, frames);
+    const auto contact = part ? collision->any(frames, *part, before, touching)
+                              : collision->bodies(frames, touching);
+    Check check;
+    if (contact) {
+      check.colliding.emplace(collision->nameOf(contact->first),
+                              collision->nameOf(contact->second));
+      return check;
+    }
+    check.clearanceMm = collision->clearance(frames, kMaxClearanceMm);
+    if (part)
+      check.clearanceMm = std::min(
+          check.clearanceMm, collision->clearanceToPart(frames, *part, before, kMaxClearanceMm));
     return check;
-  }
-  check.clearanceMm = collision_->clearance(frames, kMaxClearanceMm);
-  if (part_)
-    check.clearanceMm = std::min(
-        check.clearanceMm, collision_->clearanceToPart(frames, *part_, before_, kMaxClearanceMm));
-  return check;
+  };
 }
 
 } // namespace voluta::window

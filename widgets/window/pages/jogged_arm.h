@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -55,7 +56,9 @@ public:
     std::optional<std::pair<base::Value, base::Value>> colliding;
     double clearanceMm = 0.0;
   };
-  Check check() const;
+  // Returns the check of the present pose, for another thread. It may outlive the arm; those of one
+  // arm must not run at the same time.
+  std::function<Check()> check() const;
   static constexpr double kMaxClearanceMm = 200.0;
 
 private:
@@ -63,7 +66,7 @@ private:
 
   std::shared_ptr<const pipeline::PlanResult> plan_; // owns the cell
   robot::JointVector joints_;
-  std::unique_ptr<collision::CellCollision> collision_;
+  std::shared_ptr<collision::CellCollision> collision_;
   std::shared_ptr<const collision::GrowingPart> part_;
   std::size_t before_ = 0;
 };

@@ -17,6 +17,8 @@ using project::Stage;
 
 namespace {
 
+constexpr int kSlowMs = 150; // a check that takes less changes no text meanwhile
+
 bool slides(const robot::Cell& cell, std::size_t joint) {
   return cell.limits()[joint].kind == robot::JointKind::Sliding;
 }
@@ -42,8 +44,15 @@ std::vector<panels::JogJoint> jointsOf(const robot::Cell& cell) {
 
 Jogging::Jogging(const Workspace& workspace, QWidget* parent)
     : QObject(parent), work_(workspace), panel_(new panels::JogPanel(parent)),
-      reading_(std::make_unique<jobs::JobRunner>()) {
+      reading_(std::make_unique<jobs::JobRunner>()),
+      checking_(std::make_unique<jobs::JobRunner>()) {
   panel_->setObjectName("jogPanel");
+  slowly_.setSingleShot(true);
+  slowly_.setInterval(kSlowMs);
+  connect(&slowly_, &QTimer::timeout, this, [this] {
+    checked_.reset();
+    show();
+  });
   connect(panel_, &panels::JogPanel::jointWished, this, [this](int joint, double value) {
     if (!arm_)
       return;
@@ -78,9 +87,11 @@ bool Jogging::start() {
   work_.timeline.pause();
   arm_ = std::make_unique<JoggedArm>(motion, clock->jointsAt(work_.timeline.timeS()));
   reached_ = true;
+  checked_.reset();
   panel_->setJoints(jointsOf(arm_->cell()));
   readPart(motion);
   show();
+  check();
   return true;
 }
 
@@ -94,7 +105,7 @@ void Jogging::readPart(const std::shared_ptr<const pipeline::PlanResult>& plan) 
         if (!arm_)
           return;
         arm_->setPart(part, printed);
-        show();
+        check();
       });
 }
 
@@ -102,6 +113,9 @@ void Jogging::end() {
   if (!arm_)
     return;
   reading_->cancel();
+  checking_->cancel();
+  slowly_.stop();
+  againWanted_ = false;
   arm_.reset();
   emit ended();
 }
@@ -114,7 +128,30 @@ void Jogging::retranslate() {
 void Jogging::take(bool reached) {
   reached_ = reached;
   show();
+  check();
   emit moved();
+}
+
+void Jogging::check() {
+  if (!slowly_.isActive())
+    slowly_.start();
+  againWanted_ = checking_->running();
+  if (againWanted_)
+    return;
+  inBackground(*checking_, arm_->check(), [this](JoggedArm::Check check) {
+    if (!arm_)
+      return;
+    checked_ = std::move(check);
+    if (againWanted_) {
+      QTimer::singleShot(0, this, [this] {
+        if (arm_)
+          this->check();
+      });
+      return;
+    }
+    slowly_.stop();
+    show();
+  });
 }
 
 void Jogging::show() {
@@ -127,25 +164,31 @@ void Jogging::show() {
     state.coordinates[i] = nozzle.tipMm[static_cast<Eigen::Index>(i)];
     state.coordinates[i + 3] = nozzle.anglesDeg[static_cast<Eigen::Index>(i)];
   }
-  const JoggedArm::Check check = arm_->check();
-  if (check.colliding) {
+  say(state);
+  panel_->setState(state);
+}
+
+void Jogging::say(panels::JogState& state) const {
+  if (!checked_) {
+    state.sign = forms::Icon::Pending;
+    state.message = tr("Checking the pose…");
+  } else if (checked_->colliding) {
     state.sign = forms::Icon::Blocked;
-    state.message =
-        tr("Collision: %1 and %2")
-            .arg(language::words(check.colliding->first), language::words(check.colliding->second));
+    state.message = tr("Collision: %1 and %2")
+                        .arg(language::words(checked_->colliding->first),
+                             language::words(checked_->colliding->second));
   } else {
-    const bool far = check.clearanceMm >= JoggedArm::kMaxClearanceMm;
+    const bool far = checked_->clearanceMm >= JoggedArm::kMaxClearanceMm;
     state.message = (far ? tr("Free: more than %1 mm between bodies")
                          : tr("Free: %1 mm between the nearest bodies"))
-                        .arg(QLocale().toString(check.clearanceMm, 'f', 0));
+                        .arg(QLocale().toString(checked_->clearanceMm, 'f', 0));
   }
   if (!reached_) {
-    state.sign = check.colliding ? forms::Icon::Blocked : forms::Icon::Warning;
+    state.sign = checked_ && checked_->colliding ? forms::Icon::Blocked : forms::Icon::Warning;
     state.message = tr("The arm does not reach that pose within its joint limits. It stays here.");
-  } else if (!arm_->checksPart()) {
+  } else if (checked_ && !arm_->checksPart()) {
     state.message += QStringLiteral("\n") + tr("The printed part is not checked yet.");
   }
-  panel_->setState(state);
 }
 
 } // namespace voluta::window

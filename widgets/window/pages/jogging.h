@@ -5,12 +5,14 @@
 #include "window/pages/page.h"
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
 namespace voluta::panels {
 class JogPanel;
-}
+struct JogState;
+} // namespace voluta::panels
 namespace voluta::jobs {
 class JobRunner;
 }
@@ -42,12 +44,18 @@ signals:
 private:
   void take(bool reached);
   void show();
+  // Checks the pose shown, after the check in progress.
+  void check();
+  void say(panels::JogState& state) const;
   void readPart(const std::shared_ptr<const pipeline::PlanResult>& plan);
 
   const Workspace& work_;
   panels::JogPanel* panel_;
-  std::unique_ptr<jobs::JobRunner> reading_;
+  std::unique_ptr<jobs::JobRunner> reading_, checking_;
+  QTimer slowly_; // until a check is mentioned
   std::unique_ptr<JoggedArm> arm_;
+  std::optional<JoggedArm::Check> checked_; // of the last pose that was; none: not yet
+  bool againWanted_ = false;
   bool reached_ = true; // by the last wish
 };
 
