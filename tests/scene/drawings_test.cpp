@@ -27,6 +27,10 @@ std::size_t total(const std::vector<Stretch>& stretches) {
   return sum;
 }
 
+std::size_t total(const scene::VisibleBeads& beads) {
+  return total(beads.stretches);
+}
+
 TEST(VoxelDrawing, ShowsTheFacesBetweenShownAndHiddenCells) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> anyRank(0, 5);
@@ -168,7 +172,7 @@ TEST(PathsDrawing, LeavesOutBeadsSurroundedByLaterOnes) {
   const plan::ToolPlan plan = block(12, 12, 30);
   const auto drawing = scene::drawPaths(plan);
   const std::size_t segments = 12 * 12 * 29;
-  EXPECT_EQ(drawing->coarseStart.front(), segments);
+  EXPECT_EQ(drawing->coarse.front().front(), segments);
 
   scene::ViewState view;
   const std::size_t all = total(scene::visibleBeads(*drawing, view));
@@ -184,9 +188,104 @@ TEST(PathsDrawing, LeavesOutBeadsSurroundedByLaterOnes) {
 
   view = {};
   view.dragging = true;
+  EXPECT_EQ(total(scene::visibleBeads(*drawing, view)), all) << "few enough for fast frames";
+  view.draggedTriangles = all / 2;
+  // Straight beads need no waypoints in between, apart from those of the uppermost layers.
   const std::size_t fast = total(scene::visibleBeads(*drawing, view));
-  EXPECT_LT(fast, all * 7 / 10);
-  EXPECT_GT(fast, all / 2 - 1);
+  EXPECT_LE(fast, view.draggedTriangles);
+  EXPECT_GE(fast, 2 * (12 * 12 - 10 * 10) / 2u);
+}
+
+// A tube of many turns around a core that nobody sees from outside.
+TEST(PathsDrawing, FastFramesLeaveOutTheInsideOfAClosedPrint) {
+  constexpr int kLayers = 20, kWaypoints = 400;
+  plan::ToolPlan plan;
+  const auto addRing = [&](int layer, double radius) {
+    plan::ToolPath path;
+    path.first = plan.position.size();
+    path.count = kWaypoints + 1;
+    path.layer = layer;
+    path.closed = true;
+    for (int i = 0; i <= kWaypoints; ++i) {
+      const double angle = base::kTwoPi * i / kWaypoints;
+      plan.position.emplace_back(radius * std::cos(angle), radius * std::sin(angle), layer + 1.0);
+      plan.direction.push_back(Eigen::Vector3d::UnitZ());
+      plan.widthMm.push_back(1.0f);
+      plan.heightMm.push_back(1.0f);
+      plan.speedMmPerS.push_back(20.0f);
+    }
+    plan.paths.push_back(path);
+  };
+  for (int layer = 0; layer < kLayers; ++layer)
+    if (layer == 0 || layer == kLayers - 1)
+      for (int ring = 0; ring <= 40; ++ring)
+        addRing(layer, 0.5 + ring);
+    else
+      for (const double radius : {15.0, 40.5})
+        addRing(layer, radius);
+  const auto drawing = scene::drawPaths(plan);
+  scene::ViewState view;
+  const auto radii = [&](double from, double to) {
+    std::size_t count = 0;
+    for (const Stretch& s : scene::visibleBeads(*drawing, view).stretches)
+      for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i) {
+        const std::uint32_t w = drawing->arrival[i];
+        const double radius = plan.position[w].head<2>().norm();
+        count += radius > from && radius < to && plan.position[w].z() > 1.5 &&
+                 plan.position[w].z() < kLayers - 1.5;
+      }
+    return count;
+  };
+  EXPECT_GT(radii(14.0, 16.0), 0u) << "the whole print has it";
+  view.dragging = true;
+  view.draggedTriangles = 12'000;
+  EXPECT_EQ(radii(14.0, 16.0), 0u);
+  EXPECT_GT(radii(40.0, 41.0), 0u);
+  EXPECT_LE(total(scene::visibleBeads(*drawing, view)), view.draggedTriangles);
+  view.lastLayer = kLayers / 2; // open at its top
+  EXPECT_GT(radii(14.0, 16.0), 0u);
+  EXPECT_LE(total(scene::visibleBeads(*drawing, view)), view.draggedTriangles);
+  // Even a few triangles are an outline from bottom to top.
+  view.lastLayer = scene::kAllLayers;
+  view.draggedTriangles = 2'000;
+  const scene::VisibleBeads few = scene::visibleBeads(*drawing, view);
+  EXPECT_GT(few.everyLayer, 1);
+  EXPECT_GT(radii(40.0, 41.0), 0u);
+}
+
+TEST(VoxelDrawing, ManyFacesHaveBlocksForFastFrames) {
+  curved::Decomposition ball;
+  constexpr int kCells = 130;
+  ball.grid.size = {kCells, kCells, kCells};
+  ball.rank.assign(ball.grid.cellCount(), 0);
+  std::size_t voxels = 0;
+  for (std::size_t c = 0; c < ball.rank.size(); ++c) {
+    const Eigen::Vector3i cell = ball.grid.cell(c);
+    if ((cell.cast<double>() - Eigen::Vector3d::Constant(0.5 * kCells)).norm() > 0.48 * kCells)
+      continue;
+    ball.rank[c] = cell.z() + 1;
+    ++voxels;
+  }
+  const auto drawing = scene::drawVoxels(ball);
+  ASSERT_NE(drawing->coarse, nullptr);
+  const scene::VoxelDrawing& coarse = *drawing->coarse;
+  EXPECT_LT(coarse.outer.size(), drawing->outer.size() / 3);
+  EXPECT_GT(coarse.outer.size(), drawing->outer.size() / 20);
+  // The outline and the colours are about the same.
+  double fine[6], blocks[6];
+  drawing->outside->GetBounds(fine);
+  coarse.outside->GetBounds(blocks);
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(fine[k], blocks[k], 2.0) << k;
+  for (vtkIdType p = 0; p < coarse.outside->GetNumberOfPoints(); p += 97) {
+    double at[3];
+    coarse.outside->GetPoint(p, at);
+    const scene::Colour colour = scene::sequentialColour(at[2] / kCells);
+    const auto shown = colourOfPoint(coarse.outside, p);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(shown[k], 255.0 * colour[k], 16.0) << at[2];
+  }
+  EXPECT_EQ(scene::drawVoxels(tower())->coarse, nullptr);
 }
 
 TEST(PathsDrawing, HiddenKindsAreLeftOutAndShowTheBeadsThatTheyCover) {
@@ -202,7 +301,7 @@ TEST(PathsDrawing, HiddenKindsAreLeftOutAndShowTheBeadsThatTheyCover) {
   EXPECT_EQ(total(scene::visibleBeads(*drawing, view)), all);
   view.hiddenKinds = 1U << static_cast<unsigned>(plan::PathKind::Wall);
   std::size_t segments = 0;
-  for (const scene::Stretch& stretch : scene::visibleBeads(*drawing, view))
+  for (const scene::Stretch& stretch : scene::visibleBeads(*drawing, view).stretches)
     for (std::size_t i = stretch.first / 2; i < (stretch.first + stretch.count) / 2; ++i) {
       ++segments;
       EXPECT_EQ(drawing->values.kind[drawing->arrival[i]],
@@ -213,7 +312,7 @@ TEST(PathsDrawing, HiddenKindsAreLeftOutAndShowTheBeadsThatTheyCover) {
     infill += path.kind == plan::PathKind::Infill ? path.count - 1 : 0;
   EXPECT_EQ(segments, infill) << "also those that only walls covered";
   view.hiddenKinds = ~0U;
-  EXPECT_TRUE(scene::visibleBeads(*drawing, view).empty());
+  EXPECT_TRUE(scene::visibleBeads(*drawing, view).stretches.empty());
 }
 
 TEST(PathsDrawing, TopLayerIsThereInFullForEveryRange) {
@@ -223,7 +322,7 @@ TEST(PathsDrawing, TopLayerIsThereInFullForEveryRange) {
     scene::ViewState view;
     view.lastLayer = last;
     std::vector<char> seen(plan.waypointCount(), 0);
-    for (const Stretch& s : scene::visibleBeads(*drawing, view))
+    for (const Stretch& s : scene::visibleBeads(*drawing, view).stretches)
       for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i) {
         const auto arrival = drawing->arrival[i];
         EXPECT_FALSE(seen[arrival]) << "drawn twice";
@@ -243,7 +342,7 @@ TEST(PathsDrawing, MovesAndPrintedWaypointsClampThePrintOrder) {
   const auto drawing = scene::drawPaths(plan);
   const auto highest = [&](const scene::ViewState& view) {
     std::size_t maximum = 0;
-    for (const Stretch& s : scene::visibleBeads(*drawing, view))
+    for (const Stretch& s : scene::visibleBeads(*drawing, view).stretches)
       for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i)
         maximum = std::max<std::size_t>(maximum, drawing->arrival[i]);
     return maximum;
@@ -260,7 +359,7 @@ TEST(PathsDrawing, MovesAndPrintedWaypointsClampThePrintOrder) {
   view.printedWaypoints = 137;
   EXPECT_EQ(highest(view), 136u);
   view.printedWaypoints = 0;
-  EXPECT_TRUE(scene::visibleBeads(*drawing, view).empty());
+  EXPECT_TRUE(scene::visibleBeads(*drawing, view).stretches.empty());
 }
 
 TEST(PathsDrawing, TravelsBelongToTheLayerTheyLeadTo) {
@@ -302,17 +401,17 @@ TEST(LayersDrawing, SidesThatOtherLayersCoverAreLeftOut) {
     return total(stretches);
   };
   constexpr std::size_t whole = 2 * kSquares * kSquares;
-  EXPECT_EQ(shown(drawing->bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 4u * kSquares);
+  EXPECT_EQ(shown(drawing->slabs.bands, 0, 2, -scene::kNeverHidden), 3 * 2 * 4u * kSquares);
   // One side in full; of the covered ones only those near the edge.
-  const std::size_t upper = shown(drawing->upper, 0, 2, 2);
+  const std::size_t upper = shown(drawing->slabs.upper, 0, 2, 2);
   const std::size_t edge = (upper - whole) / 2;
   EXPECT_GT(edge, 4u * kSquares);
   EXPECT_LT(edge, whole * 6 / 10);
   EXPECT_EQ(upper, whole + 2 * edge);
-  EXPECT_EQ(shown(drawing->upper, 0, scene::kAllLayers, scene::kAllLayers), upper);
-  EXPECT_EQ(shown(drawing->upper, 0, 1, 1), whole + edge);
-  EXPECT_EQ(shown(drawing->lower, 0, 2, 0), whole + 2 * edge);
-  EXPECT_EQ(shown(drawing->lower, 1, 2, -1), whole + edge);
+  EXPECT_EQ(shown(drawing->slabs.upper, 0, scene::kAllLayers, scene::kAllLayers), upper);
+  EXPECT_EQ(shown(drawing->slabs.upper, 0, 1, 1), whole + edge);
+  EXPECT_EQ(shown(drawing->slabs.lower, 0, 2, 0), whole + 2 * edge);
+  EXPECT_EQ(shown(drawing->slabs.lower, 1, 2, -1), whole + edge);
 }
 
 // Rings about the x axis, seven layers: the outermost one is in sight all around.

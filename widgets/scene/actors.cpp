@@ -8,6 +8,7 @@
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -100,6 +101,17 @@ void giveSolidLook(vtkActor* actor) {
   look->SetDiffuse(0.68);
   look->SetSpecular(0.06);
   look->SetSpecularPower(20.0);
+}
+
+void cutBy(vtkPlane* plane, const std::vector<vtkActor*>& actors) {
+  for (vtkActor* actor : actors) {
+    vtkMapper* mapper = actor->GetMapper();
+    const bool isCut = mapper->GetClippingPlanes() != nullptr;
+    if (plane && !isCut)
+      mapper->AddClippingPlane(plane);
+    else if (!plane && isCut)
+      mapper->RemoveAllClippingPlanes();
+  }
 }
 
 void addLights(vtkRenderer* renderer) {

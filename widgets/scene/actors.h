@@ -11,6 +11,8 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+class vtkPlane;
+
 namespace voluta::scene {
 
 // An actor whose mapper draws stretches of its data.
@@ -34,6 +36,8 @@ void setColour(vtkActor* actor, const Colour& colour);
 void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb);
 void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model);
 void giveSolidLook(vtkActor* actor);
+// Cuts the actors by a plane; null: shows them whole.
+void cutBy(vtkPlane* plane, const std::vector<vtkActor*>& actors);
 // Returns a flat ring about z, through which the marked place stays visible.
 vtkSmartPointer<vtkPolyData> ring(double inner, double outer);
 

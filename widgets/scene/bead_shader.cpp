@@ -31,7 +31,7 @@ constexpr const char* kVertexCode = R"(
   vec3 toEye = cameraParallel != 0
       ? vec3(MCVCMatrix[0][2], MCVCMatrix[1][2], MCVCMatrix[2][2])
       : -transpose(mat3(MCVCMatrix)) * MCVCMatrix[3].xyz - vertexMC.xyz;
-  vec2 halves = beadScale * beadShape.xy;
+  vec2 halves = vec2(beadScale, beadHeightScale) * beadShape.xy;
   vec2 eye = vec2(dot(toEye, sideways), dot(toEye, upwards)) / halves;
   float far = length(eye);
   eye = far > 1e-6 ? eye / far : vec2(0.0, 1.0);
@@ -42,6 +42,7 @@ constexpr const char* kVertexCode = R"(
   beadSide = beadShape.z;
   bool away = hideBack != 0 && dot(beadOpen, toEye) < -0.3 * length(toEye);
   rim *= away ? vec2(0.0) : halves * beadSide;
+  rim.y -= beadSink * beadShape.y;
   vec4 placed = vec4(vertexMC.xyz + rim.x * sideways + rim.y * upwards, 1.0);
   vertexVCVSOutput = MCVCMatrix * placed;
   gl_Position = MCDCMatrix * placed;
@@ -71,13 +72,15 @@ void drawAsBeads(vtkActor* actor, RangeMapper* mapper) {
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, kVertexCode, false);
   shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true, kFragmentDeclarations, false);
   shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, kFragmentCode, false);
-  setBeadScale(actor, 1.0);
+  setBeadScale(actor, 1.0, 1.0);
   setBackBeadsHidden(actor, false);
 }
 
-void setBeadScale(vtkActor* actor, double scale) {
-  actor->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("beadScale",
-                                                                     static_cast<float>(scale));
+void setBeadScale(vtkActor* actor, double width, double height) {
+  vtkUniforms* uniforms = actor->GetShaderProperty()->GetVertexCustomUniforms();
+  uniforms->SetUniformf("beadScale", static_cast<float>(width));
+  uniforms->SetUniformf("beadHeightScale", static_cast<float>(height));
+  uniforms->SetUniformf("beadSink", static_cast<float>((height - width) / kBeadFuller[1]));
 }
 
 void setBackBeadsHidden(vtkActor* actor, bool hidden) {

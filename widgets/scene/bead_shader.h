@@ -12,8 +12,12 @@ class RangeMapper;
 // vectors in model coordinates), beadShape (half width, half height, side: -1 or 1) and beadOpen
 // (unit vector to the side without other beads, or zero).
 void drawAsBeads(vtkActor* actor, RangeMapper* mapper);
-// Sets the drawn share of the beads' section: 1 for beads, less for thin lines.
-void setBeadScale(vtkActor* actor, double scale);
+// A bead's section is nearly a rectangle; beadShape is larger than its ellipse by these factors in
+// width and height, to avoid visible gaps between neighbouring beads.
+inline constexpr double kBeadFuller[] = {1.06, 1.25};
+// Sets the drawn share of the beads' section: 1 for beads, less for thin lines. A height above the
+// width is added below the bead.
+void setBeadScale(vtkActor* actor, double width, double height);
 // Hides beads whose open side faces away from the eye: valid for a body seen from outside.
 void setBackBeadsHidden(vtkActor* actor, bool hidden);
 

@@ -51,6 +51,8 @@ struct VoxelDrawing {
   ColourBy colouredBy = ColourBy::Layer;
   int highest = 0; // last value of the scale, which begins at 1
   Eigen::AlignedBox3d box;
+  // Faces of blocks for fast frames, without cells of its own; null: the voxels are few enough.
+  std::shared_ptr<const VoxelDrawing> coarse;
 };
 
 struct FrontDrawing {
@@ -69,9 +71,15 @@ struct ColourValues {
   HeightLimits heights; // if known, height is offered as spacing too
 };
 
+struct Slabs {
+  LayeredFaces bands, upper, lower;
+
+  std::size_t size() const { return bands.size() + upper.size() + lower.size(); }
+};
+
 struct LayersDrawing {
   vtkSmartPointer<vtkPolyData> surface;
-  LayeredFaces bands, upper, lower;
+  Slabs slabs, coarse; // coarse: for fast frames; empty: `slabs` are few enough
   ColourValues values; // per point
   std::vector<std::uint32_t> patchOfTriangle;
   Eigen::AlignedBox3d box;
@@ -101,6 +109,12 @@ struct PiecesDrawing {
   Eigen::AlignedBox3d box;
 };
 
+// Where a segment of a bead ends up: beside air that reaches the outside, beside air inside the
+// finished print, or between other beads.
+enum class BeadSight : std::uint8_t { Open, Enclosed, Buried };
+inline constexpr std::size_t kBeadSights = 3;
+inline constexpr std::size_t kBeadLevels = 3; // of less detail
+
 struct PathsDrawing {
   // Points 2 i and 2 i + 1 are the two sides of waypoint i's bead; a segment is two triangles.
   vtkSmartPointer<vtkPolyData> beads;
@@ -109,9 +123,9 @@ struct PathsDrawing {
   // ones, then the others in chunks. One index counts two triangles.
   std::vector<std::uint32_t> arrival; // waypoint at a segment's end
   std::vector<std::size_t> outerStart;
-  // Behind all of them: the permanently visible ones again with every other waypoint left out, for
-  // fast frames. In `arrival` their indices follow those of the fine ones.
-  std::vector<std::size_t> coarseStart;
+  // Behind all of them, for fast frames: all segments again with fewer and fewer waypoints. Those
+  // of layer l and sight s are [start[n], start[n + 1]), n = kBeadSights l + s.
+  std::array<std::vector<std::size_t>, kBeadLevels> coarse;
   std::vector<BeadChunk> chunks;
   std::vector<std::size_t> chunkStart; // of a layer, in chunks
   std::vector<std::uint32_t> travelArrival;

@@ -31,10 +31,14 @@ std::vector<Stretch> Drawn::layerStretches(bool undersides) const {
   std::vector<Stretch> shown;
   const std::int32_t above = view.sectionOn ? -kNeverHidden : view.lastLayer;
   const std::int32_t below = view.sectionOn ? -kNeverHidden : -view.firstLayer;
-  layers->bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden);
-  layers->upper.append(shown, view.firstLayer, view.lastLayer, above);
+  const Slabs& slabs =
+      view.dragging && layers->coarse.size() > 0 && layers->slabs.size() > view.draggedTriangles
+          ? layers->coarse
+          : layers->slabs;
+  slabs.bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden, view.dragging);
+  slabs.upper.append(shown, view.firstLayer, view.lastLayer, above, view.dragging);
   if (undersides)
-    layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
+    slabs.lower.append(shown, view.firstLayer, view.lastLayer, below, view.dragging);
   return shown;
 }
 
@@ -60,7 +64,7 @@ std::optional<RayHit> Drawn::nearestPrinted(const Ray& ray, bool solid) const {
   if (shows(view.layers, layers.get()))
     keepNearest(best, pickLayer(*layers, ray, layerStretches(true), shown));
   if (shows(view.paths, paths.get()))
-    keepNearest(best, pickPath(*paths, ray, visibleBeads(*paths, view), shown));
+    keepNearest(best, pickPath(*paths, ray, visibleBeads(*paths, view).stretches, shown));
   return best;
 }
 

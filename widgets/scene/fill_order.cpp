@@ -52,6 +52,35 @@ FillOrder::FillOrder(const plan::ToolPlan& plan) {
         cell = std::min(cell, static_cast<std::uint32_t>(i));
       }
     }
+  findOutside();
+}
+
+// Air spreads from the rim of the grid, which the beads do not touch, through the faces of cells.
+// The platform stops it.
+void FillOrder::findOutside() {
+  isOutside_.assign(grid_.cellCount(), false);
+  std::vector<Eigen::Vector3i> next;
+  const auto visit = [&](const Eigen::Vector3i& c) {
+    if (!grid_.contains(c.x(), c.y(), c.z()))
+      return;
+    const std::size_t cell = grid_.index(c.x(), c.y(), c.z());
+    if (isOutside_[cell] || filledAt_[cell] != kNeverFilled ||
+        (onPlate_ && grid_.centre(c.x(), c.y(), c.z()).z() < 0.0))
+      return;
+    isOutside_[cell] = true;
+    next.push_back(c);
+  };
+  visit(grid_.size - Eigen::Vector3i::Ones());
+  while (!next.empty()) {
+    const Eigen::Vector3i c = next.back();
+    next.pop_back();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        Eigen::Vector3i beside = c;
+        beside[axis] += step;
+        visit(beside);
+      }
+  }
 }
 
 std::uint32_t FillOrder::filledAt(const Eigen::Vector3d& point) const {
@@ -82,6 +111,18 @@ std::uint32_t FillOrder::surroundedAt(const plan::ToolPlan& plan, std::size_t wa
   forProbes(plan, waypoint,
             [&](const Eigen::Vector3d&, std::uint32_t filled) { last = std::max(last, filled); });
   return last;
+}
+
+bool FillOrder::reachesOutside(const plan::ToolPlan& plan, std::size_t waypoint) const {
+  const Eigen::Vector3d a = centreOf(plan, waypoint - 1), b = centreOf(plan, waypoint);
+  bool reaches = false;
+  forProbes(plan, waypoint, [&](const Eigen::Vector3d& direction, std::uint32_t filled) {
+    if (filled != kNeverFilled || reaches)
+      return;
+    const Eigen::Vector3i c = grid_.cellOf((a + b) / 2 + kReachInCells * grid_.pitch * direction);
+    reaches = !grid_.contains(c.x(), c.y(), c.z()) || isOutside_[grid_.index(c.x(), c.y(), c.z())];
+  });
+  return reaches;
 }
 
 Eigen::Vector3d FillOrder::openSide(const plan::ToolPlan& plan, std::size_t waypoint) const {

@@ -23,14 +23,19 @@ public:
   // Returns the unit vector to the side that stays open permanently; zero if none does, or if
   // opposite ones do. Same precondition.
   Eigen::Vector3d openSide(const plan::ToolPlan& plan, std::size_t waypoint) const;
+  // Returns whether air beside the bead reaches the outside of the finished print. Same
+  // precondition.
+  bool reachesOutside(const plan::ToolPlan& plan, std::size_t waypoint) const;
 
 private:
   template <typename F>
   void forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& f) const;
   std::uint32_t filledAt(const Eigen::Vector3d& point) const;
+  void findOutside();
 
   voxel::VoxelGrid grid_;
   std::vector<std::uint32_t> filledAt_;
+  std::vector<bool> isOutside_; // cells of air around the finished print
   bool onPlate_ = true; // closed from below; around a rod there are beads on both sides of z = 0
 };
 

@@ -24,11 +24,12 @@ LayeredFaces::LayeredFaces(std::vector<LayeredFace>& faces, std::size_t firstPri
 }
 
 void LayeredFaces::append(std::vector<Stretch>& stretches, int first, int last,
-                          std::int32_t hidingKey) const {
-  const int end = std::min(last, layerCount() - 1);
+                          std::int32_t hidingKey, bool downwards) const {
+  const int begin = std::max(first, 0), end = std::min(last, layerCount() - 1);
   // The key of faces that are never hidden also stands for "all layers".
   hidingKey = std::min(hidingKey, kNeverHidden - 1);
-  for (int layer = std::max(first, 0); layer <= end; ++layer) {
+  for (int i = begin; i <= end; ++i) {
+    const int layer = downwards ? begin + end - i : i;
     const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(start_[layer]);
     const auto to = keys_.begin() + static_cast<std::ptrdiff_t>(start_[layer + 1]);
     const auto shown = std::lower_bound(from, to, hidingKey, std::greater<>()) - from;

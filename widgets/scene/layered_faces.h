@@ -27,7 +27,10 @@ public:
                std::size_t primitivesAFace);
 
   // Appends the primitives of faces of the layers first <= layer <= last with key > hidingKey.
-  void append(std::vector<Stretch>& stretches, int first, int last, std::int32_t hidingKey) const;
+  // `downwards`: the last layer comes first. From above it hides the others, which then take less
+  // time.
+  void append(std::vector<Stretch>& stretches, int first, int last, std::int32_t hidingKey,
+              bool downwards = false) const;
   std::size_t size() const { return keys_.size(); }
   int layerCount() const { return static_cast<int>(start_.size()) - 1; }
 

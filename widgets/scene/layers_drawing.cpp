@@ -1,5 +1,6 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
+#include "scene/coarse_slabs.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
 
@@ -21,6 +22,9 @@ using CellKey = std::uint64_t;
 // Width of the ledges kept along boundaries, in thicknesses of a layer: the visible depth between
 // layers where a part's slope is shallow.
 constexpr double kLedgeInCells = 1.8;
+// Few enough for a processor that draws 15 frames a second.
+constexpr std::size_t kFastTriangles = 60'000;
+constexpr double kCellsPerRatio = 0.9; // edges of the rim that a joined one replaces
 
 // An unbounded grid.
 class CellKeys {
@@ -162,8 +166,8 @@ public:
     std::vector<std::int32_t> top(vertices.size()), bottom(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       const Eigen::Vector3d half = 0.5 * patch.thicknessMm[v] * patch.direction[v];
-      top[v] = addPoint(vertices[v] + half, patch.direction[v], patch, v);
-      bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v);
+      top[v] = addPoint(vertices[v] + half, patch.direction[v], patch, v, {true, false});
+      bottom[v] = addPoint(vertices[v] - half, -patch.direction[v], patch, v, {false, false});
     }
     const std::vector<Edge> boundary = boundaryOf(patch.surface);
     const std::vector<char> atEdge =
@@ -180,9 +184,9 @@ public:
           3.0;
       const auto above = marks.above(centre + step, patch.layer);
       const auto below = marks.below(centre - step, patch.layer);
-      addFace(upper, patch.layer, above && !open ? *above : kNeverHidden, {top[a], top[b], top[c]},
-              index);
-      addFace(lower, patch.layer, below && !open ? -*below : kNeverHidden,
+      addFace(faces.upper, patch.layer, above && !open ? *above : kNeverHidden,
+              {top[a], top[b], top[c]}, index);
+      addFace(faces.lower, patch.layer, below && !open ? -*below : kNeverHidden,
               {bottom[a], bottom[c], bottom[b]}, index);
     }
     for (const auto& [from, to] : boundary) {
@@ -191,34 +195,42 @@ public:
           (vertices[b] - vertices[a]).cross(patch.direction[a] + patch.direction[b]).normalized();
       const Eigen::Vector3d halfA = 0.5 * patch.thicknessMm[a] * patch.direction[a],
                             halfB = 0.5 * patch.thicknessMm[b] * patch.direction[b];
-      const auto p = addPoint(vertices[a] - halfA, out, patch, a);
-      const auto q = addPoint(vertices[b] - halfB, out, patch, b);
-      const auto r = addPoint(vertices[b] + halfB, out, patch, b);
-      const auto s = addPoint(vertices[a] + halfA, out, patch, a);
-      addFace(bands, patch.layer, kNeverHidden, {p, q, r}, index);
-      addFace(bands, patch.layer, kNeverHidden, {p, r, s}, index);
+      const auto p = addPoint(vertices[a] - halfA, out, patch, a, {false, true});
+      const auto q = addPoint(vertices[b] - halfB, out, patch, b, {false, true});
+      const auto r = addPoint(vertices[b] + halfB, out, patch, b, {true, true});
+      const auto s = addPoint(vertices[a] + halfA, out, patch, a, {true, true});
+      addFace(faces.bands, patch.layer, kNeverHidden, {p, q, r}, index);
+      addFace(faces.bands, patch.layer, kNeverHidden, {p, r, s}, index);
+      rimMm_ += (vertices[b] - vertices[a]).norm();
     }
   }
 
-  // Appends the faces' triangles in their sorted order.
-  LayeredFaces sorted(std::vector<LayeredFace>& faces, std::vector<std::uint32_t>& patches) {
-    const std::size_t first = buffers.corners.size() / 3;
-    LayeredFaces result(faces, first, 1);
-    for (const LayeredFace& f : faces) {
-      const auto& t = triangles_[static_cast<std::size_t>(f.face)];
-      buffers.addTriangle(t[0], t[1], t[2]);
-      patches.push_back(patchOf_[static_cast<std::size_t>(f.face)]);
-    }
-    return result;
+  // Appends the triangles of all faces in their sorted order.
+  Slabs sorted(SlabFaces& given, std::vector<std::uint32_t>& patches) {
+    return {sorted(given, given.bands, patches), sorted(given, given.upper, patches),
+            sorted(given, given.lower, patches)};
+  }
+  // Returns larger faces, few enough for fast frames; empty: these are.
+  SlabFaces coarser() {
+    std::size_t shown = faces.bands.size();
+    for (const auto* list : {&faces.upper, &faces.lower})
+      shown += static_cast<std::size_t>(std::ranges::count_if(
+          *list, [](const LayeredFace& face) { return face.key == kNeverHidden; }));
+    if (shown <= kFastTriangles)
+      return {};
+    const double edgeMm = rimMm_ / (0.5 * static_cast<double>(faces.bands.size()));
+    const double ratio = static_cast<double>(shown) / kFastTriangles;
+    return coarseSlabs(faces, points_, kCellsPerRatio * ratio * edgeMm, buffers, values);
   }
 
   MeshBuffers buffers;
   ColourValues values;
-  std::vector<LayeredFace> bands, upper, lower;
+  SlabFaces faces;
 
 private:
   std::int32_t addPoint(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                        const layers::Patch& patch, std::size_t vertex) {
+                        const layers::Patch& patch, std::size_t vertex, SlabPoint kind) {
+    points_.push_back(kind);
     values.layer.push_back(patch.layer);
     values.group.push_back(patch.group);
     values.item.push_back(patch.item);
@@ -229,13 +241,22 @@ private:
   }
   void addFace(std::vector<LayeredFace>& to, std::int32_t layer, std::int32_t key,
                const std::array<std::int32_t, 3>& triangle, std::uint32_t patch) {
-    to.push_back({layer, key, static_cast<std::int32_t>(triangles_.size())});
-    triangles_.push_back(triangle);
-    patchOf_.push_back(patch);
+    faces.add(to, {layer, key, 0}, triangle, patch);
+  }
+  LayeredFaces sorted(const SlabFaces& given, std::vector<LayeredFace> list,
+                      std::vector<std::uint32_t>& patches) {
+    const std::size_t first = buffers.corners.size() / 3;
+    LayeredFaces result(list, first, 1);
+    for (const LayeredFace& f : list) {
+      const auto& t = given.triangles[static_cast<std::size_t>(f.face)];
+      buffers.addTriangle(t[0], t[1], t[2]);
+      patches.push_back(given.patchOf[static_cast<std::size_t>(f.face)]);
+    }
+    return result;
   }
 
-  std::vector<std::array<std::int32_t, 3>> triangles_;
-  std::vector<std::uint32_t> patchOf_;
+  std::vector<SlabPoint> points_;
+  double rimMm_ = 0.0; // of all patches
 };
 
 } // namespace
@@ -251,9 +272,9 @@ std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack,
       drawing->box.extend(v);
     drawing->layers = std::max(drawing->layers, stack.patches[i].layer + 1);
   }
-  drawing->bands = slabs.sorted(slabs.bands, drawing->patchOfTriangle);
-  drawing->upper = slabs.sorted(slabs.upper, drawing->patchOfTriangle);
-  drawing->lower = slabs.sorted(slabs.lower, drawing->patchOfTriangle);
+  drawing->slabs = slabs.sorted(slabs.faces, drawing->patchOfTriangle);
+  if (SlabFaces coarse = slabs.coarser(); !coarse.triangles.empty())
+    drawing->coarse = slabs.sorted(coarse, drawing->patchOfTriangle);
   drawing->surface = polyDataOf(slabs.buffers);
   drawing->values = std::move(slabs.values);
   drawing->values.heights = heights;

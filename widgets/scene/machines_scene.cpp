@@ -74,7 +74,7 @@ struct MachinesScene::Impl {
     if (!shown.drawing.paths)
       return;
     setPose(shown.beads.actor, frames[static_cast<std::size_t>(cell.workFrame())]);
-    shown.beads.mapper->setStretches(plain(visibleBeads(*shown.drawing.paths, view)));
+    shown.beads.mapper->setStretches(plain(visibleBeads(*shown.drawing.paths, view).stretches));
   }
 
   static std::vector<Stretch> plain(std::vector<Stretch> stretches) {

@@ -1,3 +1,5 @@
+#include "scene/bead_shader.h"
+#include "scene/coarse_beads.h"
 #include "scene/drawing_data.h"
 #include "scene/fill_order.h"
 #include "scene/mesh_buffers.h"
@@ -19,9 +21,6 @@ namespace {
 // distance from the bead's middle relative to its height: above the surface
 constexpr double kLineOverBead = 0.62;
 
-// A bead's section is nearly a rectangle; the ellipse drawn is enlarged by these factors in width
-// and height, to avoid visible gaps between neighbouring beads.
-constexpr double kFuller[] = {1.06, 1.25};
 constexpr std::size_t kChunk = 12; // segments
 
 // The arrays that the beads' shader reads (bead_shader.h).
@@ -66,15 +65,9 @@ void addPoints(const plan::ToolPlan& plan, MeshBuffers& buffers, BeadArrays& arr
       buffers.addPoint(centre);
       addThree(arrays.tangent, tangent.x(), tangent.y(), tangent.z());
       addThree(arrays.direction, d.x(), d.y(), d.z());
-      addThree(arrays.shape, kFuller[0] * 0.5 * width, kFuller[1] * 0.5 * height, side);
+      addThree(arrays.shape, kBeadFuller[0] * 0.5 * width, kBeadFuller[1] * 0.5 * height, side);
     }
   }
-}
-
-void addSegment(MeshBuffers& buffers, std::size_t from, std::size_t to) {
-  const auto a = static_cast<std::int32_t>(2 * from), b = static_cast<std::int32_t>(2 * to);
-  buffers.addTriangle(a, a + 1, b);
-  buffers.addTriangle(a + 1, b + 1, b);
 }
 
 // Returns the paths by layer, in print order within each.
@@ -119,7 +112,7 @@ void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers&
     const plan::ToolPath& path = plan.paths[p];
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
       if (!hidden(i)) {
-        addSegment(buffers, i - 1, i);
+        addBeadSegment(buffers, i - 1, i);
         drawing.arrival.push_back(static_cast<std::uint32_t>(i));
         ++counts[static_cast<std::size_t>(path.layer)];
       }
@@ -161,31 +154,18 @@ void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers&
       chunk.hidingWaypoint = std::max(chunk.hidingWaypoint, surrounded[i]);
       chunk.hidingLayer =
           std::max(chunk.hidingLayer, plan.paths[drawing.pathOf[surrounded[i]]].layer);
-      addSegment(buffers, i - 1, i);
+      addBeadSegment(buffers, i - 1, i);
       drawing.arrival.push_back(static_cast<std::uint32_t>(i));
     }
   }
   drawing.chunkStart = startsOf(chunkCounts);
 
-  const std::size_t fine = drawing.arrival.size();
-  std::fill(counts.begin(), counts.end(), 0);
-  for (const std::size_t p : order) {
-    const plan::ToolPath& path = plan.paths[p];
-    const std::size_t end = path.first + path.count;
-    for (std::size_t i = path.first + 1; i < end; ++i) {
-      if (hidden(i))
-        continue;
-      const std::size_t from = i - 1;
-      if (i + 1 < end && !hidden(i + 1))
-        ++i;
-      addSegment(buffers, from, i);
-      drawing.arrival.push_back(static_cast<std::uint32_t>(i));
-      ++counts[static_cast<std::size_t>(path.layer)];
-    }
-  }
-  drawing.coarseStart = startsOf(counts);
-  for (std::size_t& start : drawing.coarseStart)
-    start += fine;
+  std::vector<BeadSight> sight(plan.waypointCount(), BeadSight::Buried);
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      if (!hidden(i))
+        sight[i] = fill.reachesOutside(plan, i) ? BeadSight::Open : BeadSight::Enclosed;
+  addCoarseBeads(plan, order, sight, drawing, buffers);
 }
 
 void addTravels(const plan::ToolPlan& plan, PathsDrawing& drawing) {

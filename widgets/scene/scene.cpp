@@ -4,6 +4,7 @@
 #include "geometry/least_turn.h"
 #include "robot/cell.h"
 #include "scene/actors.h"
+#include "scene/ambient_occlusion.h"
 #include "scene/bead_shader.h"
 #include "scene/camera.h"
 #include "scene/cell_actors.h"
@@ -25,7 +26,6 @@
 #include <cmath>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkProperty.h>
@@ -58,6 +58,7 @@ struct Scene::Impl : Drawn {
   Theme theme;
   std::unique_ptr<Overlay> overlay;
   std::unique_ptr<SizeMarks> sizeMarks;
+  std::optional<AmbientOcclusion> occlusion;
   vtkNew<vtkCallbackCommand> beforeFrame;
   vtkNew<vtkPlane> section;
 
@@ -119,6 +120,7 @@ struct Scene::Impl : Drawn {
     pieceLabels = std::make_unique<PieceLabels>(renderer);
     sizeMarks = std::make_unique<SizeMarks>(renderer);
     overlay = std::make_unique<Overlay>(renderer);
+    occlusion.emplace(renderer);
     applyTheme();
     beforeFrame->SetClientData(this);
     beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
@@ -250,8 +252,10 @@ struct Scene::Impl : Drawn {
     if (!(wanted == beadColours))
       setColours(beads, coloursOf(paths->values, wanted.colourBy, 2));
     beadColours = wanted;
-    beads.mapper->setStretches(visibleBeads(*paths, view));
-    setBeadScale(beads.actor, view.beads ? 1.0 : kLineBeadScale);
+    const VisibleBeads visible = visibleBeads(*paths, view);
+    beads.mapper->setStretches(visible.stretches);
+    const double scale = view.beads ? 1.0 : kLineBeadScale;
+    setBeadScale(beads.actor, scale, scale * visible.everyLayer);
     setBackBeadsHidden(beads.actor,
                        view.dragging && view.beads && view.firstLayer <= 0 && !view.sectionOn);
     if (view.travels)
@@ -308,14 +312,7 @@ struct Scene::Impl : Drawn {
     actors.insert(actors.end(), {partSurface.Get(), partEdges.Get()});
     for (const auto& more : {pieceActors->actors(), otherParts->actors()})
       actors.insert(actors.end(), more.begin(), more.end());
-    for (vtkActor* actor : actors) {
-      vtkMapper* mapper = actor->GetMapper();
-      const bool isCut = mapper->GetClippingPlanes() != nullptr;
-      if (view.sectionOn && !isCut)
-        mapper->AddClippingPlane(section);
-      else if (!view.sectionOn && isCut)
-        mapper->RemoveAllClippingPlanes();
-    }
+    cutBy(view.sectionOn ? section.Get() : nullptr, actors);
   }
 
   void applyView() {
@@ -335,6 +332,7 @@ struct Scene::Impl : Drawn {
     overlay->showTriad(view.axes);
     overlay->setLegend(view.legend ? legend() : Legend{});
     renderer->SetUseFXAA(!view.dragging);
+    occlusion->show(view.ambientOcclusion);
   }
 
   Legend legend() const {
@@ -373,6 +371,7 @@ struct Scene::Impl : Drawn {
     pieceLabels->update(view, world_T_work);
     sizeMarks->update();
     overlay->update();
+    occlusion->update(pictureHeightMm(renderer, world_T_work.translation()));
   }
 
   // Box of everything visible except the cell, in the world frame.

@@ -79,6 +79,9 @@ struct ViewState {
   std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
   bool legend = false;                   // drawn in the picture (windows show their own)
   bool dragging = false;                 // less detail, faster frames
+  // While dragging, about the number drawn of the print at most; the default is for processors.
+  std::size_t draggedTriangles = 70'000;
+  bool ambientOcclusion = false; // darkens corners and gaps
 };
 
 } // namespace voluta::scene

@@ -29,9 +29,21 @@ public:
   std::vector<vtkActor*> actors() const;
 
 private:
-  const VoxelDrawing* drawing_ = nullptr;
-  RangeActor outside_, inside_, ghosts_;
-  std::array<RangeActor, kLossCount> missed_, halos_; // by reason
+  // The voxels, or the blocks of fast frames.
+  struct Detail {
+    explicit Detail(vtkRenderer* renderer);
+
+    void setDrawing(const VoxelDrawing* given);
+    void show(const ViewState& view, bool replayed) const;
+    void prepare() const;
+
+    const VoxelDrawing* drawing = nullptr;
+    RangeActor outside, inside, ghosts;
+    std::array<RangeActor, kLossCount> missed, halos; // by reason
+  };
+  static constexpr std::size_t kFine = 0, kCoarse = 1;
+
+  std::array<Detail, 2> details_;
 };
 
 } // namespace voluta::scene

@@ -1,4 +1,5 @@
 #include "curved/decomposition.h"
+#include "scene/coarse_voxels.h"
 #include "scene/drawing_data.h"
 #include "scene/mesh_buffers.h"
 #include "voxel/voxel_grid.h"
@@ -7,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace voluta::scene {
 
@@ -27,13 +29,20 @@ Bytes bytesOf(const Colour& c) {
   return out;
 }
 
+// While dragging, no more faces are on the outside than this. Few enough for a processor that
+// draws 15 frames a second.
+constexpr std::size_t kCoarseFaces = 36'000;
+constexpr int kCoarsest = 12; // voxels along a block
+
+std::int32_t highestOf(std::span<const std::int32_t> values) {
+  return values.empty() ? 1 : std::max(1, *std::ranges::max_element(values));
+}
+
 // Colours of cells by a value from 1 to the maximum.
 class CellColours {
 public:
-  CellColours(const std::vector<std::int32_t>& values, const std::vector<std::uint8_t>& support)
-      : values_(values), support_(support), highest_(1) {
-    for (const std::int32_t v : values)
-      highest_ = std::max(highest_, v);
+  CellColours(const ShownCells& cells, std::int32_t highest)
+      : values_(cells.value), support_(cells.support), highest_(highest) {
     for (int i = 0; i < highest_; ++i)
       map_.push_back(bytesOf(sequentialColour(highest_ > 1 ? double(i) / (highest_ - 1) : 0.0)));
   }
@@ -42,11 +51,10 @@ public:
       return supportBytes_;
     return map_[static_cast<std::size_t>(std::clamp(values_[cell], 1, highest_) - 1)];
   }
-  int highest() const { return highest_; }
 
 private:
-  const std::vector<std::int32_t>& values_;
-  const std::vector<std::uint8_t>& support_;
+  std::span<const std::int32_t> values_;
+  std::span<const std::uint8_t> support_;
   std::int32_t highest_;
   std::vector<Bytes> map_;
   Bytes supportBytes_ = bytesOf(supportColour());
@@ -88,7 +96,7 @@ struct Faces {
   std::vector<LayeredFace> outer, upper, lower; // face: index in squares
 };
 
-Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& rank) {
+Faces facesOf(const voxel::VoxelGrid& grid, std::span<const std::int32_t> rank) {
   Faces out;
   const auto inGrid = [&](const Eigen::Vector3i& c) { return grid.contains(c.x(), c.y(), c.z()); };
   const auto indexOf = [&](const Eigen::Vector3i& c) { return grid.index(c.x(), c.y(), c.z()); };
@@ -140,9 +148,54 @@ std::vector<std::int32_t> ordersOf(const curved::Decomposition& d, double layerH
   return orders;
 }
 
-std::size_t reasonOf(const curved::Decomposition& d, std::size_t cell) {
-  const curved::Loss loss = d.loss.empty() ? curved::Loss::Shadowed : d.loss[cell];
+std::size_t reasonOf(std::span<const curved::Loss> losses, std::size_t cell) {
+  const curved::Loss loss = losses.empty() ? curved::Loss::Shadowed : losses[cell];
   return loss == curved::Loss::None ? 0 : static_cast<std::size_t>(loss) - 1;
+}
+
+// Adds the cells' faces to a drawing, in the colours of values up to `highest`.
+void addFaces(VoxelDrawing& drawing, const ShownCells& cells, std::int32_t highest) {
+  const voxel::VoxelGrid& grid = cells.grid;
+  const CellColours colours(cells, highest);
+  Faces faces = facesOf(grid, cells.rank);
+  SquareWriter outside(grid, &colours), inside(grid, &colours), missed(grid, nullptr);
+  drawing.outer = LayeredFaces(faces.outer, 0, 2);
+  for (const LayeredFace& f : faces.outer)
+    outside.addFace(outside.addPoints(faces.squares[static_cast<std::size_t>(f.face)]));
+
+  drawing.upper = LayeredFaces(faces.upper, 0, 2);
+  std::vector<std::int32_t> pointsOf(faces.squares.size());
+  for (const LayeredFace& f : faces.upper) {
+    const auto square = static_cast<std::size_t>(f.face);
+    pointsOf[square] = inside.addPoints(faces.squares[square]);
+    inside.addFace(pointsOf[square]);
+  }
+  drawing.lower = LayeredFaces(faces.lower, 2 * faces.upper.size(), 2);
+  for (const LayeredFace& f : faces.lower)
+    inside.addFace(pointsOf[static_cast<std::size_t>(f.face)]);
+
+  std::size_t written = 0;
+  for (std::size_t reason = 0; reason < kLossCount; ++reason) {
+    drawing.missedFaces[reason].first = written;
+    for (const Square& s : faces.missed)
+      if (reasonOf(cells.loss, s.owner) == reason) {
+        missed.addFace(missed.addPoints(s));
+        written += 2;
+      }
+    drawing.missedFaces[reason].count = written - drawing.missedFaces[reason].first;
+  }
+  drawing.outside = polyDataOf(outside.buffers);
+  drawing.inside = polyDataOf(inside.buffers);
+  drawing.missed = polyDataOf(missed.buffers);
+}
+
+// Returns how many voxels wide blocks have to be so that few enough of them are on the outside.
+int coarseFactor(std::size_t outerFaces) {
+  int factor = 1;
+  while (factor < kCoarsest &&
+         outerFaces > kCoarseFaces * static_cast<std::size_t>(factor * factor))
+    ++factor;
+  return factor;
 }
 
 } // namespace
@@ -159,11 +212,12 @@ std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& deco
                                                                               : ColourBy::Layer;
   const std::vector<std::int32_t> layers = ordersOf(decomposition, look.layerHeightMm);
   drawing->rank = look.bySteps ? decomposition.rank : layers;
-  const CellColours colours(drawing->colouredBy == ColourBy::Peeling      ? *look.peeling
-                            : drawing->colouredBy == ColourBy::GrowthStep ? decomposition.rank
-                                                                          : layers,
-                            decomposition.support);
-  drawing->highest = colours.highest();
+  const ShownCells cells{drawing->grid, drawing->rank,
+                         drawing->colouredBy == ColourBy::Peeling      ? *look.peeling
+                         : drawing->colouredBy == ColourBy::GrowthStep ? decomposition.rank
+                                                                       : layers,
+                         decomposition.support, decomposition.loss};
+  drawing->highest = highestOf(cells.value);
   const voxel::VoxelGrid& grid = drawing->grid;
   std::int32_t highest = 0;
   for (std::size_t c = 0; c < drawing->rank.size(); ++c)
@@ -173,42 +227,18 @@ std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& deco
       drawing->box.extend(low);
       drawing->box.extend(low + Eigen::Vector3d::Constant(grid.pitch));
       if (drawing->rank[c] < 0)
-        ++drawing->lost[reasonOf(decomposition, c)];
+        ++drawing->lost[reasonOf(cells.loss, c)];
       else if (!decomposition.support.empty() && decomposition.support[c])
         ++drawing->support;
     }
   drawing->layers = highest;
-
-  Faces faces = facesOf(grid, drawing->rank);
-  SquareWriter outside(grid, &colours), inside(grid, &colours), missed(grid, nullptr);
-  drawing->outer = LayeredFaces(faces.outer, 0, 2);
-  for (const LayeredFace& f : faces.outer)
-    outside.addFace(outside.addPoints(faces.squares[static_cast<std::size_t>(f.face)]));
-
-  drawing->upper = LayeredFaces(faces.upper, 0, 2);
-  std::vector<std::int32_t> pointsOf(faces.squares.size());
-  for (const LayeredFace& f : faces.upper) {
-    const auto square = static_cast<std::size_t>(f.face);
-    pointsOf[square] = inside.addPoints(faces.squares[square]);
-    inside.addFace(pointsOf[square]);
+  addFaces(*drawing, cells, drawing->highest);
+  if (const int factor = coarseFactor(drawing->outer.size()); factor > 1) {
+    auto coarse = std::make_shared<VoxelDrawing>();
+    coarse->lost = drawing->lost;
+    addFaces(*coarse, CoarseVoxels(cells, factor).cells(), drawing->highest);
+    drawing->coarse = std::move(coarse);
   }
-  drawing->lower = LayeredFaces(faces.lower, 2 * faces.upper.size(), 2);
-  for (const LayeredFace& f : faces.lower)
-    inside.addFace(pointsOf[static_cast<std::size_t>(f.face)]);
-
-  std::size_t written = 0;
-  for (std::size_t reason = 0; reason < kLossCount; ++reason) {
-    drawing->missedFaces[reason].first = written;
-    for (const Square& s : faces.missed)
-      if (reasonOf(decomposition, s.owner) == reason) {
-        missed.addFace(missed.addPoints(s));
-        written += 2;
-      }
-    drawing->missedFaces[reason].count = written - drawing->missedFaces[reason].first;
-  }
-  drawing->outside = polyDataOf(outside.buffers);
-  drawing->inside = polyDataOf(inside.buffers);
-  drawing->missed = polyDataOf(missed.buffers);
   return drawing;
 }
 

@@ -20,6 +20,7 @@ namespace {
 constexpr int kMargin = 10;
 constexpr int kSettleMs = 180; // Delay after the last wheel step until full detail is restored
 constexpr int kRestMs = 120;   // Delay after which the cursor counts as resting
+constexpr std::size_t kCardTriangles = 3'000'000; // that any card draws in a frame
 constexpr double kWheelFactor = 1.15, kKeyOrbitPixels = 30.0;
 } // namespace
 
@@ -100,6 +101,7 @@ Viewport::Viewport(const scene::Theme& theme, QWidget* parent)
   setMouseTracking(true);
   setMinimumSize(200, 160);
   addRenderer(scene_.renderer());
+  updateOverlay();
   scene_.standardView(scene::StandardView::Isometric);
   connect(cube_, &ViewCube::viewFrom, this, &Viewport::viewFrom);
   connect(cube_, &ViewCube::orbit, this, [this](double dx, double dy) {
@@ -123,24 +125,42 @@ void Viewport::initializeGL() {
 
 void Viewport::setView(const scene::ViewState& view) {
   scene::ViewState shown = view;
-  shown.dragging = heldByOthers_ || settle_.isActive() || turning_ || moving_;
+  setDetail(shown);
   scene_.setView(shown);
   requestFrame();
 }
 
+void Viewport::setDetail(scene::ViewState& view) const {
+  view.dragging = heldByOthers_ || settle_.isActive() || turning_ || moving_;
+  if (!isDrawnByProcessor())
+    view.draggedTriangles = kCardTriangles;
+  view.ambientOcclusion = ambientOcclusion_ && !(isDrawnByProcessor() && view.dragging);
+}
+
 void Viewport::applyDetail() {
-  const bool coarse = heldByOthers_ || settle_.isActive() || turning_ || moving_;
-  if (scene_.view().dragging == coarse)
-    return;
   scene::ViewState view = scene_.view();
-  view.dragging = coarse;
+  setDetail(view);
+  if (view.dragging == scene_.view().dragging &&
+      view.ambientOcclusion == scene_.view().ambientOcclusion)
+    return;
   scene_.setView(view);
   requestFrame();
+}
+
+void Viewport::setAmbientOcclusion(bool on) {
+  ambientOcclusion_ = on;
+  applyDetail();
 }
 
 void Viewport::setDragging(bool on) {
   heldByOthers_ = on;
   applyDetail();
+}
+
+// A widget over the whole picture is put together with it in every frame, also without content.
+void Viewport::updateOverlay() {
+  overlay_->setVisible(!marks_.empty() || hasHandles(gizmo_.tool()));
+  overlay_->update();
 }
 
 void Viewport::setTool(Tool tool) {
@@ -155,7 +175,7 @@ void Viewport::setTool(Tool tool) {
   gizmo_.setAxes(gizmoAxes_);
   gizmoText_.clear();
   setCursor(takesClicks(tool) ? Qt::CrossCursor : Qt::ArrowCursor);
-  overlay_->update();
+  updateOverlay();
   emit toolChanged(tool);
 }
 
@@ -166,12 +186,12 @@ void Viewport::setGizmoCentre(const Eigen::Vector3d& centre, const Eigen::Matrix
     gizmo_.setCentre(centre);
     gizmo_.setAxes(axes);
   }
-  overlay_->update();
+  updateOverlay();
 }
 
 void Viewport::setMarks(std::vector<Eigen::Vector3d> places) {
   marks_ = std::move(places);
-  overlay_->update();
+  updateOverlay();
 }
 
 double Viewport::mmPerPoint(const Eigen::Vector3d& place) const {
@@ -226,7 +246,7 @@ void Viewport::turned() {
   settle_.start();
   applyDetail();
   requestFrame();
-  overlay_->update();
+  updateOverlay();
   emit cameraMoved();
 }
 
@@ -345,7 +365,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     gizmoText_ = change.text;
     gizmoTextAt_ = last_;
     dragged_ = true;
-    overlay_->update();
+    updateOverlay();
     emit gizmoDragged(change, false);
     return;
   }
@@ -354,7 +374,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         last_, [this](const Eigen::Vector3d& p) { return projected(p); }, gizmoMmPerPixel());
     if (hasHandles(gizmo_.tool())) {
       setCursor(hot ? Qt::OpenHandCursor : Qt::ArrowCursor);
-      overlay_->update();
+      updateOverlay();
     }
     rest_.start();
     return;
@@ -387,7 +407,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (typed_.isActive())
       return; // The number goes on being typed
     gizmoText_.clear();
-    overlay_->update();
+    updateOverlay();
     emit gizmoDragged(dragged_ ? change : GizmoChange{}, true);
     return;
   }
@@ -450,7 +470,7 @@ bool Viewport::type(const QKeyEvent& event) {
   } else if (gizmo_.tool() == Tool::Move) {
     gizmo_.setCentre(gizmoCentre_ + change.moveMm);
   }
-  overlay_->update();
+  updateOverlay();
   emit gizmoDragged(change, finished);
   return true;
 }

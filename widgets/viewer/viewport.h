@@ -56,6 +56,9 @@ public:
   // Returns whether the user has zoomed or moved the camera since frameAll(). Until then it frames
   // everything from every direction and at every size of the viewport.
   bool isCameraTheUsers() const { return usersCamera_; }
+  // Darkens corners and gaps; while dragging only on graphics cards.
+  void setAmbientOcclusion(bool on);
+  bool hasAmbientOcclusion() const { return ambientOcclusion_; }
   // Something other than the camera is being dragged: less detail, faster frames.
   void setDragging(bool on);
   // A widget laid over the viewport, at its upper left corner.
@@ -99,6 +102,9 @@ private:
   std::vector<Eigen::AlignedBox2d> coveredByWidgets() const;
   bool type(const QKeyEvent& event); // a number for the handles
   void applyDetail();
+  void updateOverlay();
+  // Sets the level of detail of a view.
+  void setDetail(scene::ViewState& view) const;
   std::optional<scene::Hit> hitAt(const QPointF& place) const;
   std::optional<scene::Hit> clickedAt(const QPointF& place) const;
   QPointF projected(const Eigen::Vector3d& world) const;
@@ -121,7 +127,7 @@ private:
   QPointF pressedAt_, last_;
   Qt::MouseButton button_ = Qt::NoButton;
   bool turning_ = false, moving_ = false, dragged_ = false, heldByOthers_ = false;
-  bool usersCamera_ = false;
+  bool usersCamera_ = false, ambientOcclusion_ = false;
 };
 
 } // namespace voluta::viewer

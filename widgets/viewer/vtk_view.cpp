@@ -6,6 +6,8 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -23,6 +25,14 @@ QString describe(QOpenGLContext& context) {
   };
   return QStringLiteral("OpenGL %1, %2, %3")
       .arg(text(GL_VERSION), text(GL_VENDOR), text(GL_RENDERER));
+}
+
+bool isSoftware(const QString& description) {
+  return std::ranges::any_of(
+      std::array{"llvmpipe", "softpipe", "swrast", "software", "basic render"},
+      [&](const char* name) {
+        return description.contains(QLatin1String(name), Qt::CaseInsensitive);
+      });
 }
 
 constexpr int kMajor = 3, kMinor = 2;
@@ -116,8 +126,10 @@ void VtkView::initializeGL() {
     const auto lock = scene::drawLock();
     window_->OpenGLInit();
   }
-  emit openGlReady(QStringLiteral("VTK %1, %2")
-                       .arg(QLatin1String(vtkVersion::GetVTKVersion()), describe(*context())));
+  const QString description = describe(*context());
+  byProcessor_ = isSoftware(description);
+  emit openGlReady(
+      QStringLiteral("VTK %1, %2").arg(QLatin1String(vtkVersion::GetVTKVersion()), description));
 }
 
 void VtkView::resizeGL(int, int) {

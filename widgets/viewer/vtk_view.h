@@ -26,6 +26,8 @@ public:
   void requestFrame() { update(); }
   // Time that the last frame took to paint [ms]; 0 before the first.
   double lastFrameMs() const { return lastFrameMs_; }
+  // Returns whether the processor draws, not a graphics card; true until the first frame.
+  bool isDrawnByProcessor() const { return byProcessor_; }
   // Widget coordinates (y down, logical pixels) to VTK display coordinates and back.
   QPointF toDisplay(const QPointF& widget) const;
   QPointF fromDisplay(const QPointF& display) const;
@@ -53,7 +55,7 @@ private:
 
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   double lastFrameMs_ = 0.0;
-  bool usable_ = false;
+  bool usable_ = false, byProcessor_ = true;
 };
 
 } // namespace voluta::viewer
