@@ -9,9 +9,14 @@
 #include "window/view_tools.h"
 #include "window/welcome.h"
 
+#include <QSettings>
 #include <QVBoxLayout>
 
 namespace voluta::window {
+
+namespace {
+constexpr const char* kDarkCorners = "view/darkCorners";
+}
 
 scene::Theme sceneTheme(Appearance appearance) {
   switch (appearance) {
@@ -54,6 +59,10 @@ PictureArea::PictureArea(Appearance appearance, QWidget* parent)
   connect(layers_, &timeline::LayerRangeSlider::dragging, viewport_, &Viewport::setDragging);
   connect(timeline_, &timeline::TimelineBar::dragging, viewport_, &Viewport::setDragging);
   connect(timeline_, &timeline::TimelineBar::playingChanged, viewport_, &Viewport::setDragging);
+  connect(viewport_, &viewer::VtkView::openGlReady, this, [this] {
+    viewport_->setAmbientOcclusion(
+        QSettings().value(kDarkCorners, !viewport_->isDrawnByProcessor()).toBool());
+  });
   connect(viewport_, &viewer::VtkView::openGlMissing, this, [this](const QString& found) {
     welcome_->setMessage(tr("The viewport needs OpenGL 3.2; this display offers %1. Update the "
                             "graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1. Planning and export "
@@ -61,6 +70,11 @@ PictureArea::PictureArea(Appearance appearance, QWidget* parent)
                              .arg(found));
     welcome_->show();
   });
+}
+
+void PictureArea::darkenCorners(bool on) {
+  viewport_->setAmbientOcclusion(on);
+  QSettings().setValue(kDarkCorners, on);
 }
 
 } // namespace voluta::window

@@ -38,6 +38,9 @@ public:
   timeline::LayerRangeSlider& layers() { return *layers_; }
   timeline::TimelineBar& timeline() { return *timeline_; }
 
+  // Ambient occlusion, also the next time.
+  void darkenCorners(bool on);
+
 private:
   viewer::Viewport* viewport_;
   LegendView* legend_;

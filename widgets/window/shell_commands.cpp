@@ -187,6 +187,16 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                       },
                       {},
                       [&legend] { return legend.isWanted(); }});
+  commands.push_back({"ambientOcclusion",
+                      "viewMenu",
+                      1,
+                      QT_TRANSLATE_NOOP("Commands", "Darken cor&ners"),
+                      QT_TRANSLATE_NOOP("Commands", "Darkens corners and gaps, so that shapes are "
+                                                    "clearer; slow without a graphics card"),
+                      {},
+                      [&area] { area.darkenCorners(!area.viewport().hasAmbientOcclusion()); },
+                      {},
+                      [&area] { return area.viewport().hasAmbientOcclusion(); }});
   commands.push_back(
       {"toggleUnrolled",
        "viewMenu",
