@@ -14,8 +14,15 @@
 #include <QListView>
 #include <QTest>
 #include <QToolButton>
+#include <QUndoStack>
 #include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <sstream>
+#include <unistd.h>
 #include <vector>
 
 namespace voluta::test {
@@ -191,6 +198,123 @@ TEST_F(WindowTimes, FromTheEditToThePicture) {
         Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * turned.rotation;
     document().place(turned, "turn");
   });
+}
+
+// The longest stretches of work of the window's thread, for each action. VOLUTA_GUI_PART: a mesh.
+class LongestWork : public WindowTimes {
+protected:
+  void after(const char* what, const std::function<void()>& action) {
+    application().resetWatch();
+    action();
+    QTest::qWait(400);
+    waitFor([&] { return !window().presenter().busy(); }, 600000);
+    std::cout << std::setw(6) << std::fixed << std::setprecision(1) << application().longestWorkMs()
+              << " ms of work, " << std::setw(6) << application().longestMs()
+              << " ms beside frames: " << what << " (" << application().longestWork().toStdString()
+              << "; " << application().longestWhat().toStdString() << ")" << std::endl;
+  }
+  void allPages(const std::string& of) {
+    for (const char* page :
+         {Page::Layers, Page::Simulate, Page::Export, Page::Compare, Page::Prepare})
+      after((of + ": page " + page).c_str(), [&] { choosePage(page); });
+  }
+  void sweep(QWidget* slider, QPoint from, QPoint to) {
+    QTest::mousePress(slider, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 20; ++i) {
+      QTest::mouseMove(slider, from + (to - from) * i / 20);
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, to);
+  }
+  void plan(const std::string& of) {
+    after((of + ": plan").c_str(), [&] {
+      window().planning().plan(Stage::Replay);
+      waitFor([&] { return planned(Stage::Replay) || !window().planning().running(); }, 1800000);
+    });
+    allPages(of);
+    choosePage(Page::Layers);
+    QTest::qWait(500);
+    after((of + ": Layers slider").c_str(), [&] {
+      auto* layers = find<timeline::LayerRangeSlider>("layerSlider");
+      const QPoint top(layers->width() - 17, 28);
+      sweep(layers, top, top + QPoint(0, layers->height() / 2));
+    });
+    choosePage(Page::Simulate);
+    QTest::qWait(500);
+    after((of + ": Simulate slider").c_str(), [&] {
+      auto* moves = bar().findChild<QWidget*>("scrubSlider");
+      sweep(moves, {8, moves->height() / 2}, {moves->width() - 8, moves->height() / 2});
+    });
+    after((of + ": jog").c_str(), [&] {
+      auto* box = find<QCheckBox>("jogArm");
+      box->setChecked(true);
+      QTest::qWait(1000);
+      for (int i = 0; i < 5; ++i) {
+        QTest::mouseClick(find<QToolButton>("jogMoreZ"), Qt::LeftButton);
+        QTest::qWait(50);
+      }
+      box->setChecked(false);
+    });
+    choosePage(Page::Export);
+    after((of + ": undo and redo").c_str(), [&] {
+      document().undoStack()->undo();
+      QTest::qWait(500);
+      document().undoStack()->redo();
+    });
+  }
+};
+
+TEST_F(LongestWork, OfEveryPageAndMode) {
+  const QString part = qEnvironmentVariable("VOLUTA_GUI_PART");
+  if (part.isEmpty())
+    GTEST_SKIP() << "VOLUTA_GUI_PART names no mesh";
+  window().resize(1280, 800);
+  document().setParameter("voxelMm", qEnvironmentVariable("VOLUTA_GUI_VOXEL_MM", "1"));
+  after("open the mesh", [&] { openPart(part); });
+  allPages("before a plan");
+  chooseFlat();
+  plan("flat");
+  after("a copy beside it", [&] {
+    document().duplicatePart();
+    QTest::qWait(500);
+  });
+  allPages("two parts");
+}
+
+// From the process's start to the first frame; run it alone.
+TEST_F(WindowTimes, Start) {
+  std::ifstream file("/proc/self/stat");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  std::istringstream fields(text.substr(text.rfind(')') + 2));
+  std::string field;
+  for (int i = 3; i <= 22; ++i)
+    fields >> field;
+  bool painted = false;
+  const auto connection = QObject::connect(&window().viewport(), &viewer::VtkView::framePainted,
+                                           &window(), [&] { painted = true; });
+  waitFor([&] { return painted || window().viewport().lastFrameMs() > 0.0; });
+  QObject::disconnect(connection);
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  const double seconds = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) -
+                         std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  std::cout << "first frame " << 1e3 * seconds << " ms after the start, processor "
+            << 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec)
+            << " ms\n";
+}
+
+// VOLUTA_GUI_PART: a mesh.
+TEST_F(WindowTimes, Opening) {
+  const QString part = qEnvironmentVariable("VOLUTA_GUI_PART");
+  if (part.isEmpty())
+    GTEST_SKIP() << "VOLUTA_GUI_PART names no mesh";
+  QTest::qWait(1000);
+  QElapsedTimer clock;
+  clock.start();
+  openPart(part);
+  picture();
+  std::cout << "opened and drawn after " << clock.elapsed() << " ms\n";
 }
 
 } // namespace

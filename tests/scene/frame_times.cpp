@@ -1,6 +1,8 @@
 // Not a test: times of frames while dragging, on a job from disk (VOLUTA_JOB) at 1280 x 800.
 #include "base/stopwatch.h"
 #include "pipeline/stage_options.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 #include "project/job.h"
 #include "robot/cell.h"
 #include "robot/shape/arm_look.h"
