@@ -74,6 +74,7 @@ public:
     for (const auto& [tool, amounts] : amountAt_)
       file_.nozzleC[tool] =
           std::ranges::max_element(amounts, {}, [](const auto& at) { return at.second; })->first;
+    file_.stops = unused_.stops();
     file_.unused = unused_.notes(lastBeadLine_);
     leaveOutPurgeLines(file_);
     return std::move(file_);
@@ -142,7 +143,13 @@ private:
                         : command.letter == 'G' ? executeG(command.number, command.text)
                                                 : false;
     if (!isUsed)
-      unused_.take(command, line_, layer_, lastBeadLine_ > 0);
+      takeUnused(command);
+  }
+
+  // The print goes on behind a stop with a path of its own.
+  void takeUnused(const GcodeCommand& command) {
+    if (unused_.take(command, line_, lastBeadLine_ > 0))
+      endPath();
   }
 
   // M30 with a name deletes a file.

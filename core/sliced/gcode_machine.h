@@ -23,8 +23,9 @@ namespace voluta::sliced {
 // - M104, M109, M140, M190: temperatures that the file sets.
 // - Filament that a tool draws back returns to the same tool, unless a setting says that all tools
 //   share a nozzle.
+// - Stops of the print are listed in SlicedFile::stops.
 // - Other M commands, macros and G commands that do not move are skipped; those that change the
-//   print, such as stops, are named in SlicedFile::unused.
+//   print are named in SlicedFile::unused.
 // - Purge lines beside the part are left out.
 // - A file whose last line has no line end, and is a motion or follows the last bead without an M
 //   command, is taken as it is, with its last line in SlicedFile::cutLine.

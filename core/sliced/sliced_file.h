@@ -42,6 +42,13 @@ struct SlicedPath {
   std::size_t line = 0;
 };
 
+// A command at which the printer waits for its user.
+struct SlicedStop {
+  std::size_t line = 0;
+  std::string text;    // for the operator
+  std::string command; // as written, shortened
+};
+
 // What comments state anywhere in the file; 0: nothing.
 struct SlicedHeader {
   double filamentMm = 0.0;         // Diameter, of the first tool
@@ -74,6 +81,7 @@ struct SlicedFile {
   std::map<int, int> nozzleC;    // By tool: the temperature at which most material is printed [°C]
   int bedC = 0;                  // The highest that is set [°C]; 0: none
   std::size_t cutLine = 0; // The last line, if the file seems to be cut within it; 0: it is not
+  std::vector<SlicedStop> stops;     // In order; a path ends at each
   std::vector<base::Message> unused; // Commands that are not acted on, a sentence each
 };
 

@@ -78,6 +78,30 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   return notes;
 }
 
+// Returns a sentence for each stop between beads, and one for all stops before the first bead, for
+// which the operator's question at the start of each program stands. `lines`: of the beads.
+std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPlan& plan,
+                                     const std::vector<std::size_t>& lines) {
+  constexpr std::size_t kMaxText = 44; // of a pause's own text (motion/layer_event_text.h)
+  std::vector<base::Message> notes;
+  std::size_t before = 0;
+  for (const SlicedStop& stop : file.stops) {
+    const auto bead =
+        static_cast<std::size_t>(std::ranges::upper_bound(lines, stop.line) - lines.begin());
+    if (bead == 0)
+      ++before;
+    else if (bead < lines.size())
+      notes.push_back(base::message(kStopNote, stop.line, bead + 1, plan.paths[bead].layer + 1,
+                                    stop.text.substr(0, kMaxText), stop.command));
+  }
+  if (before > 0)
+    notes.emplace_back(
+        "not used: {count} stop before the first bead, since programs begin with a question|"
+        "not used: {count} stops before the first bead, since programs begin with a question"_plural,
+        std::vector<base::Value>{before});
+  return notes;
+}
+
 // Returns the amounts of a file as read, line by line.
 std::vector<AmountAt> readAmounts(const SlicedFile& file) {
   std::vector<AmountAt> amounts = file.outside;
@@ -123,6 +147,10 @@ std::vector<base::Message> amountNotes(const SlicedFile& file, double beadsMm3,
 }
 } // namespace
 
+bool changesFilament(std::string_view command) {
+  return command.starts_with("M600") || command.starts_with("m600");
+}
+
 ReadSliced readSliced(std::string_view text, const std::string& name, const base::RunContext& ctx) {
   if (text.starts_with("GCDE"))
     throw Error(ErrorCode::UnreadableFile, "is binary G-code"_text, name,
@@ -139,9 +167,12 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
                                                    : kUsualFilamentMm;
   const double filamentMm2 =
       file.volumetric ? 1.0 : base::kPi / 4.0 * read.filamentMm * read.filamentMm;
-  read.plan = beadsOf(file, filamentMm2);
+  std::vector<std::size_t> lines;
+  read.plan = beadsOf(file, filamentMm2, &lines);
   read.volumeMm3 = beadsMm3(read.plan);
   read.notes = notesOf(file, filamentMm2);
+  const std::vector<base::Message> stops = stopNotes(file, read.plan, lines);
+  read.notes.insert(read.notes.end(), stops.begin(), stops.end());
   const std::vector<base::Message> amounts =
       amountNotes(file, read.volumeMm3, statedAmount(text, file.header), filamentMm2);
   read.notes.insert(read.notes.end(), amounts.begin(), amounts.end());

@@ -20,6 +20,13 @@ namespace voluta::sliced {
 inline constexpr base::Text kAmountNote =
     "the file extrudes {stated:.0f} by its E words, its beads and what is left out have {read:.0f}; they part {line}"_text;
 
+// A note that the print pauses at a stop of the file. Values: its line; the bead before which it
+// comes, from 1; its layer, from 1; the text for the operator; the command.
+inline constexpr base::Text kStopNote =
+    "line {line}: the print pauses before bead {bead} in layer {layer}: {text} ({command})"_text;
+// Returns whether the operator changes the filament at that command.
+bool changesFilament(std::string_view command);
+
 struct ReadSliced {
   plan::ToolPlan plan;              // In the file's coordinates [mm]; fill: of `solid`
   geometry::TriangleMesh solid;     // What the beads make; closed, facing outward

@@ -214,7 +214,8 @@ bool isLoop(const plan::ToolPlan& plan, const plan::ToolPath& path) {
 }
 } // namespace
 
-plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
+plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2,
+                       std::vector<std::size_t>* lines) {
   plan::ToolPlan plan;
   const LayerHeights heights(file);
   Laying laying(plan);
@@ -246,6 +247,8 @@ plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
     made.layer = path.layer >= 0 ? path.layer : layer.index;
     made.ring = made.kind == plan::PathKind::Wall && path.kind && !path.outermost ? 1 : 0;
     plan.paths.push_back(made);
+    if (lines)
+      lines->push_back(path.line);
   }
   return plan;
 }

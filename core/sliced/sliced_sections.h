@@ -5,6 +5,9 @@
 #include "plan/tool_plan.h"
 #include "sliced/sliced_file.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace voluta::sliced {
 
 // Returns the beads as tool-paths, in the order and coordinates of the file. The volume of each
@@ -13,8 +16,9 @@ namespace voluta::sliced {
 // that are not known are 0. Beads thinner than round are round ones of that area. Paths without
 // comments are walls if they are closed and do not go to and fro, else infill. Layers count from 0
 // by comments, or by height. `filamentMm2`: section of the filament; 1 for amounts that are
-// volumes.
-plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2);
+// volumes. `lines`, if given: the line in which each path of the plan begins.
+plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2,
+                       std::vector<std::size_t>* lines = nullptr);
 
 // Return the volume of all beads, and of one path [mm3].
 double beadsMm3(const plan::ToolPlan& plan);

@@ -48,6 +48,18 @@ bool isStop(const GcodeCommand& command) {
   return word == "pause" || word == "pause_base" || word == "@pause";
 }
 
+// Returns the text for the operator: the one behind M0 and M1, if there is one.
+std::string textOfStop(const GcodeCommand& command) {
+  if (command.letter == 'M' && command.number == 600.0)
+    return "Change the filament";
+  const std::size_t words = command.text.find_first_of(" \t");
+  const bool hasText = command.letter == 'M' && command.number <= 1.0;
+  std::string text =
+      hasText && words != std::string_view::npos ? shortened(command.text.substr(words)) : "";
+  constexpr std::size_t kShortest = 6; // P1000 and S5 are times
+  return text.size() < kShortest ? "Pause" : text;
+}
+
 // Returns the name of a command that changes the print; nullopt for others.
 std::optional<std::string> nameOf(const GcodeCommand& command) {
   if (command.letter == 'G' || command.letter == 'M') {
@@ -66,18 +78,18 @@ std::optional<std::string> nameOf(const GcodeCommand& command) {
 }
 } // namespace
 
-void UnusedCommands::take(const GcodeCommand& command, std::size_t line, int layer, bool hasBeads) {
+bool UnusedCommands::take(const GcodeCommand& command, std::size_t line, bool hasBeads) {
   if (command.letter == 'M' && command.number == 117.0) {
     shown_ = shortened(command.text.substr(4));
     shownIn_ = line;
   } else if (isStop(command)) {
-    std::string words = shortened(command.text);
-    if (shownIn_ + 1 == line && !shown_.empty())
-      words += ": " + shown_;
-    stops_.push_back({line, layer, std::move(words)});
+    const bool isShown = shownIn_ + 1 == line && !shown_.empty();
+    stops_.push_back({line, isShown ? shown_ : textOfStop(command), shortened(command.text)});
+    return true;
   } else if (const std::optional<std::string> name = nameOf(command); name && hasBeads) {
     takeNamed(*name, line);
   }
+  return false;
 }
 
 void UnusedCommands::takeNamed(const std::string& name, std::size_t line) {
@@ -90,20 +102,7 @@ void UnusedCommands::takeNamed(const std::string& name, std::size_t line) {
 }
 
 std::vector<base::Message> UnusedCommands::notes(std::size_t lastLine) const {
-  constexpr std::size_t kMaxStops = 20;
-  std::vector<base::Message> notes, stops;
-  std::size_t count = 0;
-  for (const Stop& stop : stops_)
-    if (stop.line <= lastLine && ++count <= kMaxStops)
-      stops.push_back(stop.layer < 0
-                          ? base::message("line {line} ({command})"_text, stop.line, stop.words)
-                          : base::message("line {line} in layer {layer} ({command})"_text,
-                                          stop.line, stop.layer + 1, stop.words));
-  if (count > 0)
-    notes.emplace_back(
-        "not used: {count} stop of the file, the robot does not wait there: {stops}|"
-        "not used: {count} stops of the file, the robot does not wait there: {stops}"_plural,
-        std::vector<base::Value>{count, std::move(stops)});
+  std::vector<base::Message> notes;
   for (const auto& [name, seen] : others_)
     if (seen.line <= lastLine)
       notes.emplace_back("not used: {command} in {count} line, line {line}|"

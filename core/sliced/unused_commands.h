@@ -1,8 +1,9 @@
-// Commands of a slicer's file that are not acted on although they change the print.
+// Commands of a slicer's file that are not acted on although they change the print, and its stops.
 #pragma once
 
 #include "base/text.h"
 #include "sliced/gcode_command.h"
+#include "sliced/sliced_file.h"
 
 #include <cstddef>
 #include <map>
@@ -15,28 +16,24 @@ namespace voluta::sliced {
 // Collects them while a file is read.
 class UnusedCommands {
 public:
-  // Takes a command that the machine does not execute. `layer`: from 0; -1: not known.
-  // `hasBeads`: a bead came before it; commands before the first bead prepare a printer, and only
-  // stops are kept of them.
-  void take(const GcodeCommand& command, std::size_t line, int layer, bool hasBeads);
+  // Takes a command that the machine does not execute; returns whether it is a stop. `hasBeads`: a
+  // bead came before it; commands before the first bead prepare a printer, and only stops are kept
+  // of them.
+  bool take(const GcodeCommand& command, std::size_t line, bool hasBeads);
   // Takes one under that name.
   void takeNamed(const std::string& name, std::size_t line);
 
-  // Returns a sentence for all stops, and one for each other command that is used at or before
-  // `lastLine`, that of the last bead.
+  const std::vector<SlicedStop>& stops() const { return stops_; }
+  // Returns a sentence for each other command that is used at or before `lastLine`, that of the
+  // last bead.
   std::vector<base::Message> notes(std::size_t lastLine) const;
 
 private:
-  struct Stop {
-    std::size_t line = 0;
-    int layer = -1;
-    std::string words; // with the text that it shows
-  };
   struct Seen {
     std::size_t count = 0, line = 0; // the first
   };
 
-  std::vector<Stop> stops_;
+  std::vector<SlicedStop> stops_;
   std::map<std::string, Seen> others_;
   std::string shown_; // by the line before, on the printer's display
   std::size_t shownIn_ = 0;

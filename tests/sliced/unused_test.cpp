@@ -251,12 +251,28 @@ TEST(SlicedWords, StopsAreNamedWithTheirLines) {
       text += "M25\nPAUSE\n";
     text += square(0, 0, 0.8 * (k + 1));
   }
-  EXPECT_THAT(
-      notesOf(text + "M0 take it off\n"),
-      Contains(AllOf(HasSubstr("5 stops of the file"), HasSubstr("in layer 2 (M600)"),
-                     HasSubstr("in layer 3 (M601: put the nut in)"),
-                     HasSubstr("in layer 4 (M0 put the magnet in)"), HasSubstr("in layer 5 (M25)"),
-                     HasSubstr("in layer 5 (PAUSE)"), ::testing::Not(HasSubstr("take it off")))));
+  const std::vector<std::string> notes = notesOf(text + "M0 take it off\n");
+  for (const char* note :
+       {"bead 2 in layer 2: Change the filament (M600)", "bead 3 in layer 3: put the nut in (M601)",
+        "bead 4 in layer 4: put the magnet in (M0 put the magnet in)",
+        "bead 5 in layer 5: Pause (M25)", "bead 5 in layer 5: Pause (PAUSE)"})
+    EXPECT_THAT(notes, Contains(HasSubstr(note)));
+  EXPECT_THAT(notes, ::testing::Not(Contains(HasSubstr("take it off"))));
+  EXPECT_THAT(notesOf(kHead + "M0 click to begin\n" + layer(0) + square(0, 0, 0.8)),
+              Contains(HasSubstr("not used: 1 stop before the first bead")));
+}
+
+// The bead goes on behind the stop as one of its own.
+TEST(SlicedWords, AStopWithinABeadDividesIt) {
+  std::string text = kHead + layer(0) + square(0, 0, 0.8) + layer(1) + "G0 X0 Y0 Z1.6 F3000\n" +
+                     "G1 X20 E4 F1200\n";
+  const std::string rest = "G1 Y20 E4\nG1 X0 E4\nG1 Y0 E4\n";
+  EXPECT_EQ(readIn(text + rest).plan.paths.size(), 2u);
+  const sliced::ReadSliced stopped = readIn(text + "M600\n" + rest);
+  EXPECT_EQ(stopped.plan.paths.size(), 3u);
+  EXPECT_THAT(base::english(stopped.notes), Contains(HasSubstr("before bead 3 in layer 2")));
+  EXPECT_TRUE(sliced::changesFilament("M600 B5"));
+  EXPECT_FALSE(sliced::changesFilament("M601"));
 }
 
 std::string tower(int layers = 6) {
