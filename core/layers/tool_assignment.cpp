@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <optional>
 
 namespace voluta::layers {
 
@@ -36,6 +38,8 @@ int checkedTool(long long number, std::size_t tools, const char* key) {
 std::vector<int> ToolAssignment::used() const {
   std::vector<int> tools{part, support, infill};
   tools.insert(tools.end(), pieces.begin(), pieces.end());
+  for (const auto& [layer, tool] : fromLayer)
+    tools.push_back(tool);
   std::ranges::sort(tools);
   tools.erase(std::ranges::unique(tools).begin(), tools.end());
   return tools;
@@ -111,10 +115,34 @@ void forgetTool(std::map<std::string, std::string>& parameters, int number) {
   }
 }
 
+namespace {
+// Returns the tool that an event of the layers sets; nullopt: none.
+std::optional<int> toolFrom(const std::map<int, int>& fromLayer, int layer) {
+  const auto behind = fromLayer.upper_bound(layer);
+  return behind == fromLayer.begin() ? std::nullopt : std::optional(std::prev(behind)->second);
+}
+
+void requireLayers(const LayerStack& stack, const std::map<int, int>& fromLayer) {
+  int layers = 0;
+  for (const Patch& patch : stack.patches)
+    layers = std::max(layers, patch.layer + 1);
+  if (!fromLayer.empty() && fromLayer.rbegin()->first >= layers)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("no change of the tool before layer {layer}: the part has "
+                                    "{layers} layers"_text,
+                                    fromLayer.rbegin()->first + 1, layers),
+                      std::string("layerEvents"),
+                      "correct the setting; layers are counted for each part"_text);
+}
+} // namespace
+
 void assignTools(LayerStack& stack, const ToolAssignment& assignment) {
+  requireLayers(stack, assignment.fromLayer);
   for (Patch& patch : stack.patches)
     if (patch.group == kSupportGroup)
       patch.tool = assignment.support;
+    else if (const auto tool = toolFrom(assignment.fromLayer, patch.layer))
+      patch.tool = *tool;
     else if (!assignment.pieces.empty() && patch.group >= 0)
       patch.tool =
           assignment.pieces[static_cast<std::size_t>(patch.group) % assignment.pieces.size()];

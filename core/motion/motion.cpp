@@ -14,6 +14,7 @@
 #include "motion/ladder/path_planner.h"
 #include "motion/ladder/size_in_reach.h"
 #include "motion/lags.h"
+#include "motion/layer_events.h"
 #include "motion/nozzle_frame.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
@@ -92,7 +93,8 @@ public:
         // The cell has the head of the first tool.
         collision_(cell, tooling.first().process), scene_{plan, cell,     collision_,
                                                           part, options_, leversOf(plan, cell)},
-        planner_(scene_, tooling), home_(stateAt(cell, cell.home())) {}
+        planner_(scene_, tooling), home_(stateAt(cell, cell.home())),
+        places_(eventPlaces(plan, options.layerEvents)) {}
 
   MotionResult plan(const base::RunContext& ctx, double maxLeftOut) {
     base::Stopwatch watch;
@@ -250,6 +252,7 @@ private:
                                           ctx.sub(0.0, 0.5), waitBefore_);
     skipped_ = std::move(connected.skipped);
     refusedAgain_ = std::move(connected.refused);
+    waitsAbovePart_ = connected.waitsAbovePart;
     result_.times.transfer += watch.seconds();
 
     watch = base::Stopwatch();
@@ -311,7 +314,7 @@ private:
       for (std::size_t k = 0; k < transfer.points.size(); ++k) {
         for (const ToolStep& step : transfer.toolSteps)
           if (step.point == k)
-            changeTool(step.kind, tool);
+            changeTool(step, tool);
         const bool arrives = i < runs && k + 1 == transfer.points.size();
         append(transfer.points[k].at.q, time + timed.ways[i].times[k + 1], transfer.points[k].move,
                arrives ? sequence.runs[i].points.front().waypoint : plan::kNoWaypoint, volume);
@@ -348,8 +351,9 @@ private:
     setJerk(timed, s);
   }
 
-  // Adds the events of a step of the change to the tool, before the motion to the next point.
-  void changeTool(ToolStep::Kind step, int tool) {
+  // Adds the events of a step of the change to the tool, or that of a layer, before the motion to
+  // the next point.
+  void changeTool(const ToolStep& step, int tool) {
     using By = robot::ToolChange::By;
     const By by = cell_.toolChange().by;
     const auto add = [&](plan::TrajectoryEvent event) {
@@ -357,7 +361,7 @@ private:
       result_.trajectory.events.push_back(event);
       result_.statistics.durationS += event.seconds;
     };
-    switch (step) {
+    switch (step.kind) {
     case ToolStep::Kind::Release:
       add({.kind = plan::EventKind::Release, .seconds = robot::kChangerS});
       break;
@@ -379,8 +383,10 @@ private:
               purgeEvent(tooling_.at(tool).process, primeMm3(tooling_.at(tool).process)))
         add(*purge);
       break;
-    case ToolStep::Kind::Pause:
-      add({.kind = plan::EventKind::Pause});
+    case ToolStep::Kind::Event: {
+      const EventPlace& place = places_.at(step.event);
+      add(trajectoryEvent(plan_, options_.layerEvents.at(place.event), place));
+    }
     }
   }
 
@@ -469,6 +475,10 @@ private:
         jerk->where = plan_.position[w];
       result_.findings.push_back(std::move(*jerk));
     }
+    if (waitsAbovePart_ > 0)
+      result_.findings.push_back(plan::makeFinding(plan::FindingKind::WaitsAbovePart,
+                                                   {{"waits", waitsAbovePart_}}, std::nullopt,
+                                                   waitsAbovePart_));
     if (std::optional<plan::Finding> shots = longShots(t, plan_))
       result_.findings.push_back(std::move(*shots));
     if (!check_.collisions.empty()) {
@@ -519,6 +529,8 @@ private:
   std::vector<SkippedPiece> skipped_; // For lack of a transfer
   std::vector<Refused> refusedAgain_; // Of runs that were planned again from another state
   std::set<std::size_t> waitBefore_;  // First waypoints of runs
+  std::vector<EventPlace> places_;    // Of events of layers
+  std::size_t waitsAbovePart_ = 0;    // ConnectedRuns::waitsAbovePart
   TrajectoryCheck check_;
   MotionResult result_;
 };

@@ -1,11 +1,8 @@
 #include "motion/motion_options.h"
 
-#include "base/error.h"
+#include "motion/layer_event_text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <string>
 
 namespace voluta::motion {
@@ -76,9 +73,12 @@ base::ParameterTable motionParameters() {
            {{"lift", "with the nozzle lifted"_text}, {kBlend, "while printing, if possible"_text}},
            "Motion"_text, "change of the arm's branch"_text,
            "Where the arm cannot print a whole path in one branch: whether the path is interrupted there, or the wrist changes over several points while printing, with the nozzle tilted within the tilt tolerance."_text),
-       base::textParameter(
+       base::ofItem(base::textParameter(
            kPauseLayers, "Motion"_text, "pauses before layers"_text,
-           "Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged."_text),
+           "Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there."_text)),
+       base::ofItem(base::textParameter(
+           kLayerEvents, "Motion"_text, "events before layers"_text,
+           "What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE."_text)),
        base::numberParameter(
            kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),
@@ -95,33 +95,6 @@ base::ParameterTable motionParameters() {
                              "wait after a shot"_text,
                              "Time that the nozzle stays in the pocket after the shot, so that "
                              "the material does not come out again."_text)});
-}
-
-std::vector<int> pauseLayersOf(std::string_view text) {
-  std::vector<int> layers;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    std::string_view item = text.substr(from, to - from);
-    from = to + 1;
-    const std::size_t begin = item.find_first_not_of(' ');
-    if (begin == std::string_view::npos)
-      continue;
-    item = item.substr(begin, item.find_last_not_of(' ') + 1 - begin);
-    int layer = 0;
-    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), layer);
-    if (error != std::errc() || end != item.data() + item.size() || layer < 1)
-      throw base::Error(base::ErrorCode::Usage,
-                        base::message("'{text}' is not a list of layers"_text, std::string(text)),
-                        std::string(kPauseLayers), "give numbers, such as 12, 40"_text);
-    layers.push_back(layer);
-  }
-  std::ranges::sort(layers);
-  layers.erase(std::ranges::unique(layers).begin(), layers.end());
-  return layers;
-}
-
-std::string pauseLayersText(const std::vector<int>& layers) {
-  return fmt::format("{}", fmt::join(layers, ", "));
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -144,7 +117,7 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.minLayerTimeS = layerTimes(values).minS;
   o.purge.changeMm3 = values.number("purgeMm3");
   o.purge.primesBeside = true;
-  o.pauseLayers = pauseLayersOf(values.text(kPauseLayers));
+  o.layerEvents = eventsAsked(values);
   o.shot.flowMm3PerS = values.number("stitchFlow");
   o.shot.waitS = values.number("stitchWait");
   return o;

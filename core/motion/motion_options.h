@@ -4,6 +4,7 @@
 #include "base/parameters.h"
 #include "base/units.h"
 #include "collision/margins.h"
+#include "plan/layer_event.h"
 #include "plan/layer_times.h"
 
 #include <cstdint>
@@ -70,8 +71,7 @@ struct MotionOptions {
   double wipeMm = 0.0;        // Along the bead before the lift, extruder off
   double minLayerTimeS = 0.0; // plan::LayerTimes
   PurgeOptions purge;
-  // Layers before which the arm goes home and waits for the operator, from 1, ascending
-  std::vector<int> pauseLayers;
+  std::vector<plan::LayerEvent> layerEvents; // of all items
   ShotOptions shot;
 
   // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asAngle; 0: none
@@ -89,15 +89,10 @@ struct MotionOptions {
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
 // rotationSmoothing, tiltToleranceDeg, maxJerk, collisionModel, branchChange, pauseLayers,
-// minLayerTimeS, maxLayerTimeS, purgeMm3, stitchFlow, stitchWait.
+// layerEvents, minLayerTimeS, maxLayerTimeS, purgeMm3, stitchFlow, stitchWait.
 base::ParameterTable motionParameters();
-inline constexpr const char* kPauseLayers = "pauseLayers";
-// Returns the layers that a value of pauseLayers lists, from 1, ascending. Throws Error{Usage} if
-// it is no list of layers.
-std::vector<int> pauseLayersOf(std::string_view text);
-// The inverse: "12, 40".
-std::string pauseLayersText(const std::vector<int>& layers);
-// Throws as pauseLayersOf(). Precondition: `values` are over a table with motionParameters().
+// `layerEvents` are those of the values, for item 0. Throws as eventsAsked() (layer_event_text.h).
+// Precondition: `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);
 // Same precondition.
 plan::LayerTimes layerTimes(const base::ParameterValues& values);

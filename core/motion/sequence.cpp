@@ -5,6 +5,8 @@
 #include "base/run_context.h"
 #include "motion/change_place.h"
 #include "motion/external_axes.h"
+#include "motion/layer_events.h"
+#include "motion/motion_options.h"
 #include "motion/timed_points.h"
 
 #include <algorithm>
@@ -29,8 +31,8 @@ public:
             const RobotState& home, const std::set<std::size_t>& highBefore,
             const base::RunContext& ctx)
       : scene_(scene), paths_(paths), known_(known), home_(home), highBefore_(highBefore),
-        ctx_(ctx), usual_(scene), thorough_(scene, kThorough),
-        bounds_(printedBoundsOf(scene.plan)) {}
+        ctx_(ctx), usual_(scene), thorough_(scene, kThorough), bounds_(printedBoundsOf(scene.plan)),
+        places_(eventPlaces(scene.plan, scene.options.layerEvents)) {}
 
   ConnectedRuns connect(std::vector<Run> runs) {
     std::vector<std::optional<Transfer>> ahead(runs.size());
@@ -73,6 +75,8 @@ private:
     std::optional<Transfer> transfer;
     if (!kept().empty() && !transferHome_) {
       transfer = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
+      if (transfer)
+        addBehindLift(*transfer, eventsBetween(&kept().back(), run));
       // Waypoints that were skipped may be treated as printed: `before` counts them.
       if (!transfer && !retreatHome(before, surround) && !retreat(before, surround) &&
           !retreatHome(afterLast(), surround)) {
@@ -100,7 +104,7 @@ private:
   std::optional<Transfer> between(const Run& a, const Run& b) const {
     const RunPoint &last = a.points.back(), &first = b.points.front();
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
-    if (pathA.tool != pathB.tool || pausesBetween(a, b)) // The arm rests in between
+    if (pathA.tool != pathB.tool || waitsBetween(a, b)) // The arm rests in between
       return std::nullopt;
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
@@ -206,31 +210,82 @@ private:
                      });
   }
 
-  // Prepends the way home after the last kept run, if there is one, and the change to the run's
-  // tool, if another one is mounted.
+  // Prepends the way home after the last kept run, if there is one, the events of layers, and the
+  // change to the run's tool, if another one is mounted.
   void setOut(Transfer& transfer, const Run& run) {
     const std::size_t before = run.points.front().next;
-    if (!kept().empty() && pausesBetween(kept().back(), run))
-      transfer.toolSteps.insert(transfer.toolSteps.begin(), {0, ToolStep::Kind::Pause});
-    if (kept().empty())
-      prepend(prime(before), transfer);
-    else if (toolOf(kept().back()) != toolOf(run))
-      prepend(toolChange(toolOf(kept().back()), toolOf(run), before), transfer);
+    const Run* const last = kept().empty() ? nullptr : &kept().back();
+    Transfer atRest = happen(eventsBetween(last, run), last && toolOf(*last) != toolOf(run),
+                             last == nullptr, before);
+    if (last && toolOf(*last) != toolOf(run))
+      join(atRest, toolChange(toolOf(*last), toolOf(run), before));
+    prepend(atRest, transfer);
     if (transferHome_)
       prepend(*transferHome_, transfer);
     transferHome_.reset();
   }
 
   int toolOf(const Run& run) const { return scene_.plan.paths[run.path].tool; }
+  const plan::LayerEvent& eventAt(std::size_t place) const {
+    return scene_.options.layerEvents[places_[place].event];
+  }
 
-  // Returns whether the operator is awaited before the second run. For a change of tools by hand
-  // the arm stops anyway.
-  bool pausesBetween(const Run& a, const Run& b) const {
-    if (toolOf(a) != toolOf(b) && scene_.cell.toolChange().by == robot::ToolChange::By::Hand)
-      return false;
-    const int from = scene_.plan.paths[a.path].layer, to = scene_.plan.paths[b.path].layer;
-    return std::ranges::any_of(scene_.options.pauseLayers,
-                               [&](int layer) { return from < layer - 1 && layer - 1 <= to; });
+  // Returns the events between two runs, as indices of their places; `a`: nullptr before the first
+  // run. Where the operator changes the tool the arm stops anyway.
+  std::vector<std::size_t> eventsBetween(const Run* a, const Run& b) const {
+    const bool stopsAnyway =
+        a && toolOf(*a) != toolOf(b) && scene_.cell.toolChange().by == robot::ToolChange::By::Hand;
+    std::vector<std::size_t> between;
+    for (std::size_t k = 0; k < places_.size() && places_[k].path <= b.path; ++k) {
+      const plan::LayerEvent& event = eventAt(k);
+      const bool isUsualPause =
+          event.kind == plan::LayerEventKind::Pause && event.text.empty() && !event.changesFilament;
+      if ((!a || places_[k].path > a->path) && event.kind != plan::LayerEventKind::Tool &&
+          !(stopsAnyway && isUsualPause))
+        between.push_back(k);
+    }
+    return between;
+  }
+  bool waitsBetween(const Run& a, const Run& b) const {
+    return std::ranges::any_of(eventsBetween(&a, b),
+                               [&](std::size_t k) { return waitsAside(eventAt(k).kind); });
+  }
+
+  // Adds events that need no place of their own where the nozzle has left the bead.
+  static void addBehindLift(Transfer& transfer, const std::vector<std::size_t>& places) {
+    const std::size_t last = transfer.points.size() - 1;
+    std::size_t lift = 0;
+    while (lift < last && transfer.points[lift].move == plan::MoveKind::Wipe)
+      ++lift;
+    const std::size_t point = std::min(lift + 1, last);
+    for (const std::size_t place : places)
+      transfer.toolSteps.push_back({point, ToolStep::Kind::Event, place});
+  }
+
+  // Returns the events as a trip from rest and back. The nozzle has dripped while the arm waited:
+  // it is primed where that hurts nothing, unless a change of the tool follows, which purges it.
+  Transfer happen(const std::vector<std::size_t>& places, bool isBeforeChange, bool isFirst,
+                  std::size_t before) {
+    using Kind = ToolStep::Kind;
+    if (places.empty())
+      return isFirst ? prime(before) : Transfer();
+    const auto waits = [&](std::size_t k) { return waitsAside(eventAt(k).kind); };
+    std::vector<ToolStep> steps;
+    for (const std::size_t place : places)
+      steps.push_back({0, Kind::Event, place});
+    Transfer all;
+    if (std::ranges::none_of(places, waits)) {
+      all.toolSteps = std::move(steps);
+      if (isFirst)
+        join(all, prime(before));
+      return all;
+    }
+    const bool changesFilament =
+        std::ranges::any_of(places, [&](std::size_t k) { return eventAt(k).changesFilament; });
+    if (!isBeforeChange && !(isFirst && scene_.plan.primes()))
+      steps.push_back({0, changesFilament ? Kind::Purge : Kind::Prime});
+    doBeside(all, std::move(steps), before);
+    return all;
   }
 
   static void prepend(const Transfer& first, Transfer& transfer) {
@@ -253,10 +308,10 @@ private:
     }
     if (isChanger)
       goTo(all, rest(), wanted, before);
-    std::vector<Kind> steps = {Kind::Purge};
+    std::vector<ToolStep> steps = {{0, Kind::Purge}};
     if (!isChanger)
-      steps.insert(steps.begin(), Kind::Take);
-    doBeside(all, steps, before);
+      steps.insert(steps.begin(), ToolStep{0, Kind::Take});
+    doBeside(all, std::move(steps), before);
     return all;
   }
 
@@ -265,25 +320,48 @@ private:
   Transfer prime(std::size_t before) {
     Transfer all;
     if (scene_.options.purge.primesBeside && !scene_.plan.primes() && dropsOnPart(scene_, rest().q))
-      doBeside(all, {ToolStep::Kind::Prime}, before);
+      doBeside(all, {{0, ToolStep::Kind::Prime}}, before);
     return all;
   }
 
   // Appends a trip from rest to the place beside the part, the steps there, a wipe, and the way
   // back. If there is no such place, the steps are done at rest.
-  void doBeside(Transfer& all, const std::vector<ToolStep::Kind>& steps, std::size_t before) {
+  void doBeside(Transfer& all, std::vector<ToolStep> steps, std::size_t before) {
     const auto trip = purgeTrip(scene_, rest(), placesBeside(rest().q),
                                 [&](const RobotState& from, const RobotState& to, bool isStraight) {
                                   return go(from, to, isStraight, before);
                                 });
     if (trip)
       append(all, trip->there);
-    for (const ToolStep::Kind step : steps)
-      all.toolSteps.push_back({all.points.size(), step});
+    else if (dropsOnPart(scene_, rest().q))
+      keepFromPart(steps);
+    for (ToolStep& step : steps) {
+      step.point = all.points.size();
+      all.toolSteps.push_back(step);
+    }
     if (trip) {
       append(all, trip->wipe);
       append(all, trip->back);
     }
+  }
+  // At rest above the part: what primes the nozzle after a pause would fall on it.
+  void keepFromPart(std::vector<ToolStep>& steps) {
+    const auto waits = [&](const ToolStep& step) {
+      return step.kind == ToolStep::Kind::Event && waitsAside(eventAt(step.event).kind);
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(steps, waits));
+    if (count == 0)
+      return;
+    result_.waitsAbovePart += count;
+    std::erase_if(steps, [](const ToolStep& step) { return step.kind != ToolStep::Kind::Event; });
+  }
+  // Appends a trip from rest and back to another one.
+  static void join(Transfer& all, const Transfer& next) {
+    for (ToolStep step : next.toolSteps) {
+      step.point += all.points.size();
+      all.toolSteps.push_back(step);
+    }
+    append(all, next.points);
   }
   static void append(Transfer& to, const std::vector<TransferPoint>& points) {
     to.points.insert(to.points.end(), points.begin(), points.end());
@@ -410,6 +488,7 @@ private:
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
   std::vector<PrintedBounds> bounds_;
+  std::vector<EventPlace> places_; // of events of layers
   std::optional<std::pair<robot::JointVector, std::vector<PurgePlace>>> beside_; // placesBeside()
   ConnectedRuns result_;
   std::optional<Transfer> transferHome_; // The way home from the last kept run, once needed

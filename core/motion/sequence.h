@@ -33,7 +33,8 @@ struct SkippedPiece {
 struct ConnectedRuns {
   Sequence sequence;
   std::vector<SkippedPiece> skipped;
-  std::vector<Refused> refused; // Of runs that were planned again
+  std::vector<Refused> refused;   // Of runs that were planned again
+  std::size_t waitsAbovePart = 0; // Pauses and waits for which no place beside the part is reached
 };
 
 // Returns bounding spheres of the material printed before each path; one more: of all of it.
@@ -45,8 +46,10 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // Finds the transfers. Between runs of different tools the arm goes home and to a place beside the
 // part (change_place.h), where the tool is changed and purged, and wipes its nozzle there. With
 // purge.primesBeside it also goes there first if the nozzle has to be primed at rest, and would
-// drop onto the part at home. Before a layer of options.pauseLayers it goes home and pauses there,
-// unless the operator changes the tool then. If no transfer leads from a run to the next, the arm
+// drop onto the part at home. For options.layerEvents that take time it goes there, waits and
+// primes the nozzle, before a change of the tool if there is one; a pause without a text of its own
+// is left out where the operator changes the tool. Other events come behind the lift from the bead
+// before. If no transfer leads from a run to the next, the arm
 // goes via home too. If that fails too, the run is planned again from home in another branch of the
 // arm, and later runs are planned again from its end.
 //

@@ -1,36 +1,19 @@
 #include "pipeline/part_motion.h"
 
-#include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/motion.h"
 #include "motion/motion_options.h"
+#include "pipeline/item_events.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 #include "process/tooling.h"
 #include "robot/cell.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace voluta::pipeline {
-
-namespace {
-// A pause that never comes would leave out what is to be put in.
-void requirePausedLayers(const plan::ToolPlan& toolPlan, const std::vector<int>& pauseLayers) {
-  int layers = 0;
-  for (const plan::ToolPath& path : toolPlan.paths)
-    layers = std::max(layers, path.layer + 1);
-  if (!pauseLayers.empty() && pauseLayers.back() > layers)
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("no pause before layer {layer}: the print ends with layer {layers}"_text,
-                      pauseLayers.back(), layers),
-        std::string(motion::kPauseLayers),
-        "correct `pauseLayers`; layers are counted through the whole print"_text);
-}
-} // namespace
 
 PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
                        const robot::Cell& cell, const process::Tooling& tooling,
@@ -42,7 +25,7 @@ PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformS
   ground_.rod.reset(); // a rod is a body of the cell
   if (toolPlan.paths.empty())
     return;
-  requirePausedLayers(toolPlan, options.pauseLayers);
+  requireEventPlaces(toolPlan, options.layerEvents);
   // In the motion stage a rod is a body of the cell; in `grown` it is ground cells.
   if (grown && !platform.rod)
     growing_ = *grown;

@@ -35,8 +35,8 @@ struct MotionStage;
 class PartMotion {
 public:
   // Deposits the growing part, or uses `grown` from toolpathStage(), on the platform. toolPlan
-  // and cell must outlive the object. Throws Cancelled; Error{Usage} if the print lacks a layer of
-  // options.pauseLayers.
+  // and cell must outlive the object. Throws Cancelled; Error{Usage} if a part lacks a layer of
+  // options.layerEvents.
   PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Tooling& tooling,
              const motion::MotionOptions& options,

@@ -4,10 +4,12 @@
 #include "layers/tool_assignment.h"
 #include "modes/mode_stages.h"
 #include "modes/mode_table.h"
+#include "motion/layer_event_text.h"
 #include "motion/motion_options.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_text.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/item_events.h"
 #include "pipeline/item_regions.h"
 #include "pipeline/open_part.h"
 #include "pipeline/path_parameters.h"
@@ -171,6 +173,9 @@ std::string assignedToolsKey(const base::ParameterValues& values) {
   for (const auto& [name, value] : values.changes())
     if (const base::ParameterSpec* spec = table.find(name); spec && spec->defaultValue != value)
       key += base::keyText(name, base::formatParameter(value));
+  for (const plan::LayerEvent& event : motion::eventsAsked(values))
+    if (event.kind == plan::LayerEventKind::Tool)
+      key += base::keyText("from layer", event.layer, event.number);
   return key;
 }
 
@@ -218,8 +223,11 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   paths.canTilt = canTilt(choices, cell);
   put(project::Stage::Toolpath, cellKey + toolpath::optionsKey(paths) + processKeys.bead +
                                     processKeys.head + loadKey(values) + regionRulesKey(resolved));
-  put(project::Stage::Motion,
-      processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
+  motion::MotionOptions motionOptions = motionOptionsOf(values, choices.seed);
+  motionOptions.layerEvents.clear(); // their own part of the key
+  put(project::Stage::Motion, processKeys.travel + processKeys.head + base::keyText(motionOptions) +
+                                  eventsKey(eventsOfItem(loaded, values, 0)));
+>>>>>>> 7b5ecee7 (motion, program, replay: events before layers of a part)
   // Includes the program options of each format.
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
@@ -243,12 +251,16 @@ project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers:
   const auto own = [](const project::StageKeys& item, std::size_t s) {
     return item[s].substr(item[s - 1].size());
   };
-  constexpr std::size_t kToolpath = project::indexOf(project::Stage::Toolpath);
+  constexpr std::size_t kToolpath = project::indexOf(project::Stage::Toolpath),
+                        kMotion = project::indexOf(project::Stage::Motion);
   for (std::size_t s = kLayers + 1; s < project::kStageCount; ++s) {
     keys[s] = keys[s - 1] + own(items.front(), s);
     // The layers of every item are covered by its own options.
     for (std::size_t i = 1; i < items.size() && s == kToolpath; ++i)
       keys[s] += own(items[i], s);
+    for (std::size_t i = 1; i < items.size() && s == kMotion; ++i)
+      if (const std::string events(eventsIn(own(items[i], s))); !events.empty())
+        keys[s] += fmt::format("part {} {}", i, events);
   }
   return keys;
 }

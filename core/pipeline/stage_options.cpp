@@ -8,6 +8,7 @@
 #include "layers/tool_assignment.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
+#include "motion/layer_event_text.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
@@ -376,9 +377,31 @@ process::Tooling chosenTooling(const project::Choices& choices,
   return process::Tooling(std::move(tools));
 }
 
+namespace {
+// Returns the tools, as indices, by the layers from 0 from which they print the part.
+std::map<int, int> toolsFromLayers(const base::ParameterValues& values, std::size_t tools) {
+  std::map<int, int> from;
+  for (const plan::LayerEvent& event : motion::eventsAsked(values)) {
+    if (event.kind != plan::LayerEventKind::Tool)
+      continue;
+    if (event.layer < 1)
+      throw Error(ErrorCode::Usage, "a tool changes before a layer, not at a height"_text,
+                  std::string(motion::kLayerEvents), "give the number of the layer"_text);
+    if (static_cast<std::size_t>(event.number) > tools)
+      throw Error(
+          ErrorCode::Usage,
+          base::message("the job has no tool {number}, it has {tools}"_text, event.number, tools),
+          std::string(motion::kLayerEvents), "add a tool, or give the number of one"_text);
+    from[event.layer - 1] = event.number - 1;
+  }
+  return from;
+}
+} // namespace
+
 layers::ToolAssignment chosenTools(const base::ParameterValues& values,
                                    const process::Tooling& tooling) {
-  const layers::ToolAssignment assignment = layers::toolAssignment(values, tooling.tools().size());
+  layers::ToolAssignment assignment = layers::toolAssignment(values, tooling.tools().size());
+  assignment.fromLayer = toolsFromLayers(values, tooling.tools().size());
   const double height = tooling.at(assignment.part).process.layerHeightMm;
   for (const int tool : assignment.used()) {
     const process::Process& p = tooling.at(tool).process;

@@ -9,6 +9,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/item_events.h"
 #include "pipeline/item_stages.h"
 #include "pipeline/items/given_items.h"
 #include "pipeline/items/layer_hindrance.h"
@@ -328,10 +329,20 @@ private:
     return motionDone();
   }
 
+  motion::MotionOptions motionOptions() const {
+    motion::MotionOptions options = motionOptionsOf(resolved_.values, resolved_.choices.seed);
+    options.layerEvents.clear();
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      std::ranges::move(
+          eventsOfItem(items_[i]->loaded(), result_.item(i).resolved->values, static_cast<int>(i)),
+          std::back_inserter(options.layerEvents));
+    return options;
+  }
+
   std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
-    return std::make_unique<PartMotion>(
-        *result_.job.toolPlan, project::platformOf(result_.job), *result_.cell, resolved_.tooling,
-        motionOptionsOf(resolved_.values, resolved_.choices.seed), std::exchange(grown_, {}), ctx);
+    return std::make_unique<PartMotion>(*result_.job.toolPlan, project::platformOf(result_.job),
+                                        *result_.cell, resolved_.tooling, motionOptions(),
+                                        std::exchange(grown_, {}), ctx);
   }
   // Replay may require replanning of some paths. The planner's state is as large as the trajectory:
   // keep it of large plans only if motion skipped waypoints, when that is likely.

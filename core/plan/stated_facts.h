@@ -38,7 +38,8 @@ enum class FactKind : std::uint8_t {
   MarkSet,         // Number: the code of a mark's output and its value (plan/marks.h)
   MarkAwaited,     // Number: that of an input that is waited for, without time limit
   Spindle,         // Number: speed of the cutter [1/min], 0: at rest
-  BlockTurned      // Number: angle to which the axis A turns the block [degrees]
+  BlockTurned,     // Number: angle to which the axis A turns the block [degrees]
+  OwnStatement     // Word: a line that the user asked for (program/own_lines.h)
 };
 
 struct StatedFact {

@@ -42,7 +42,8 @@ bool Trajectory::changesTool(std::size_t after) const {
 
 const TrajectoryEvent* Trajectory::changeAfter(const TrajectoryEvent& pause) const {
   const auto next = static_cast<std::size_t>(&pause - events.data()) + 1;
-  const bool isForChange = next < events.size() && events[next].point == pause.point &&
+  const bool isForChange = pause.text.empty() && next < events.size() &&
+                           events[next].point == pause.point &&
                            events[next].kind == EventKind::ToolChange;
   return isForChange ? &events[next] : nullptr;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace voluta::plan {
@@ -31,8 +32,11 @@ enum class EventKind : std::uint8_t {
   Release,    // the tool changer releases the tool, which takes `seconds`
   Lock,       // the tool changer locks the tool, which takes `seconds`
   Shot,       // `volumeMm3` of material fills a pocket of the part in `seconds`
-  Mark        // waits until another machine is at the mark with the same number (plan/marks.h)
+  Mark,       // waits until another machine is at the mark with the same number (plan/marks.h)
+  Output,     // the machine's digital output `tool` is set to `on`
+  Statement   // a line `text` of the user's own, in programs of `format`
 };
+inline constexpr EventKind kLastEventKind = EventKind::Statement;
 // Returns whether the arm is at rest meanwhile.
 inline bool stopsArm(EventKind kind) {
   return kind != EventKind::StopLag;
@@ -42,10 +46,14 @@ inline bool stopsArm(EventKind kind) {
 struct TrajectoryEvent {
   std::size_t point = 1; // 1 .. pointCount() - 1; of a Mark also pointCount(): at the end
   EventKind kind = EventKind::Pause;
-  int tool = 0;           // ToolChange: index in the job's tooling; Mark: link (plan/marks.h)
+  int tool = 0; // ToolChange: index in the job's tooling; Mark: link (plan/marks.h); Output: number
   double feedMm = 0.0;    // Feed
   double seconds = 0.0;   // Wait, StartLag, Purge, Release, Lock, Shot
   double volumeMm3 = 0.0; // Purge, Shot
+  bool on = false;        // Output
+  // Pause: shown to the operator; empty: the usual text, or that of the tool change behind it
+  std::string text = {};
+  std::string format = {}; // Statement: id of the dialect
 };
 
 struct Trajectory {
@@ -62,7 +70,8 @@ struct Trajectory {
   // Returns the events before the motion to that point.
   std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const;
   // Returns the tool change for which a pause of the trajectory stops the arm: the next event, in
-  // the same place; nullptr if it is no change. Precondition: the event is one of `events`.
+  // the same place; nullptr if it is no change, or if the pause has a text of its own.
+  // Precondition: the event is one of `events`.
   const TrajectoryEvent* changeAfter(const TrajectoryEvent& pause) const;
   // Returns whether the arm stops before the motion to that point for an event.
   bool stopsBefore(std::size_t point) const;

@@ -57,9 +57,9 @@ std::vector<base::Message> assumptionsOf(const Dialect& dialect) {
     said.push_back(base::message("Motions shorter than {time} ms are stretched to that time and "
                                  "their flow is reduced to match."_text,
                                  base::number(1000.0 * dialect.merge.motionS)));
-  if (hasWordFor(dialect, plan::EventKind::Pause) && !dialect.showsTexts)
-    said.emplace_back("At a stop the pendant shows no text: the tool to fit is named in the "
-                      "program's remarks only."_text);
+  if (dialect.sendsTexts)
+    said.emplace_back("At a stop the pendant shows no text: the controller sends it to the sender "
+                      "of the frames, which has to show it."_text);
   said.emplace_back("Output delays and following error are not modelled."_text);
   said.emplace_back("Not tested on a machine: start slowly, with a cold extruder."_text);
   return said;

@@ -14,19 +14,6 @@ namespace {
 
 constexpr std::string_view kMark = "statement of the process: ";
 
-// Returns the part of a line behind its indentation and its number, if it has one.
-std::string_view codeOf(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t", kDigits = "0123456789";
-  const auto behind = [](std::string_view text, std::string_view skipped) {
-    return text.substr(std::min(text.find_first_not_of(skipped), text.size()));
-  };
-  line = behind(line.substr(0, line.find_last_not_of("\r\n") + 1), kBlanks);
-  const std::string_view rest = behind(line, kDigits);
-  if (rest.size() < line.size() && rest.starts_with(' '))
-    line = behind(rest, kBlanks);
-  return trimmed(line);
-}
-
 // Returns the kind of a statement; nullopt if no tool has it for the format.
 std::optional<plan::FactKind> kindOf(std::string_view code, std::string_view format,
                                      const process::Tooling& tooling) {
@@ -57,6 +44,18 @@ template <typename Change> void forEachLine(std::string& text, const Change& cha
 }
 
 } // namespace
+
+std::string_view codeOfLine(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t", kDigits = "0123456789";
+  const auto behind = [](std::string_view text, std::string_view skipped) {
+    return text.substr(std::min(text.find_first_not_of(skipped), text.size()));
+  };
+  line = behind(line.substr(0, line.find_last_not_of("\r\n") + 1), kBlanks);
+  const std::string_view rest = behind(line, kDigits);
+  if (rest.size() < line.size() && rest.starts_with(' '))
+    line = behind(rest, kBlanks);
+  return trimmed(line);
+}
 
 std::string beadWordRemark(std::string_view statement) {
   return joined({kMark, statement});
@@ -128,7 +127,7 @@ ReadBeadWords takeBeadWords(const std::vector<plan::ProgramFile>& files, std::st
     std::uint32_t number = 0;
     forEachLine(read.files[f].text, [&](std::string_view line, std::string& out) {
       ++number;
-      const std::string_view code = codeOf(line);
+      const std::string_view code = codeOfLine(line);
       const auto kind = kindOf(code, format, tooling);
       if (!kind) {
         out.append(line);

@@ -20,6 +20,9 @@ std::string beadWordRemark(std::string_view statement);
 // Replaces these remarks by their statements. `remark`: prefix of the dialect's comments.
 void uncoverBeadWords(std::vector<plan::ProgramFile>& files, std::string_view remark);
 
+// Returns the part of a line behind its indentation and its number, if it has one.
+std::string_view codeOfLine(std::string_view line);
+
 // Throws Error{Usage} if a tool's process has statements, but none for the format: its beads need
 // them, unless they only press with a force.
 void requireBeadWords(std::string_view format, const process::Tooling& tooling);

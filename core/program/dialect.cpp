@@ -19,6 +19,7 @@
 #include "program/melfa/melfa_datalink.h"
 #include "program/melfa/melfa_stream.h"
 #include "program/melfa/mxt_packets.h"
+#include "program/own_lines.h"
 #include "program/rapid/rapid.h"
 #include "program/rapid/rapid_motions.h"
 #include "program/rapid/rapid_tokens.h"
@@ -49,11 +50,11 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMaxMmPerS2,
 constexpr MergeLimits kKrlMerge = {.minS = 0.024, .minMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.minS = 0.0213, .jointRad = kSameJointRad};
 
-// Of languages that can select a tool, let material flow out at rest, and wait for the operator;
-// and those for which they have outputs.
+// Of languages that can select a tool, let material flow out at rest, wait for the operator, set
+// outputs and contain the user's own lines; and those for which they have outputs.
 std::vector<plan::EventKind> eventsOfTools(std::initializer_list<plan::EventKind> outputs) {
   using enum plan::EventKind;
-  std::vector<plan::EventKind> events = {Pause, Wait, ToolChange, Purge, Shot};
+  std::vector<plan::EventKind> events = {Pause, Wait, ToolChange, Purge, Shot, Output, Statement};
   events.insert(events.end(), outputs);
   return events;
 }
@@ -344,6 +345,8 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
+       .showsTexts = true,
+       .sendsTexts = true,
        .waitsByMotion = true,
        .events = eventsOfTools({kRelease, kLock, kMark}),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
@@ -513,6 +516,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireEventsSaid(own);
   plan::Program program = dialect.write(own, ctx);
   uncoverBeadWords(program.files, dialect.remark);
+  uncoverOwnLines(program.files, dialect, input.trajectory.events);
   if (!dialect.extruders.empty() && extruderOf(own).streams)
     program.files.push_back(streamFile(own, ctx));
   return program;
@@ -566,9 +570,12 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!reportNoTexts(files, program.defects, dialect.isBinary)) {
-    ReadBeadWords words = takeBeadWords(files, id, dialect.remark, tooling);
-    program = readWithStream(dialect, words.files.empty() ? files : words.files, tooling, ctx);
+    ReadOwnLines own = takeOwnLines(files, dialect);
+    const std::vector<plan::ProgramFile>& others = own.files.empty() ? files : own.files;
+    ReadBeadWords words = takeBeadWords(others, id, dialect.remark, tooling);
+    program = readWithStream(dialect, words.files.empty() ? others : words.files, tooling, ctx);
     addBeadWords(std::move(words.facts), program);
+    addBeadWords(std::move(own.facts), program);
     if (program.defects.empty())
       reportMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())

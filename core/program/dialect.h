@@ -53,6 +53,7 @@ struct Dialect {
   bool (*supportsAxesOf)(const robot::Cell&) = nullptr;
   bool tiltsNozzle = true;    // can state directions other than the plate's normal
   bool showsTexts = false;    // its stops show the operator a text
+  bool sendsTexts = false;    // not on the pendant, but where the program is sent from
   bool waitsByMotion = false; // a wait is a point of a motion: it has none before the first one
   std::vector<plan::EventKind> events = {}; // that it has words for
   plan::TimeModel time = {};                // of its controller; readProgram passes it on

@@ -2,6 +2,7 @@
 #include "base/units.h"
 #include "geometry/directions.h"
 #include "program/dialect.h"
+#include "program/own_lines.h"
 
 #include <algorithm>
 
@@ -57,6 +58,10 @@ base::Text nameOf(plan::EventKind kind) {
     return "a wait for the extruder's start lag"_text;
   case plan::EventKind::StopLag:
     return "stopping the extruder ahead of a bead's end"_text;
+  case plan::EventKind::Output:
+    return "setting an output"_text;
+  case plan::EventKind::Statement:
+    return "a statement of your own"_text;
   case plan::EventKind::Feed:
     break;
   }
@@ -120,8 +125,10 @@ void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
   if (trajectory.firstTool != 0)
     require(plan::EventKind::ToolChange);
   for (const plan::TrajectoryEvent& event : trajectory.events)
-    if (!leavesOut(dialect, event.kind))
+    if (!leavesOut(dialect, event.kind)) {
       require(event.kind);
+      requireOwnLine(dialect, event);
+    }
 }
 
 std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,

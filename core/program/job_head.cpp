@@ -125,6 +125,11 @@ std::string toolName(const process::Tooling& tooling, int tool) {
   return text + ")";
 }
 
+std::string pauseText(const plan::TrajectoryEvent& pause) {
+  return pause.text.empty() ? std::string("Paused. Continue?")
+                            : plainText(pause.text, kQuestionLength);
+}
+
 std::string changeText(const process::Tooling& tooling, int tool) {
   return joined({"Fit ", toolName(tooling, tool), ", then continue"});
 }
@@ -208,6 +213,11 @@ std::string jobHash(const ProgramInput& input) {
     hash.add(event.seconds);
     if (event.kind == plan::EventKind::ToolChange)
       hash.add(static_cast<std::uint64_t>(event.tool));
+    if (event.kind == plan::EventKind::Output)
+      hash.add(static_cast<std::uint64_t>(2 * event.tool + (event.on ? 1 : 0)));
+    for (const std::string& text : {event.text, event.format})
+      if (!text.empty())
+        hash.add(std::string_view(text));
   }
   if (t.firstTool != 0)
     hash.add(static_cast<std::uint64_t>(t.firstTool));

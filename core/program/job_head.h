@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plan/program.h"
+#include "plan/trajectory.h"
 #include "program/program_input.h"
 
 #include <cstddef>
@@ -65,8 +66,9 @@ bool cutsTape(const ProgramInput& input);
 // Returns whether the program has an output that locks the tool of a tool changer.
 bool locksTool(const ProgramInput& input);
 
-// Shown at a planned pause.
-inline constexpr std::string_view kPauseText = "Paused. Continue?";
+// Returns the text shown at a planned pause that is for no change of the tool, at most
+// kQuestionLength characters.
+std::string pauseText(const plan::TrajectoryEvent& pause);
 // Returns e.g. "tool 2 (petg-1.0, PETG, 240 C)"; long names are cut.
 std::string toolName(const process::Tooling& tooling, int tool);
 // Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),

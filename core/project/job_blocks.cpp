@@ -2,12 +2,14 @@
 
 #include "plan/marks.h"
 #include "project/block_portions.h"
+#include "project/event_blocks.h"
 #include "project/named_tools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace voluta::project {
 
@@ -74,7 +76,7 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
                                const bool mayEnd = e.kind == plan::EventKind::Mark;
                                return e.point > 0 && (e.point < n || (mayEnd && e.point == n)) &&
                                       e.tool >= 0 && (!mayEnd || e.tool < plan::kMarkLinks) &&
-                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Mark &&
+                                      std::isfinite(e.feedMm) && e.kind <= plan::kLastEventKind &&
                                       std::isfinite(e.seconds) && e.seconds >= 0.0 &&
                                       std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;
                              }) &&
@@ -331,26 +333,7 @@ void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
   out.add("trajectory.extruded", t.extrudedMm3);
   if (t.firstTool != 0)
     out.addOwned("trajectory.firstTool", std::vector<std::int32_t>{t.firstTool});
-  if (t.events.empty())
-    return;
-  std::vector<std::uint64_t> points;
-  std::vector<std::uint8_t> kinds;
-  std::vector<std::int32_t> tools;
-  std::vector<double> feeds, seconds, volumes;
-  for (const plan::TrajectoryEvent& e : t.events) {
-    points.push_back(e.point);
-    kinds.push_back(static_cast<std::uint8_t>(e.kind));
-    tools.push_back(e.tool);
-    feeds.push_back(e.feedMm);
-    seconds.push_back(e.seconds);
-    volumes.push_back(e.volumeMm3);
-  }
-  out.addOwned("trajectory.events.point", points);
-  out.addOwned("trajectory.events.kind", kinds);
-  out.addOwned("trajectory.events.tool", tools);
-  out.addOwned("trajectory.events.feed", feeds);
-  out.addOwned("trajectory.events.seconds", seconds);
-  out.addOwned("trajectory.events.volume", volumes);
+  addEvents(out, t.events);
 }
 
 plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
@@ -369,29 +352,10 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
       contradiction("a motion that begins with no tool"_text);
     t.firstTool = first.front();
   }
-  if (!in.has("trajectory.events.point"))
-    return t;
-  const auto points = in.get<std::uint64_t>("trajectory.events.point");
-  const auto kinds = in.get<std::uint8_t>("trajectory.events.kind");
-  const auto tools = in.get<std::int32_t>("trajectory.events.tool");
-  const auto feeds = in.get<double>("trajectory.events.feed");
-  // Older projects have no waits and purges.
-  const auto orZeros = [&](const char* name) {
-    return in.has(name) ? in.get<double>(name) : std::vector<double>(points.size(), 0.0);
-  };
-  const auto seconds = orZeros("trajectory.events.seconds");
-  const auto volumes = orZeros("trajectory.events.volume");
-  if (kinds.size() != points.size() || tools.size() != points.size() ||
-      feeds.size() != points.size() || seconds.size() != points.size() ||
-      volumes.size() != points.size())
+  auto events = getEvents(in);
+  if (!events)
     contradiction("events of unequal number"_text);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    t.events.push_back({.point = static_cast<std::size_t>(points[i]),
-                        .kind = static_cast<plan::EventKind>(kinds[i]),
-                        .tool = tools[i],
-                        .feedMm = feeds[i],
-                        .seconds = seconds[i],
-                        .volumeMm3 = volumes[i]});
+  t.events = std::move(*events);
   return t;
 }
 

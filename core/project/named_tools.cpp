@@ -22,7 +22,8 @@ bool namesKnownOnes(const Job& job) {
   return !job.trajectory ||
          (isTool(job.trajectory->firstTool) &&
           std::ranges::all_of(job.trajectory->events, [&](const plan::TrajectoryEvent& event) {
-            return event.kind == plan::EventKind::Mark || isTool(event.tool);
+            return event.kind == plan::EventKind::Mark || event.kind == plan::EventKind::Output ||
+                   isTool(event.tool);
           }));
 }
 

@@ -21,6 +21,8 @@ namespace {
 using enum plan::FindingKind;
 using plan::EventKind, plan::FactKind, plan::StatedFact, plan::TrajectoryEvent;
 
+constexpr int kNoTool = -1;
+
 // The steps of a change in their order.
 enum class Step { Release, Stop, Select, Lock, Heat, Purge };
 
@@ -76,9 +78,9 @@ public:
   }
 
   std::vector<TextFinding> compare() {
-    if (tooling_.isOne() || !program::hasWordFor(dialect(), EventKind::ToolChange))
-      return {};
-    compareBegin();
+    const bool changes = !tooling_.isOne() && program::hasWordFor(dialect(), EventKind::ToolChange);
+    if (changes)
+      compareBegin();
     std::size_t last = kUnmatched;
     for (std::size_t m = program_.firstMotion + 1; m < program_.motions.size(); ++m) {
       const std::size_t point = alignment_.pointAhead(m);
@@ -86,7 +88,8 @@ public:
         compareAt(m, trajectory_.eventsBefore(point));
       last = point;
     }
-    compareFitted();
+    if (changes)
+      compareFitted();
     return std::move(found_);
   }
 
@@ -116,15 +119,19 @@ private:
   }
 
   void compareAt(std::size_t motion, std::span<const TrajectoryEvent> planned) {
+    const auto has = [&](EventKind kind) {
+      return std::ranges::find(planned, kind, &TrajectoryEvent::kind) != planned.end();
+    };
     const auto change = std::ranges::find(planned, EventKind::ToolChange, &TrajectoryEvent::kind);
-    if (change == planned.end())
+    if (change == planned.end()) {
+      // The nozzle drips while the operator is awaited, and is primed behind it.
+      if (has(EventKind::Pause) && has(EventKind::Purge))
+        compareOrder(statedBefore(motion), kNoTool);
       return;
+    }
     const std::vector<Stated> stated = statedBefore(motion);
     compareOrder(stated, change->tool);
     compareTimes(motion, stated, planned);
-    const auto stop = std::ranges::find(stated, Step::Stop, &Stated::step);
-    if (stop != stated.end())
-      compareText(*stop->fact, change->tool);
     compareHeat(motion, stated, change->tool);
   }
 
@@ -211,7 +218,7 @@ private:
       for (; next < fact.before && next < program_.motions.size(); ++next)
         fitted = fittedBefore(next).value_or(fitted);
       if (fact.kind == FactKind::OperatorStop && fact.before > program_.firstMotion &&
-          fact.before < program_.motions.size())
+          fact.before < program_.motions.size() && isLastStop(fact))
         if (const std::optional<int> tool = fittedBefore(fact.before); tool && *tool != fitted) {
           removed.insert(fitted);
           if (heat[fitted] > 0.0)
@@ -236,6 +243,12 @@ private:
                        {"found", base::message("before {event}"_text, nameOf(Step::Stop))},
                        {"planned", base::message("behind {event}"_text, nameOf(Step::Stop))}}));
     }
+  }
+  // Pauses before a layer come before the stop in which the tool is changed.
+  bool isLastStop(const StatedFact& stop) const {
+    return std::ranges::none_of(program_.facts, [&](const StatedFact& other) {
+      return &other > &stop && other.kind == FactKind::OperatorStop && other.before == stop.before;
+    });
   }
   void tellHot(const StatedFact& at, int tool, double celsius) {
     found_.push_back(textFinding(

@@ -14,8 +14,9 @@
 namespace voluta::replay {
 
 // Returns a finding, at its line, for each statement of a tool change that comes before another one
-// which is planned before it; for a stop whose text does not name the tool that the operator has to
-// fit (program::toolName), in dialects that show one; and for a lacking wait for the nozzle's heat
+// which is planned before it, and for a prime before the pause that it follows; for a stop before
+// the first motion whose text does not name the tool that the operator has to fit
+// (program::toolName), in dialects that show one; and for a lacking wait for the nozzle's heat
 // between selection and purge, in programs that heat; and for a release or a lock of a tool changer
 // whose time does not pass before the next statement of the change. In a job of several tools the
 // same holds of the stop and the selection before the first motion. A tool that the operator fits

@@ -1,8 +1,11 @@
 #include "replay/planned_events.h"
 
+#include "base/lower_case.h"
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "program/dialect.h"
+#include "program/job_head.h"
+#include "program/own_lines.h"
 #include "replay/change_order.h"
 #include "replay/start_lock.h"
 #include "replay/wait_tolerance.h"
@@ -32,6 +35,8 @@ std::optional<EventKind> eventOf(const StatedFact& fact) {
     return EventKind::Cut;
   case FactKind::ToolLocked:
     return fact.number > 0.0 ? EventKind::Lock : EventKind::Release;
+  case FactKind::OwnStatement:
+    return EventKind::Statement;
   default:
     return std::nullopt;
   }
@@ -60,6 +65,8 @@ public:
         stated(fact, *kind);
       if (kind == EventKind::Release && hasLock_ && !isBetweenMotions(fact))
         unplanned(fact, EventKind::Release);
+      if (kind == EventKind::Statement && !isBetweenMotions(fact))
+        unplanned(fact, EventKind::Statement);
       if (!selects)
         continue;
       selected = fact.tool;
@@ -207,20 +214,61 @@ private:
   bool isBetweenMotions(const StatedFact& fact) const {
     return fact.before > program_.firstMotion && fact.before < program_.motions.size();
   }
+  // Of the motions that lead to a point, the first one follows its events.
+  bool beginsWay(std::size_t motion) const {
+    const std::size_t point = alignment_.pointAhead(motion);
+    return point != kUnmatched && alignment_.pointAhead(motion - 1) != point;
+  }
+  // Returns whether a statement of that kind may stand for the event.
+  bool isOf(const TrajectoryEvent& event, EventKind kind, const StatedFact& fact) const {
+    if (kind == EventKind::Statement)
+      return event.kind == EventKind::Output || event.kind == EventKind::Statement;
+    return event.kind == kind && (kind != EventKind::ToolChange || event.tool == fact.tool);
+  }
   void stated(const StatedFact& fact, EventKind kind) {
-    for (const TrajectoryEvent& event :
-         trajectory_.eventsBefore(alignment_.pointAhead(fact.before))) {
-      const auto e = static_cast<std::size_t>(&event - trajectory_.events.data());
-      const bool isSame =
-          event.kind == kind && (kind != EventKind::ToolChange || event.tool == fact.tool);
-      if (isSame && !found_[e]) {
+    if (beginsWay(fact.before))
+      for (const TrajectoryEvent& event :
+           trajectory_.eventsBefore(alignment_.pointAhead(fact.before))) {
+        const auto e = static_cast<std::size_t>(&event - trajectory_.events.data());
+        if (!isOf(event, kind, fact) || found_[e])
+          continue;
         found_[e] = true;
+        if (kind == EventKind::Pause || kind == EventKind::Statement)
+          compareText(fact, event);
         return;
       }
-    }
     if (!locksAtFile(program_, fact))
       unplanned(fact, kind);
   }
+
+  // The text that the operator reads at a stop, or a line that the user asked for.
+  void compareText(const StatedFact& fact, const TrajectoryEvent& event) {
+    const bool isPause = event.kind == EventKind::Pause;
+    if (isPause && !dialect().showsTexts)
+      return;
+    const TrajectoryEvent* const change = isPause ? trajectory_.changeAfter(event) : nullptr;
+    const std::string planned = change    ? program::changeText(tooling_, change->tool)
+                                : isPause ? program::pauseText(event)
+                                          : program::ownLine(dialect(), event);
+    if (isPause ? isSameShown(fact.word, planned) : fact.word == planned)
+      return;
+    findings_.push_back(
+        textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
+                    {{"statement", isPause ? base::Message("the text of the stop"_text)
+                                           : base::Message(program::nameOf(event.kind))},
+                     {"found", fact.word},
+                     {"planned", planned}}));
+  }
+  // G-code changes letters that would end a stop, and has no semicolons in texts.
+  static bool isSameShown(std::string_view a, std::string_view b) {
+    const auto shown = [](std::string_view text) {
+      std::string same = base::lowerCase(text);
+      std::ranges::replace(same, ';', ' ');
+      return same;
+    };
+    return shown(a) == shown(b);
+  }
+
   void unplanned(const StatedFact& fact, EventKind kind) {
     findings_.push_back(textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
                                     {{"statement", program::nameOf(kind)},
@@ -277,6 +325,21 @@ PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajecto
     last = point;
   }
   return stops;
+}
+
+std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
+                                       const plan::Trajectory& trajectory,
+                                       const Alignment& alignment) {
+  std::vector<TextFinding> found;
+  for (const StatedFact& fact : program.facts) {
+    if (fact.kind != FactKind::OwnStatement || fact.before >= program.motions.size())
+      continue;
+    for (const TrajectoryEvent& event : trajectory.eventsBefore(alignment.pointAhead(fact.before)))
+      if (event.kind == EventKind::Statement && event.text == fact.word)
+        found.push_back(textFinding(program, OwnStatement, {fact.file + 1U, fact.line},
+                                    {{"statement", fact.word}}));
+  }
+  return found;
 }
 
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,

@@ -19,6 +19,9 @@ namespace voluta::replay {
 // tool change if that tool is selected already. `firstPoint`: point of the trajectory at which the
 // program begins; earlier events are not its own. In a job of several tools the program has to
 // select the tool of that point before its first motion.
+// So is a stop that shows another text, and a line that was asked for before a layer
+// (program/own_lines.h) with another text. Events come before the first of the motions that lead
+// to their point.
 // All statements of marks (plan/marks.h) have to be there in their order, each with its own signal
 // and value: those that withdraw signals before the first motion and behind the last one, too.
 // The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge or
@@ -27,6 +30,11 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment, const process::Tooling& tooling,
                                        const robot::Cell& cell, std::size_t firstPoint = 0);
+
+// Returns a finding for each planned statement of the user's own: nothing judges what it does.
+std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
+                                       const plan::Trajectory& trajectory,
+                                       const Alignment& alignment);
 
 // What is planned while the arm is at rest before each motion; empty: nothing.
 struct PlannedStops {

@@ -47,6 +47,7 @@ base::Message nameOf(FactKind kind) {
   case FactKind::FullPower:
     return "the motors' power for the first motion"_text;
   case FactKind::ToolSelected: // events: planned_events.h
+  case FactKind::OwnStatement:
   case FactKind::ToolLocked:
   case FactKind::TapeCut:
   case FactKind::MarkSet:

@@ -21,6 +21,7 @@ inline std::string otherWords(const std::string& key) {
       {"layerCentre", "0,0,-9"},
       {"endSurface", "flat:9"},
       {"accept", "uncovered=0.05"},
+      {"layerEvents", "2 output 3 on"},
       {"fibreCurves", "0,0 10,0"},
       {"fibreField", "0,0,0,1,0,0"}};
   const auto row = kTexts.find(key);

@@ -226,37 +226,6 @@ TEST(Motion, SameForAnyNumberOfThreads) {
   EXPECT_EQ(one.result.statistics.minClearanceMm, two.result.statistics.minClearanceMm);
 }
 
-// A ring per layer: the arm goes home before the third one and waits for the operator.
-TEST(Motion, PausesAtHomeBeforeALayer) {
-  const auto plan = test::cylinder(15, 4);
-  const process::Process process = process::loadProcess("fdm-1.0");
-  const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
-  const collision::GrowingPart part(plan, 0.45, {});
-  const auto planned = [&](std::vector<int> layers) {
-    motion::MotionOptions options;
-    options.pauseLayers = std::move(layers);
-    const auto result =
-        motion::MotionPlanner(plan, cell, process::Tooling(process), part, options).plan({});
-    EXPECT_TRUE(result.skipped.empty());
-    EXPECT_EQ(result.statistics.collisions, 0u);
-    return result.trajectory;
-  };
-  ASSERT_EQ(plan.paths.size(), 4u);
-  ASSERT_EQ(plan.paths[2].layer, 2);
-  EXPECT_TRUE(planned({}).events.empty());
-  EXPECT_TRUE(planned({1, 5}).events.empty()) << "nothing is printed before, or after them";
-  const plan::Trajectory t = planned({3});
-  ASSERT_EQ(t.events.size(), 1u);
-  const plan::TrajectoryEvent& pause = t.events.front();
-  EXPECT_EQ(pause.kind, plan::EventKind::Pause);
-  EXPECT_EQ(t.changeAfter(pause), nullptr);
-  EXPECT_EQ(plan::waypointAhead(t, pause.point), plan.paths[2].first);
-  const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(t.at(pause.point - 1), t.dof);
-  // The last joint may be whole turns away.
-  EXPECT_TRUE(q.head(5).isApprox(cell.home().head(5), 1e-9)) << q.transpose();
-  EXPECT_EQ(planned({2, 3}).events.size(), 2u);
-}
-
 // Two rings each with one of two tools: a tool that may do less needs longer for its own rings.
 TEST(Motion, EachToolMovesByItsProcess) {
   auto plan = test::cylinder(15, 4);

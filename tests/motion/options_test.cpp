@@ -1,3 +1,4 @@
+#include "motion/layer_event_text.h"
 #include "motion/motion_options.h"
 
 #include "base/error.h"
@@ -68,11 +69,16 @@ TEST(MotionOptions, TakeTheValuesOfTheParameters) {
 }
 
 TEST(MotionOptions, ListTheLayersBeforeWhichTheArmPauses) {
-  EXPECT_TRUE(optionsWith({}).pauseLayers.empty());
-  EXPECT_EQ(optionsWith({"pauseLayers= 40, 3,3 ,12,"}).pauseLayers, (std::vector{3, 12, 40}));
+  EXPECT_TRUE(optionsWith({}).layerEvents.empty());
+  EXPECT_EQ(motion::pauseLayersOf(" 40, 3,3 ,12,"), (std::vector{3, 12, 40}));
+  const auto events = optionsWith({"pauseLayers=40,3", "layerEvents=z2 wait 5"}).layerEvents;
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].layer, 3);
+  EXPECT_EQ(events[1].layer, 40);
+  EXPECT_EQ(events[2].heightMm, 2.0);
   EXPECT_EQ(motion::pauseLayersText({3, 12, 40}), "3, 12, 40");
   EXPECT_EQ(motion::pauseLayersText({}), "");
   for (const char* wrong : {"pauseLayers=0", "pauseLayers=-2", "pauseLayers=3;4", "pauseLayers=2.5",
-                            "pauseLayers=layer 3"})
+                            "pauseLayers=layer 3", "layerEvents=3 jump"})
     EXPECT_THROW(optionsWith({wrong}), base::Error) << wrong;
 }

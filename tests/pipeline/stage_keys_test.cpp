@@ -103,6 +103,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"maxLayerTimeS", {"90", 5}},
     {"wipeMm", {"3", 4}},
     {"pauseLayers", {"2", 4}},
+    {"layerEvents", {"2 output 3 on", 4}},
     {"nozzleRotation", {"workAxis", 4}},
     {"redundancySamples", {"12", 4}},
     {"rotationSmoothing", {"wholePath", 4}},

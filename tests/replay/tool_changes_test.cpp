@@ -3,7 +3,6 @@
 // than stop, selection, heat and purge are refused.
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
-#include "program/assumptions.h"
 #include "replay/changer_cell.h"
 #include "replay/event_programs.h"
 #include "replay/told.h"
@@ -190,22 +189,18 @@ TEST_F(ToolChanges, TheOperatorReadsItOnEveryPendant) {
   }
 }
 
-// Its pendant shows no texts: the head states this, and the remark above the stop names the tool.
-TEST_F(ToolChanges, TmscriptStatesThatThePendantShowsNoText) {
+// Its pendant shows no texts: they go to the sender of the frames, as the head states.
+TEST_F(ToolChanges, TmscriptSendsItsTexts) {
   const std::vector<std::string> lines = test::textOf(programFor("tmscript")).lines;
   EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
     return line.find("// the pendant shows no text at Pause()") != std::string::npos;
   }));
-  const auto remark = std::ranges::find_if(lines, [](const std::string& line) {
-    return line.starts_with("// Fit tool 2 (other, PETG, 235 C)");
+  const auto text = std::ranges::find_if(lines, [](const std::string& line) {
+    return line.starts_with("ListenSend(90,\"Fit tool 2 (other, PETG, 235 C), then continue\")");
   });
-  ASSERT_NE(remark, lines.end());
-  EXPECT_TRUE((remark + 1)->starts_with("QueueTag"));
-  EXPECT_TRUE((remark + 2)->starts_with("Pause()"));
-  const auto said = program::assumptionsOf(program::findDialect("tmscript"));
-  EXPECT_TRUE(std::ranges::any_of(said, [](const base::Message& one) {
-    return base::english(one).find("the pendant shows no text") != std::string::npos;
-  }));
+  ASSERT_NE(text, lines.end());
+  EXPECT_TRUE((text - 1)->starts_with("QueueTag")) << "the motions before are done";
+  EXPECT_TRUE((text + 1)->starts_with("Pause()"));
 }
 
 // The rest of a print may begin with any tool, which the program selects before it moves.

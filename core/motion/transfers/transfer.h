@@ -28,17 +28,18 @@ struct TransferPoint {
 
 // Kind of the transfer found, simplest first.
 enum class TransferKind : std::uint8_t { Straight, Arc, Joint, Tree };
-// A part of a tool change, or a pause, before the motion to a point of a transfer.
+// A part of a tool change, or an event of a layer, before the motion to a point of a transfer.
 struct ToolStep {
   enum class Kind {
     Release, // the mounted tool
     Take,    // the tool of the next run
     Purge,   // its nozzle
-    Prime,   // the nozzle of the tool that the motion begins with
-    Pause    // for the operator, before a layer
+    Prime,   // the nozzle of the tool, at the beginning or after a pause
+    Event    // of a layer (motion/layer_events.h)
   };
   std::size_t point = 0;
   Kind kind = Kind::Take;
+  std::size_t event = 0; // Event: its index in EventPlaces
 };
 
 struct Transfer {

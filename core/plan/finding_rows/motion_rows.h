@@ -105,6 +105,11 @@ inline constexpr FindingRow kMotionRows[] = {
         LongShot, "longShot",
         "{shots} shot into a pocket lasts up to {seconds:.1f}: after {most:.0f} in the pocket the nozzle melts the layers around it|{shots} shots into pockets last up to {seconds:.1f}: after {most:.0f} in a pocket the nozzle melts the layers around it"_plural,
         "use a process with a greater flow, or smaller pockets (`stitchDiameter`)"_text),
+    error(
+        WaitsAbovePart, "waitsAbovePart",
+        "{waits} pause or wait above the part: the arm reaches no place beside it, and material may drip on the part|{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part"_plural,
+        "give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate"_text,
+        {.remedies = kForHome, .whyNoRemedy = kCellFile}),
     error(GivenUnreachable, "givenUnreachable", kSameReason, kMovePart,
           {.reportId = "unreachable",
            .remedies = kOffers<CentrePart, LargerCell, MoreTurns>,

@@ -116,6 +116,10 @@ inline constexpr FindingRow kReplayRows[] = {
     mismatch(StatementMissing, "statementMissing", "missing before this line: {statement}"_text),
     mismatch(StatementChanged, "statementChanged",
              "{statement}: {found} in the program, {planned} planned"_text),
+    error(
+        OwnStatement, "ownStatement", "your own statement, which nothing checks: {statement}"_text,
+        "check what it does on the controller; leave it out of `layerEvents` if you do not need it"_text,
+        {.whyNoRemedy = "nobody but you knows what the statement is for"_text}),
     info(FanChanged, "fanChanged",
          "part cooling {found} % from this line on, {planned} % planned"_text, kWriteAgain,
          {.whyNoRemedy = kOnlyWriteAgain}),

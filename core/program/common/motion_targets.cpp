@@ -127,8 +127,8 @@ std::string PathNames::at(std::size_t waypoint) {
     ++path_;
   if (path_ == paths.size() || paths[path_].first != waypoint)
     return {};
-  return joined({"layer ", std::to_string(paths[path_].layer), ", ", nameOf(paths[path_].kind),
-                 ", path ", std::to_string(path_)});
+  return joined({"layer ", std::to_string(paths[path_].layer + 1), ", ", nameOf(paths[path_].kind),
+                 ", path ", std::to_string(path_ + 1)});
 }
 
 } // namespace voluta::program

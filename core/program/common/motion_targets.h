@@ -53,8 +53,8 @@ bool primesStanding(const ProgramInput& input);
 class PathNames {
 public:
   explicit PathNames(const plan::ToolPlan& toolPlan) : toolPlan_(toolPlan) {}
-  // Returns "layer 3, wall, path 12" if a path begins at `waypoint`, otherwise an empty string.
-  // Call in print order.
+  // Returns "layer 3, wall, path 12", both counted from 1, if a path begins at `waypoint`,
+  // otherwise an empty string. Call in print order.
   std::string at(std::size_t waypoint);
 
 private:

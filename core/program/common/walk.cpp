@@ -5,10 +5,12 @@
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
+#include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/filament.h"
 #include "program/gcode/extruder_axis.h"
 #include "program/job_head.h"
+#include "program/own_lines.h"
 #include "robot/tool_changer.h"
 
 #include <algorithm>
@@ -128,7 +130,7 @@ private:
         emitter_.cut();
         break;
       case plan::EventKind::Pause:
-        pause(in_.trajectory.changeAfter(event));
+        pause(event);
         break;
       case plan::EventKind::Feed:
         emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
@@ -137,6 +139,7 @@ private:
         emitter_.wait(event.seconds);
         break;
       case plan::EventKind::Purge:
+        returnDrawn();
         flowOut("purge", event);
         break;
       case plan::EventKind::Shot:
@@ -155,6 +158,10 @@ private:
         startLag(i, event.seconds);
         break;
       case plan::EventKind::StopLag: // said by the flow (TcpMotions)
+        break;
+      case plan::EventKind::Output:
+      case plan::EventKind::Statement:
+        emitter_.ownLine(program::ownLine(findDialect(walk_.format), event));
         break;
       }
   }
@@ -176,13 +183,13 @@ private:
       draw(false);
   }
 
-  // `change`: for which the operator is awaited; nullptr: for none.
-  void pause(const plan::TrajectoryEvent* change) {
+  void pause(const plan::TrajectoryEvent& event) {
+    const plan::TrajectoryEvent* const change = in_.trajectory.changeAfter(event);
     if (change) {
       returnDrawn();
       emitter_.coolTool(tool_);
     }
-    emitter_.pause(change ? changeText(in_.tooling, change->tool) : std::string(kPauseText));
+    emitter_.pause(change ? changeText(in_.tooling, change->tool) : pauseText(event));
   }
 
   void selectTool() {
@@ -369,6 +376,11 @@ private:
 };
 
 } // namespace
+
+void ProgramEmitter::ownLine(std::string_view line) {
+  remark(kOwnLineMark);
+  remark(ownLineRemark(line));
+}
 
 void walkTrajectory(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
                     const base::RunContext& ctx) {

@@ -23,6 +23,8 @@ public:
   // Before the first motion, whose target may be far from the arm's position.
   virtual void prompt() {}
   virtual void remark(std::string_view) {}
+  // A line that the user asked for (program/own_lines.h) behind its mark, the arm at rest.
+  virtual void ownLine(std::string_view line);
   // Called on changes only, for dialects with an extruder on two outputs (Walk::outputs).
   virtual void flow(std::string_view /*share*/) {} // 0..1, of Tooling::fullFlowMm3PerS()
   virtual void extruder(bool /*on*/) {}

@@ -140,8 +140,11 @@ private:
       return;
     std::vector<ScriptValue> values;
     Arguments arguments;
-    if (word.empty() || !scanner.take('(') || !scanner.arguments(values) || !scanner.ended() ||
-        !flatten(values, arguments)) {
+    const bool isCall =
+        !word.empty() && scanner.take('(') && scanner.arguments(values) && scanner.ended();
+    if (isCall && word == "ListenSend" && show(values))
+      return;
+    if (!isCall || !flatten(values, arguments)) {
       notUnderstood(code);
       return;
     }
@@ -192,11 +195,23 @@ private:
       defect("an input is read while motions are queued"_text);
   }
 
+  // ListenSend(number, text); returns whether it is that.
+  bool show(const std::vector<ScriptValue>& values) {
+    constexpr double kFirst = 90.0, kLast = 99.0;
+    if (values.size() != 2 || values[0].kind != ScriptKind::Number ||
+        values[1].kind != ScriptKind::Text || values[0].number < kFirst ||
+        values[0].number > kLast || values[0].number != std::floor(values[0].number))
+      return false;
+    out_.word(tmscriptWords(), "ListenSend");
+    out_.show(values[1].text);
+    return true;
+  }
+
   // Unlike motions and outputs, a pause is not queued.
   void pause() {
     if (!isQueueDone_ && !out_.program().motions.empty())
       earlyPause_ = out_.line;
-    out_.state(plan::FactKind::OperatorStop, 1.0);
+    out_.operatorStop();
   }
 
   void leave() {

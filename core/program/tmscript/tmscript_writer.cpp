@@ -6,6 +6,7 @@
 #include "program/common/walk.h"
 #include "program/full_flow.h"
 #include "program/job_head.h"
+#include "program/own_lines.h"
 #include "program/stream/pvt_velocities.h"
 #include "program/tmscript/tmscript.h"
 #include "program/tmscript/tmscript_frames.h"
@@ -92,11 +93,8 @@ private:
            return joined({"DO ", std::to_string(k)});
          }))
       remark(note);
-    if (in_.selectsTool()) {
-      remark(
-          "the pendant shows no text at Pause(): the remark above each one names the tool to fit,");
-      remark("so have these remarks at hand, and resume only when that tool is fitted");
-    }
+    remark("the pendant shows no text at Pause(): before it the text goes to the sender of the");
+    remark("frames ($TMSTA 90), which has to show it");
   }
 
   void endFile(std::size_t) override {
@@ -124,13 +122,19 @@ private:
   }
   void pause(std::string_view message) override {
     leave();
-    remark(message);
     frame("QueueTag(1,1)");
+    show(message);
     frame("Pause()");
   }
   void prompt() override {
-    remark(startQuestion(in_));
+    show(startQuestion(in_));
     frame("Pause()");
+  }
+  void show(std::string_view message) { frame(joined({"ListenSend(90,\"", message, "\")"})); }
+  void ownLine(std::string_view code) override {
+    leave();
+    remark(kOwnLineMark);
+    frame(code);
   }
   void remark(std::string_view text) override { line(joined({"// ", text})); }
   void flow(std::string_view share) override {

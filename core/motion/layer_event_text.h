@@ -1,0 +1,39 @@
+// The parameters pauseLayers and layerEvents as texts.
+#pragma once
+
+#include "plan/layer_event.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::base {
+class ParameterValues;
+}
+
+namespace voluta::motion {
+
+inline constexpr const char* kPauseLayers = "pauseLayers";
+inline constexpr const char* kLayerEvents = "layerEvents";
+// A pause's own text is at most this long, so that its layer has room beside it.
+inline constexpr std::size_t kOwnTextLength = 44;
+
+// Returns the layers that a value of pauseLayers lists, from 1, ascending. Throws Error{Usage} if
+// it is no list of layers.
+std::vector<int> pauseLayersOf(std::string_view text);
+// The inverse: "12, 40".
+std::string pauseLayersText(const std::vector<int>& layers);
+
+// Returns the events that a value of layerEvents lists, of item 0. Each begins with a layer or a
+// height, behind the first they are separated by semicolons:
+//   12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2;
+//   50 statement urscript set_tool_voltage(24)
+// A semicolon that no event follows belongs to the text before it. Throws Error{Usage} that names
+// the event that is none.
+std::vector<plan::LayerEvent> layerEventsOf(std::string_view text);
+
+// Returns the events of both parameters, of item 0: pauses of pauseLayers first. Throws as
+// pauseLayersOf() and layerEventsOf(). Precondition: as motionOptions().
+std::vector<plan::LayerEvent> eventsAsked(const base::ParameterValues& values);
+
+} // namespace voluta::motion

@@ -1,0 +1,125 @@
+#include "motion/layer_events.h"
+
+#include "plan/tool_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+namespace voluta::motion {
+
+namespace {
+// Controllers show texts up to this length.
+constexpr std::size_t kLongestText = 80;
+
+bool isOneItem(const plan::ToolPlan& plan) {
+  return std::ranges::all_of(
+      plan.paths, [&](const plan::ToolPath& path) { return path.item == plan.paths.front().item; });
+}
+
+// The layers of an item: their numbers from 1, and the heights at which they end.
+class ItemLayers {
+public:
+  ItemLayers(const plan::ToolPlan& plan, int item) {
+    for (const plan::ToolPath& path : plan.paths) {
+      if (path.item != item)
+        continue;
+      double& top =
+          tops_.try_emplace(path.layer, -std::numeric_limits<double>::infinity()).first->second;
+      for (std::size_t i = path.first; i < path.first + path.count; ++i)
+        top = std::max(top, plan.position[i].z());
+    }
+    isWhole_ = isOneItem(plan);
+  }
+
+  int count() const { return tops_.empty() ? 0 : numberOf(tops_.rbegin()->first); }
+  int numberOf(int layer) const {
+    return isWhole_ ? layer + 1
+                    : static_cast<int>(std::distance(tops_.begin(), tops_.find(layer))) + 1;
+  }
+  double topOf(int layer) const { return tops_.at(layer); }
+
+private:
+  std::map<int, double> tops_; // by the plan's layer
+  bool isWhole_ = true;
+};
+
+bool begins(const plan::LayerEvent& event, const ItemLayers& layers, const plan::ToolPath& path,
+            int bead) {
+  constexpr double kSameMm = 1e-6;
+  if (event.layer > 0)
+    return layers.numberOf(path.layer) >= event.layer;
+  if (event.heightMm > 0.0)
+    return layers.topOf(path.layer) > event.heightMm + kSameMm;
+  return bead >= event.bead;
+}
+
+std::string pauseText(const plan::ToolPlan& plan, const plan::LayerEvent& event,
+                      const EventPlace& place) {
+  const std::string part = isOneItem(plan) ? "" : fmt::format(" of part {}", event.item + 1);
+  const std::string where = fmt::format("layer {} of {}{}", place.layer, place.layers, part);
+  if (!event.text.empty())
+    return fmt::format("{} ({}, z {:.2f} mm)", event.text, where, place.heightMm);
+  const std::string text = fmt::format("Paused before {} (z {:.2f} mm).", where, place.heightMm),
+                    whole = text + " Check the way, then continue.";
+  return whole.size() <= kLongestText ? whole : text;
+}
+} // namespace
+
+std::vector<EventPlace> eventPlaces(const plan::ToolPlan& plan,
+                                    const std::vector<plan::LayerEvent>& events) {
+  std::vector<EventPlace> places;
+  std::map<int, ItemLayers> layersOf;
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    const plan::LayerEvent& event = events[e];
+    const ItemLayers& layers = layersOf.try_emplace(event.item, plan, event.item).first->second;
+    int bead = 0;
+    for (std::size_t p = 0; p < plan.paths.size(); ++p) {
+      const plan::ToolPath& path = plan.paths[p];
+      if (path.item != event.item || !begins(event, layers, path, ++bead))
+        continue;
+      places.push_back(
+          {p, e, layers.numberOf(path.layer), layers.count(), plan.position[path.first].z()});
+      break;
+    }
+  }
+  std::ranges::stable_sort(places, {}, &EventPlace::path);
+  return places;
+}
+
+int layersOfItem(const plan::ToolPlan& plan, int item) {
+  return ItemLayers(plan, item).count();
+}
+
+std::optional<LayerOfItem> layerOfItem(const plan::ToolPlan& plan, int layer) {
+  const auto path = std::ranges::find(plan.paths, layer, &plan::ToolPath::layer);
+  if (path == plan.paths.end())
+    return std::nullopt;
+  return LayerOfItem{path->item, ItemLayers(plan, path->item).numberOf(layer)};
+}
+
+bool waitsAside(plan::LayerEventKind kind) {
+  return kind == plan::LayerEventKind::Pause || kind == plan::LayerEventKind::Wait;
+}
+
+plan::TrajectoryEvent trajectoryEvent(const plan::ToolPlan& plan, const plan::LayerEvent& event,
+                                      const EventPlace& place) {
+  switch (event.kind) {
+  case plan::LayerEventKind::Wait:
+    return {.kind = plan::EventKind::Wait, .seconds = event.seconds};
+  case plan::LayerEventKind::Output:
+    return {.kind = plan::EventKind::Output, .tool = event.number, .on = event.on};
+  case plan::LayerEventKind::Statement:
+    return {.kind = plan::EventKind::Statement, .text = event.text, .format = event.format};
+  case plan::LayerEventKind::Pause:
+  case plan::LayerEventKind::Tool:
+    break;
+  }
+  return {.kind = plan::EventKind::Pause, .text = pauseText(plan, event, place)};
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,48 @@
+// Where events of layers come in the tool-paths, and what they are in the trajectory.
+#pragma once
+
+#include "plan/layer_event.h"
+#include "plan/trajectory.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace voluta::plan {
+struct ToolPlan;
+}
+
+namespace voluta::motion {
+
+struct EventPlace {
+  std::size_t path = 0;      // before this path of the plan
+  std::size_t event = 0;     // index of the event
+  int layer = 0, layers = 0; // of the item: the layer's number from 1, and how many there are
+  double heightMm = 0.0;     // of the nozzle where the path begins
+};
+
+// Returns the places of the events, ascending by path; of a path in the order of the events. Events
+// of layers, heights and beads that an item does not have are left out. Layers of an item are those
+// in which it has beads; those of a plan with one item are counted as the plan counts them.
+std::vector<EventPlace> eventPlaces(const plan::ToolPlan& plan,
+                                    const std::vector<plan::LayerEvent>& events);
+
+// Returns the number of layers of an item, as eventPlaces() counts them.
+int layersOfItem(const plan::ToolPlan& plan, int item);
+
+// Returns the item that begins a layer of the plan, counted from 0, and the layer's number there;
+// nullopt if the plan has no beads in it.
+struct LayerOfItem {
+  int item = 0, layer = 1;
+};
+std::optional<LayerOfItem> layerOfItem(const plan::ToolPlan& plan, int layer);
+
+// Returns whether the arm waits beside the part for it.
+bool waitsAside(plan::LayerEventKind kind);
+
+// Returns the trajectory's event, at point 0. The text of a pause names its layer and the height.
+// Precondition: the event is no change of the tool.
+plan::TrajectoryEvent trajectoryEvent(const plan::ToolPlan& plan, const plan::LayerEvent& event,
+                                      const EventPlace& place);
+
+} // namespace voluta::motion

@@ -1,0 +1,39 @@
+// Events of layers of a job's items: those that its parameters ask for, and the stops of a slicer's
+// file.
+#pragma once
+
+#include "plan/layer_event.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::base {
+class ParameterValues;
+}
+namespace voluta::plan {
+struct ToolPlan;
+}
+namespace voluta::project {
+struct LoadedPart;
+}
+
+namespace voluta::pipeline {
+
+// Returns the events of one item: pauses where the tool-paths of its file stop, if it is printed
+// along them, then those of the parameters but changes of the tool, which its tool-paths have.
+// Throws Error{Usage} as motion::eventsAsked(), and for a change of the tool in a file's
+// tool-paths.
+std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
+                                           const base::ParameterValues& values, int item);
+
+// Returns their part of a stage's key; empty if there are none.
+std::string eventsKey(const std::vector<plan::LayerEvent>& events);
+// Returns that part of a key in which it is the last; empty if it has none.
+std::string_view eventsIn(std::string_view key);
+
+// Throws Error{Usage} if an item lacks a layer before which something is to happen: it would never
+// come.
+void requireEventPlaces(const plan::ToolPlan& plan, const std::vector<plan::LayerEvent>& events);
+
+} // namespace voluta::pipeline
