@@ -73,7 +73,14 @@ void sayResult(const project::Report& r) {
     fmt::print(", {} tool change{}", r.motion.toolChanges, r.motion.toolChanges == 1 ? "" : "s");
   fmt::print("\n");
   const project::ReplayReport replay = project::shownFigures(r.replay);
-  if (!replay.thresholds.quality.empty()) // of a program that was judged
+  // A format that refuses the motion has no figures.
+  const bool isWritten =
+      replay.massRatio > 0.0 ||
+      std::ranges::none_of(
+          r.programs, [](const project::ProgramReport& program) { return program.files.empty(); });
+  if (!replay.thresholds.quality.empty() && !isWritten)
+    fmt::print("replay {}: not written\n", verdictWords(pipeline::verdictOf(r)));
+  else if (!replay.thresholds.quality.empty()) // of a program that was judged
     fmt::print(
         "replay {}: covered {:.4f}, thin {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
         "{} collisions, deviation {:.4f} mm\n",
