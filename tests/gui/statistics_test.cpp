@@ -111,7 +111,7 @@ TEST_F(StatisticsTest, APlusOnTheRulerPausesThePrint) {
   slider->setFocus();
   QTest::keyClick(slider, Qt::Key_Plus);
   EXPECT_EQ(slider->pauses(), (std::vector{1, 3}));
-  EXPECT_EQ(document().choices().parameters.at("pauseLayers"), "2, 4");
+  EXPECT_EQ(document().choices().item().parameters.at("pauseLayers"), "2, 4");
   keepPicture(window(), "pauses");
   document().undoStack()->undo();
   EXPECT_EQ(slider->pauses(), std::vector{3});

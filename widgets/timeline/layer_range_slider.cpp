@@ -298,13 +298,13 @@ bool LayerRangeSlider::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     if (pauseButton().contains(help->pos())) {
-      QToolTip::showText(help->globalPos(),
-                         pausesAtUpper()
-                             ? tr("Remove the pause before layer %1").arg(last_ + 1)
-                             : tr("Pause before layer %1: the arm goes home and waits, for "
-                                  "example to put in an insert")
-                                   .arg(last_ + 1),
-                         this);
+      QToolTip::showText(
+          help->globalPos(),
+          pausesAtUpper() ? tr("Remove the pause before layer %1").arg(last_ + 1)
+                          : tr("Pause before layer %1: the arm goes beside the part and waits, for "
+                               "example to put in an insert")
+                                .arg(last_ + 1),
+          this);
       return true;
     }
   }

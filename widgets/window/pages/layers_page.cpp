@@ -2,7 +2,8 @@
 
 #include "base/error.h"
 #include "document/document.h"
-#include "motion/motion_options.h"
+#include "motion/layer_event_text.h"
+#include "motion/layer_events.h"
 #include "panels/layer_info.h"
 #include "panels/object_tree.h"
 #include "panels/pieces_panel.h"
@@ -338,17 +339,14 @@ void LayersPage::showCount() {
 // Layers of voxels are not those of the paths.
 void LayersPage::showPauses() {
   const bool ofPaths = subject() == LayerSubject::Paths || subject() == LayerSubject::Layers;
-  std::vector<int> pauses;
-  for (const int layer : pauseLayers())
-    pauses.push_back(layer - 1);
-  work().layers.setPauses(ofPaths ? std::move(pauses) : std::vector<int>{}, ofPaths);
+  work().layers.setPauses(ofPaths ? pausedLayers() : std::vector<int>{}, ofPaths);
 }
 
+namespace {
 // As typed, from 1. A text that is no list yet has none.
-std::vector<int> LayersPage::pauseLayers() const {
-  const auto& parameters = work().document.jobChoices().parameters;
-  const auto text = parameters.find(motion::kPauseLayers);
-  if (text == parameters.end())
+std::vector<int> pauseLayersOf(const project::ItemChoices& item) {
+  const auto text = item.parameters.find(motion::kPauseLayers);
+  if (text == item.parameters.end())
     return {};
   try {
     return motion::pauseLayersOf(text->second);
@@ -356,12 +354,51 @@ std::vector<int> LayersPage::pauseLayers() const {
     return {};
   }
 }
+} // namespace
 
+// Of all parts, as the slider counts them, from 0.
+std::vector<int> LayersPage::pausedLayers() const {
+  const auto& items = work().document.jobChoices().items;
+  const auto plan = shownPlan();
+  std::vector<int> paused;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (const int layer : pauseLayersOf(items[i])) {
+      if (items.size() == 1) {
+        paused.push_back(layer - 1);
+        continue;
+      }
+      if (!plan)
+        continue;
+      const auto places =
+          motion::eventPlaces(*plan, {{.item = static_cast<int>(i), .layer = layer}});
+      if (!places.empty())
+        paused.push_back(plan->paths[places.front().path].layer);
+    }
+  std::ranges::sort(paused);
+  paused.erase(std::ranges::unique(paused).begin(), paused.end());
+  return paused;
+}
+
+std::shared_ptr<const plan::ToolPlan> LayersPage::shownPlan() const {
+  const auto result = work().document.lastResult();
+  return result ? result->job.toolPlan : nullptr;
+}
+
+// The pause is one of the part that has the layer, which becomes the active one.
 void LayersPage::wishPause(int layer, bool pause) {
-  std::vector<int> layers = pauseLayers();
-  std::erase(layers, layer + 1);
+  motion::LayerOfItem at{0, layer + 1};
+  if (work().document.partCount() > 1) {
+    const auto plan = shownPlan();
+    const auto found = plan ? motion::layerOfItem(*plan, layer) : std::nullopt;
+    if (!found || found->item >= static_cast<int>(work().document.partCount()))
+      return;
+    at = *found;
+    work().document.setActive(static_cast<std::size_t>(at.item));
+  }
+  std::vector<int> layers = pauseLayersOf(work().document.choices().item());
+  std::erase(layers, at.layer);
   if (pause)
-    layers.push_back(layer + 1);
+    layers.push_back(at.layer);
   std::ranges::sort(layers);
   work().document.setParameter(QString::fromLatin1(motion::kPauseLayers),
                                QString::fromStdString(motion::pauseLayersText(layers)));

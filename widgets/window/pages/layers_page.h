@@ -7,9 +7,13 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace voluta::panels {
 class LayerInfo;
+}
+namespace voluta::plan {
+struct ToolPlan;
 }
 
 namespace voluta::window {
@@ -56,7 +60,8 @@ private:
   bool replaysGrowth() const;
   void showGrowth(LayerSubject subject);
   void showCount();
-  std::vector<int> pauseLayers() const;
+  std::vector<int> pausedLayers() const;
+  std::shared_ptr<const plan::ToolPlan> shownPlan() const;
   void showPauses();
   void wishPause(int layer, bool pause);
   void showMoves();
