@@ -227,7 +227,6 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   motionOptions.layerEvents.clear(); // their own part of the key
   put(project::Stage::Motion, processKeys.travel + processKeys.head + base::keyText(motionOptions) +
                                   eventsKey(eventsOfItem(loaded, values, 0)));
->>>>>>> 7b5ecee7 (motion, program, replay: events before layers of a part)
   // Includes the program options of each format.
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
