@@ -524,36 +524,38 @@ TEST_F(Golden, tmscript) {
 // Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 // fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase
 // extruder on: DO 0 of the control box; flow: AO 0, 10 V = 40 mm3/s
+// the pendant shows no text at Pause(): before it the text goes to the sender of the
+// frames ($TMSTA 90), which has to show it
 $TMSCT,25,1,ChangeBase("RobotBase"),*08
 $TMSCT,32,2,ChangeTCP({0,0,100,0,0,0},0.5),*22
 $TMSCT,26,3,IO["ControlBox"].DO[0]=0,*66
 $TMSCT,26,4,IO["ControlBox"].AO[0]=0,*64
-// Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
-$TMSCT,9,5,Pause(),*02
-$TMSCT,56,6,PTP("CPP",-817.25,-291.45,-5.491,90,0,0,8,500,0,false),*3F
+$TMSCT,98,5,ListenSend(90,"Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?"),*54
+$TMSCT,9,6,Pause(),*01
+$TMSCT,56,7,PTP("CPP",-817.25,-291.45,-5.491,90,0,0,8,500,0,false),*3E
 // prime
-$TMSCT,30,7,IO["ControlBox"].AO[0]=4.113,*79
-$TMSCT,26,8,IO["ControlBox"].DO[0]=1,*6C
-$TMSCT,13,9,PVTEnter(1),*4C
-$TMSCT,58,10,PVTPoint(-817.25,-291.45,-5.491,90,0,0,0,0,0,0,0,0,0.2),*63
-$TMSCT,12,11,PVTExit(),*2D
-$TMSCT,27,12,IO["ControlBox"].DO[0]=0,*57
+$TMSCT,30,8,IO["ControlBox"].AO[0]=4.113,*76
+$TMSCT,26,9,IO["ControlBox"].DO[0]=1,*6D
+$TMSCT,14,10,PVTEnter(1),*73
+$TMSCT,58,11,PVTPoint(-817.25,-291.45,-5.491,90,0,0,0,0,0,0,0,0,0.2),*62
+$TMSCT,12,12,PVTExit(),*2E
+$TMSCT,27,13,IO["ControlBox"].DO[0]=0,*56
 // print
-$TMSCT,60,13,PTP("CPP",-817.25,-291.45,-5.491,0,-90,90,25,500,0,false),*25
+$TMSCT,60,14,PTP("CPP",-817.25,-291.45,-5.491,0,-90,90,25,500,0,false),*22
 // layer 8, wall, path 1
-$TMSCT,14,14,PVTEnter(1),*77
-$TMSCT,70,15,PVTPoint(-814.2947,-299.6078,-5.491,0,-90,90.57296,0,0,0,0,0,0,0.1),*66
-$TMSCT,27,16,IO["ControlBox"].AO[0]=4,*52
-$TMSCT,27,17,IO["ControlBox"].DO[0]=1,*53
-$TMSCT,84,18,PVTPoint(-813.9947,-300.4219,-5.491,0,-90,90.63025,6.009,-16.28,0,0,0,1.146,0.05),*60
-$TMSCT,71,19,PVTPoint(-813.6938,-301.2358,-5.491,0,-90,90.68755,0,0,0,0,0,0,0.05),*57
-$TMSCT,27,20,IO["ControlBox"].DO[0]=0,*56
-$TMSCT,12,21,PVTExit(),*2E
-$TMSCT,64,22,PTP("CPP",-817.25,-291.45,-5.491,-90,-180,180,25,500,0,false),*37
+$TMSCT,14,15,PVTEnter(1),*76
+$TMSCT,70,16,PVTPoint(-814.2947,-299.6078,-5.491,0,-90,90.57296,0,0,0,0,0,0,0.1),*65
+$TMSCT,27,17,IO["ControlBox"].AO[0]=4,*53
+$TMSCT,27,18,IO["ControlBox"].DO[0]=1,*5C
+$TMSCT,84,19,PVTPoint(-813.9947,-300.4219,-5.491,0,-90,90.63025,6.009,-16.28,0,0,0,1.146,0.05),*61
+$TMSCT,71,20,PVTPoint(-813.6938,-301.2358,-5.491,0,-90,90.68755,0,0,0,0,0,0,0.05),*5D
+$TMSCT,27,21,IO["ControlBox"].DO[0]=0,*57
+$TMSCT,12,22,PVTExit(),*2D
+$TMSCT,64,23,PTP("CPP",-817.25,-291.45,-5.491,-90,-180,180,25,500,0,false),*36
 // end
-$TMSCT,27,23,IO["ControlBox"].DO[0]=0,*55
-$TMSCT,27,24,IO["ControlBox"].AO[0]=0,*57
-$TMSCT,15,25,ScriptExit(),*50
+$TMSCT,27,24,IO["ControlBox"].DO[0]=0,*52
+$TMSCT,27,25,IO["ControlBox"].AO[0]=0,*56
+$TMSCT,15,26,ScriptExit(),*53
 )");
 }
 
