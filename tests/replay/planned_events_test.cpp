@@ -90,7 +90,7 @@ TEST_F(PlannedEvents, AToolSelectedAtTheStartIsFound) {
   const auto replayed = [&](const std::vector<int>& tools) {
     plan::ReadProgram program = test::read(text_, scene_.process);
     for (plan::StatedFact& fact : program.facts)
-      if (fact.kind == plan::FactKind::OperatorStop)
+      if (fact.kind == plan::FactKind::OperatorStop && fact.before <= program.firstMotion)
         fact.word = program::toolName(two, 0); // A program of one tool names none.
     for (const int tool : tools)
       program.facts.push_back(
