@@ -30,7 +30,9 @@ public:
         continue;
       double& top =
           tops_.try_emplace(path.layer, -std::numeric_limits<double>::infinity()).first->second;
-      for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      // A prime may be in the air.
+      for (std::size_t i = path.first; i < path.first + path.count && !plan::isWaste(path.kind);
+           ++i)
         top = std::max(top, plan.position[i].z());
     }
     isWhole_ = isOneItem(plan);
@@ -54,7 +56,7 @@ bool begins(const plan::LayerEvent& event, const ItemLayers& layers, const plan:
   if (event.layer > 0)
     return layers.numberOf(path.layer) >= event.layer;
   if (event.heightMm > 0.0)
-    return layers.topOf(path.layer) > event.heightMm + kSameMm;
+    return !plan::isWaste(path.kind) && layers.topOf(path.layer) > event.heightMm + kSameMm;
   return bead >= event.bead;
 }
 

@@ -107,6 +107,14 @@ TEST(LayerEvents, ComeAtHeightsAndBeforeBeads) {
   EXPECT_EQ(places[2].path, 3u);
 }
 
+TEST(LayerEvents, APrimeInTheAirIsNoHeightOfThePart) {
+  plan::ToolPlan plan = test::cylinder(15, 4);
+  plan.paths[0].kind = plan::PathKind::Prime;
+  for (std::size_t i = 0; i < plan.paths[0].count; ++i)
+    plan.position[i].z() = 100.0;
+  EXPECT_TRUE(motion::eventPlaces(plan, {{.heightMm = 50.0}}).empty());
+}
+
 TEST(LayerEvents, ThePauseNamesItsLayerAndItsText) {
   const plan::ToolPlan plan = test::cylinder(15, 4);
   const motion::EventPlace place{.path = 2, .layer = 3, .layers = 4, .heightMm = 5.5};

@@ -252,3 +252,25 @@ TEST_F(ResumeMotion, TheWayThereIsClear) {
     }
   }
 }
+
+// Whatever the print has switched on by then is on in its rest.
+TEST_F(ResumeMotion, OutputsAreSetAgain) {
+  const auto set = [](std::size_t point, int output, bool on) {
+    return plan::TrajectoryEvent{
+        .point = point, .kind = plan::EventKind::Output, .tool = output, .on = on};
+  };
+  const std::size_t point = pointOf(plan_.paths[1].first + 19);
+  t_.events = {set(2, 3, true), set(3, 4, true), set(4, 4, false), set(point + 1, 5, true)};
+  const motion::Resumed r = resumed(point);
+  std::vector<plan::TrajectoryEvent> own;
+  for (const plan::TrajectoryEvent& event : r.trajectory.events)
+    if (event.point > r.firstPoint)
+      own.push_back(event);
+  ASSERT_EQ(own.size(), 3u);
+  EXPECT_EQ(own[0].tool, 3);
+  EXPECT_TRUE(own[0].on);
+  EXPECT_EQ(own[1].tool, 4);
+  EXPECT_FALSE(own[1].on);
+  EXPECT_EQ(own[2].tool, 5);
+  EXPECT_LE(own[0].point, own[2].point);
+}

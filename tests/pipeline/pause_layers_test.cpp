@@ -45,6 +45,14 @@ const plan::ToolPath& pathBehind(const PlanResult& plan, const plan::TrajectoryE
   return *plan::pathOf(*plan.job.toolPlan, plan::waypointAhead(*plan.job.trajectory, event.point));
 }
 
+// All files of the first program.
+std::string textOf(const PlanResult& plan) {
+  std::string text;
+  for (const plan::ProgramFile& file : plan.checked.front()->program.files)
+    text += file.text;
+  return text;
+}
+
 std::string refusalOf(const std::function<void()>& run) {
   try {
     run();
@@ -62,7 +70,7 @@ TEST(PauseLayers, ComeBeforeTheLayersThatThePrintHas) {
   EXPECT_EQ(pathBehind(plan, pauses[0]).layer, 2);
   EXPECT_NE(pauses[0].text.find("before layer 3 of "), std::string::npos) << pauses[0].text;
   EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Passed) << test::reasons(plan);
-  const std::string& text = plan.checked.front()->program.files.front().text;
+  const std::string text = textOf(plan);
   EXPECT_NE(text.find("popup(\"" + pauses[1].text), std::string::npos);
   EXPECT_NE(text.find("# layer 1, "), std::string::npos) << "layers count from 1";
   EXPECT_EQ(text.find("# layer 0, "), std::string::npos);
@@ -196,8 +204,7 @@ TEST(LayerEvents, StopsOfAFileBecomePauses) {
   EXPECT_EQ(pathBehind(plan, pauses[0]).layer, 2);
   EXPECT_EQ(pauses[0].text.rfind("Change the filament (layer 3 of 4", 0), 0u) << pauses[0].text;
   EXPECT_TRUE(plan.checked.front()->safeToRun) << test::reasons(plan);
-  EXPECT_NE(plan.checked.front()->program.files.front().text.find("Change the filament"),
-            std::string::npos);
+  EXPECT_NE(textOf(plan).find("Change the filament"), std::string::npos);
 }
 
 } // namespace

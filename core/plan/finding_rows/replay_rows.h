@@ -119,7 +119,8 @@ inline constexpr FindingRow kReplayRows[] = {
     error(
         OwnStatement, "ownStatement", "your own statement, which nothing checks: {statement}"_text,
         "check what it does on the controller; leave it out of `layerEvents` if you do not need it"_text,
-        {.whyNoRemedy = "nobody but you knows what the statement is for"_text}),
+        {.whyNoRemedy = "nobody but you knows what the statement is for"_text,
+           .concern = Concern::Part}),
     info(FanChanged, "fanChanged",
          "part cooling {found} % from this line on, {planned} % planned"_text, kWriteAgain,
          {.whyNoRemedy = kOnlyWriteAgain}),
