@@ -13,9 +13,6 @@
 namespace voluta::motion {
 
 namespace {
-// Controllers show texts up to this length.
-constexpr std::size_t kLongestText = 80;
-
 bool isOneItem(const plan::ToolPlan& plan) {
   return std::ranges::all_of(
       plan.paths, [&](const plan::ToolPath& path) { return path.item == plan.paths.front().item; });
@@ -66,9 +63,7 @@ std::string pauseText(const plan::ToolPlan& plan, const plan::LayerEvent& event,
   const std::string where = fmt::format("layer {} of {}{}", place.layer, place.layers, part);
   if (!event.text.empty())
     return fmt::format("{} ({}, z {:.2f} mm)", event.text, where, place.heightMm);
-  const std::string text = fmt::format("Paused before {} (z {:.2f} mm).", where, place.heightMm),
-                    whole = text + " Check the way, then continue.";
-  return whole.size() <= kLongestText ? whole : text;
+  return fmt::format("Paused before {} (z {:.2f} mm)", where, place.heightMm);
 }
 } // namespace
 

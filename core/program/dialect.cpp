@@ -516,7 +516,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   requireEventsSaid(own);
   plan::Program program = dialect.write(own, ctx);
   uncoverBeadWords(program.files, dialect.remark);
-  uncoverOwnLines(program.files, dialect, input.trajectory.events);
+  uncoverOwnLines(program.files, dialect.id, dialect.remark, input.trajectory.events);
   if (!dialect.extruders.empty() && extruderOf(own).streams)
     program.files.push_back(streamFile(own, ctx));
   return program;
@@ -570,7 +570,7 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!reportNoTexts(files, program.defects, dialect.isBinary)) {
-    ReadOwnLines own = takeOwnLines(files, dialect);
+    ReadOwnLines own = takeOwnLines(files, dialect.remark);
     const std::vector<plan::ProgramFile>& others = own.files.empty() ? files : own.files;
     ReadBeadWords words = takeBeadWords(others, id, dialect.remark, tooling);
     program = readWithStream(dialect, words.files.empty() ? others : words.files, tooling, ctx);

@@ -126,8 +126,11 @@ std::string toolName(const process::Tooling& tooling, int tool) {
 }
 
 std::string pauseText(const plan::TrajectoryEvent& pause) {
-  return pause.text.empty() ? std::string("Paused. Continue?")
-                            : plainText(pause.text, kQuestionLength);
+  if (pause.text.empty())
+    return "Paused. Continue?";
+  constexpr std::string_view kCheck = ". Check the way, then continue.";
+  const bool hasRoom = pause.text.size() + kCheck.size() <= kQuestionLength;
+  return plainText(hasRoom ? joined({pause.text, kCheck}) : pause.text, kQuestionLength);
 }
 
 std::string changeText(const process::Tooling& tooling, int tool) {

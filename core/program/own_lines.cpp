@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "program/bead_words.h"
 #include "program/common/program_text.h"
-#include "program/dialect.h"
 #include "program/tmscript/tmscript_frames.h"
 
 #include <algorithm>
@@ -101,27 +100,27 @@ OutputWords outputWords(std::string_view dialect) {
   return row == std::end(kOutputs) ? OutputWords() : row->words;
 }
 
-std::string ownLine(const Dialect& dialect, const TrajectoryEvent& event) {
+std::string ownLine(std::string_view dialect, const TrajectoryEvent& event) {
   if (event.kind == EventKind::Statement)
     return std::string(trimmed(event.text));
-  const OutputWords words = outputWords(dialect.id);
+  const OutputWords words = outputWords(dialect);
   return numbered(event.on ? words.on : words.off, event.tool);
 }
 
-void requireOwnLine(const Dialect& dialect, const TrajectoryEvent& event) {
-  if (event.kind == EventKind::Statement && event.format != dialect.id)
+void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event) {
+  if (event.kind == EventKind::Statement && event.format != dialect)
     throw base::Error(base::ErrorCode::Usage,
                       base::message("the statement '{text}' is one of format {wanted}, not of "
                                     "{format}"_text,
-                                    event.text, event.format, dialect.id),
+                                    event.text, event.format, dialect),
                       {}, base::message("use {formats}"_text, event.format));
-  const OutputWords words = outputWords(dialect.id);
+  const OutputWords words = outputWords(dialect);
   if (event.kind == EventKind::Output && words.last >= words.first &&
       (event.tool < words.first || event.tool > words.last))
     throw base::Error(
         base::ErrorCode::Usage,
-        base::message("format {format} has outputs {first} to {last}, not {number}"_text,
-                      dialect.id, words.first, words.last, event.tool),
+        base::message("format {format} has outputs {first} to {last}, not {number}"_text, dialect,
+                      words.first, words.last, event.tool),
         {}, "use another output"_text);
 }
 
@@ -129,12 +128,12 @@ std::string ownLineRemark(std::string_view line) {
   return joined({kCover, line});
 }
 
-void uncoverOwnLines(std::vector<plan::ProgramFile>& files, const Dialect& dialect,
-                     const std::vector<TrajectoryEvent>& events) {
+void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dialect,
+                     std::string_view remark, const std::vector<TrajectoryEvent>& events) {
   if (std::ranges::none_of(events, isOwnLine))
     return;
-  const std::string cover = joined({dialect.remark, " ", kCover});
-  const std::string_view name = outputWords(dialect.id).name;
+  const std::string cover = joined({remark, " ", kCover});
+  const std::string_view name = outputWords(dialect).name;
   for (plan::ProgramFile& file : files) {
     std::string text;
     text.reserve(file.text.size());
@@ -142,8 +141,8 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, const Dialect& diale
     for (std::string_view rest = file.text; !rest.empty();) {
       const std::string_view line = takeLine(rest);
       const std::size_t at = line.find(cover);
-      const std::optional<std::string_view> remark = remarkIn(line, dialect.remark);
-      if (!remark && !isMarked && !name.empty())
+      const std::optional<std::string_view> said = remarkIn(line, remark);
+      if (!said && !isMarked && !name.empty())
         for (const TrajectoryEvent& event : events)
           if (event.kind == EventKind::Output &&
               line.find(numbered(name, event.tool)) != std::string_view::npos)
@@ -151,7 +150,7 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, const Dialect& diale
                 base::ErrorCode::Usage,
                 base::message("output {number} is used by the program itself"_text, event.tool), {},
                 "use another output"_text);
-      isMarked = remark == kOwnLineMark;
+      isMarked = said == kOwnLineMark;
       if (at == std::string_view::npos)
         text.append(line);
       else
@@ -161,7 +160,7 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, const Dialect& diale
   }
 }
 
-ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, const Dialect& dialect) {
+ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view remark) {
   ReadOwnLines read;
   if (std::ranges::none_of(files, [](const plan::ProgramFile& file) {
         return file.text.find(kOwnLineMark) != std::string::npos;
@@ -178,11 +177,11 @@ ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, const Dia
       ++number;
       if (!isMarked || codeOfLine(line).empty()) {
         text.append(line);
-        isMarked = remarkIn(line, dialect.remark) == kOwnLineMark;
+        isMarked = remarkIn(line, remark) == kOwnLineMark;
         continue;
       }
       isMarked = false;
-      Covered own = covered(line, dialect.remark);
+      Covered own = covered(line, remark);
       text.append(own.line);
       plan::StatedFact fact;
       fact.kind = plan::FactKind::OwnStatement;

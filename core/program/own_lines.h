@@ -13,8 +13,6 @@
 
 namespace voluta::program {
 
-struct Dialect;
-
 // How a language sets a digital output; {} stands for its number.
 struct OutputWords {
   std::string_view on = {}, off = {};
@@ -29,22 +27,22 @@ OutputWords outputWords(std::string_view dialect);
 // The remark before each such line.
 inline constexpr std::string_view kOwnLineMark = "asked for before this layer:";
 // Returns the line of an event. Precondition: the dialect has words for it (requireOwnLine).
-std::string ownLine(const Dialect& dialect, const plan::TrajectoryEvent& event);
+std::string ownLine(std::string_view dialect, const plan::TrajectoryEvent& event);
 // Throws Error{Usage} if the dialect has no such output, or if the statement is for another format.
-void requireOwnLine(const Dialect& dialect, const plan::TrajectoryEvent& event);
+void requireOwnLine(std::string_view dialect, const plan::TrajectoryEvent& event);
 
 // Returns the remark that stands for a line until uncoverOwnLines().
 std::string ownLineRemark(std::string_view line);
 // Replaces these remarks by their lines. Throws Error{Usage} if another line of the program uses an
 // output that one of them sets.
-void uncoverOwnLines(std::vector<plan::ProgramFile>& files, const Dialect& dialect,
-                     const std::vector<plan::TrajectoryEvent>& events);
+void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dialect,
+                     std::string_view remark, const std::vector<plan::TrajectoryEvent>& events);
 
 // The marked lines of a text, and the files in which remarks stand for them.
 struct ReadOwnLines {
   std::vector<plan::ProgramFile> files; // empty if there are none
   std::vector<plan::StatedFact> facts;  // OwnStatement; without the next motion
 };
-ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, const Dialect& dialect);
+ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view remark);
 
 } // namespace voluta::program

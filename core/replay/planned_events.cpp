@@ -249,7 +249,7 @@ private:
     const TrajectoryEvent* const change = isPause ? trajectory_.changeAfter(event) : nullptr;
     const std::string planned = change    ? program::changeText(tooling_, change->tool)
                                 : isPause ? program::pauseText(event)
-                                          : program::ownLine(dialect(), event);
+                                          : program::ownLine(program_.format, event);
     if (isPause ? isSameShown(fact.word, planned) : fact.word == planned)
       return;
     findings_.push_back(

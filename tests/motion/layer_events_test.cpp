@@ -119,7 +119,7 @@ TEST(LayerEvents, ThePauseNamesItsLayerAndItsText) {
   const plan::ToolPlan plan = test::cylinder(15, 4);
   const motion::EventPlace place{.path = 2, .layer = 3, .layers = 4, .heightMm = 5.5};
   EXPECT_EQ(motion::trajectoryEvent(plan, {.layer = 3}, place).text,
-            "Paused before layer 3 of 4 (z 5.50 mm). Check the way, then continue.");
+            "Paused before layer 3 of 4 (z 5.50 mm)");
   EXPECT_EQ(motion::trajectoryEvent(plan, {.layer = 3, .text = "Put in the nut"}, place).text,
             "Put in the nut (layer 3 of 4, z 5.50 mm)");
 }

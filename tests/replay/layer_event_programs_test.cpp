@@ -38,8 +38,8 @@ protected:
     const std::string format(id);
     const int output = program::outputWords(id).first + 3;
     return {
-        {{.kind = EventKind::Pause, .text = "Paused before layer 3 of 4 (z 5.50 mm)."},
-         {.kind = EventKind::Pause, .text = "Paused before layer 4 of 4 (z 5.50 mm)."}},
+        {{.kind = EventKind::Pause, .text = "Paused before layer 3 of 4 (z 5.50 mm)"},
+         {.kind = EventKind::Pause, .text = "Paused before layer 4 of 4 (z 5.50 mm)"}},
         {{.kind = EventKind::Wait, .seconds = 60.0}, {.kind = EventKind::Wait, .seconds = 50.0}},
         {{.kind = EventKind::Output, .tool = output, .on = true},
          {.kind = EventKind::Output, .tool = output, .on = false}},

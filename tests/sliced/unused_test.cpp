@@ -429,7 +429,7 @@ TEST(SlicedWords, IgnoredStatementsAreNamedOnce) {
         {"M106 S" + n, "M106"},
         {"G4 P" + n, "G4 "},
         {"M600 ; " + n, "(M600)"},
-        {"M0 look " + n, "look " + n},
+        {"M0 look " + n, "(M0 look " + n + ")"},
         {"M42 P4 S" + n, "M42"},
         {"M280 P0 S" + n, "M280"},
         {"M141 S" + n, "M141"},

@@ -5,7 +5,6 @@
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
-#include "program/dialect.h"
 #include "program/extruder.h"
 #include "program/filament.h"
 #include "program/gcode/extruder_axis.h"
@@ -161,7 +160,7 @@ private:
         break;
       case plan::EventKind::Output:
       case plan::EventKind::Statement:
-        emitter_.ownLine(program::ownLine(findDialect(walk_.format), event));
+        emitter_.ownLine(program::ownLine(walk_.format, event));
         break;
       }
   }
