@@ -5,6 +5,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/lower_case.h"
 #include "helpers/other_text.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/command_line_fixture.h"
@@ -17,6 +18,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
 
 namespace voluta::pipeline {
 namespace {
@@ -85,13 +88,36 @@ TEST_F(Presets, EachThatComesWithTheProgramIsAContract) {
       << "a project of an older version has the usual one, and its settings";
 }
 
-TEST_F(Presets, HoldEverySettingOfPrintingAndNoneOfThePart) {
+TEST_F(Presets, HoldTheSettingsOfPrintingAndNoOthers) {
   const base::ParameterTable& table = presetParameters();
   for (const char* key : {"layerHeightMm", "walls", "infillDensity", "supports", "seam", "quality",
-                          "outerWallSpeedMmPerS", "minLayerTimeS", "liftMm", "brimWidthMm"})
+                          "outerWallSpeedMmPerS", "minLayerTimeS", "retractMm", "brimWidthMm"})
     EXPECT_NE(table.find(key), nullptr) << key;
-  for (const char* key : {"voxelMm", "orient", "openSurfaces", "cutPlanes", "rodSides", "accept",
-                          "tool", "pieceTools", "pathsTurn", "mxtController", "givenToolPaths"})
+  for (const char* key : {"voxelMm", "cutPlanes", "accept", "givenToolPaths"})
+    EXPECT_EQ(table.find(key), nullptr) << key;
+  // The sentence of a refusal names each heading that a preset holds.
+  const std::set<std::string> headings{"layers", "beads", "tool-paths", "cooling", "quality"};
+  const base::ParameterTable every = allParameters();
+  for (const base::ParameterSpec& spec : every.specs()) {
+    const std::string heading = base::lowerCase(base::english(spec.group));
+    if (table.find(spec.key)) {
+      EXPECT_TRUE(headings.contains(heading)) << spec.key;
+      continue;
+    }
+    EXPECT_TRUE(!headings.contains(heading) || spec.type == base::ParameterType::Text ||
+                spec.key == "voxelMm" || spec.key == "givenToolPaths")
+        << spec.key;
+    refused(
+        [&] {
+          readPreset(R"({"id": "x", "label": "X", "settings": {")" + spec.key + R"(": 0}})",
+                     "x.json");
+        },
+        {"x.json", "'" + spec.key + "'",
+         "presets hold settings of layers, beads, tool-paths, cooling and quality"});
+  }
+  // A preset sets no safety aside and writes no other files.
+  for (const char* key : {"bodyClearanceMm", "partClearanceMm", "collisionModel", "output.refused",
+                          "output.proof", "extruder"})
     EXPECT_EQ(table.find(key), nullptr) << key;
   // Each goes to a file and back, with a value of its own.
   for (const base::ParameterSpec& spec : table.specs()) {
@@ -220,7 +246,8 @@ TEST_F(Presets, AreImportedWholeOrNotAtAll) {
 
 TEST_F(Presets, ChangeTheSettingsOfAJobAndNothingElse) {
   project::Choices choices;
-  setParameters(choices, {"orient=fewestMissed", "walls=7", "liftMm=5", "accept=mass=0.1"});
+  setParameters(choices,
+                {"orient=fewestMissed", "walls=7", "retractMm=5", "liftMm=5", "accept=mass=0.1"});
   choices.items.resize(2);
   choices.item(1).parameters["layerHeightMm"] = "0.7";
   saveOwnPreset({"mine", "Mine", "strong", {{"layerHeightMm", "0.6"}}});
@@ -231,18 +258,19 @@ TEST_F(Presets, ChangeTheSettingsOfAJobAndNothingElse) {
     EXPECT_EQ(given.at("seam"), "spread") << i;
     EXPECT_EQ(given.at("layerHeightMm"), "0.6") << i;
     EXPECT_EQ(given.at("accept"), "mass=0.1") << i;
-    EXPECT_FALSE(given.contains("liftMm")) << i;
+    EXPECT_FALSE(given.contains("retractMm")) << i;
+    EXPECT_EQ(given.at("liftMm"), "5") << i << ": no setting of presets";
   }
   EXPECT_EQ(mine.item(0).parameters.at("orient"), "fewestMissed");
   EXPECT_EQ(itemSettingsOfPreset(mine),
             (Settings{{"infillDensity", "1"}, {"layerHeightMm", "0.6"}, {"walls", "4"}}))
       << "of a new part";
   // Changes that are kept, of the job and of each part.
-  const project::Choices kept =
-      withPreset(choices, "mine", {{{"walls", "7"}, {"liftMm", "5"}}, {{"layerHeightMm", "0.7"}}});
+  const project::Choices kept = withPreset(
+      choices, "mine", {{{"walls", "7"}, {"retractMm", "5"}}, {{"layerHeightMm", "0.7"}}});
   EXPECT_EQ(kept.item(0).parameters.at("walls"), "7");
   EXPECT_EQ(kept.item(1).parameters.at("walls"), "4");
-  EXPECT_EQ(kept.parameters.at("liftMm"), "5");
+  EXPECT_EQ(kept.parameters.at("retractMm"), "5");
   EXPECT_EQ(kept.parameters.at("seam"), "spread");
   EXPECT_EQ(kept.item(0).parameters.at("layerHeightMm"), "0.6");
   EXPECT_EQ(kept.item(1).parameters.at("layerHeightMm"), "0.7");

@@ -6,12 +6,7 @@
 #include "base/json_node.h"
 #include "base/lower_case.h"
 #include "base/nearest_name.h"
-#include "layers/tool_assignment.h"
-#include "pipeline/open_part.h"
-#include "pipeline/path_parameters.h"
 #include "pipeline/stage_options.h"
-#include "placement/orient.h"
-#include "program/dialect.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -25,8 +20,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFolder = "presets";
 
-// Settings of the part in tables that are otherwise about printing.
-constexpr std::string_view kOfThePart[] = {"givenToolPaths", "rodSides", "voxelMm"};
+// The headings of the form whose settings presets hold. Others are about the part, its tools, the
+// outputs, or the safety of the motion.
+constexpr base::Text kHeadings[] = {"Layers"_text, "Beads"_text, "Tool-paths"_text, "Cooling"_text,
+                                    "Quality"_text};
+// Settings of the part below these headings.
+constexpr std::string_view kOfThePart[] = {"givenToolPaths", "voxelMm"};
 
 std::filesystem::path fileIn(const std::filesystem::path& folder, const std::string& id) {
   return folder / kFolder / (id + ".json");
@@ -68,6 +67,10 @@ void addSetting(Settings& settings, const base::ParameterTable& table, const std
     return;
   const base::ParameterSpec* spec = table.find(base::currentKey(key));
   if (!spec) {
+    if (allParameters().find(base::currentKey(key)))
+      throw unusable(
+          base::message("'{key}' is not a setting of presets"_text, key), name,
+          "presets hold settings of layers, beads, tool-paths, cooling and quality"_text);
     std::vector<std::string> keys;
     for (const base::ParameterSpec& known : table.specs())
       keys.push_back(known.key);
@@ -143,16 +146,12 @@ void checkCanBeSaved(const PrintPreset& preset) {
 }
 
 base::ParameterTable settingsOfPrinting() {
-  const base::ParameterTable others[] = {program::programParameters(), pathShapeParameters(),
-                                         openSurfaceParameters(), placement::orientParameters(),
-                                         layers::toolParameters()};
   std::vector<base::ParameterSpec> specs = allParameters().specs();
   // Texts are planes, curves, points and files, all in the frame of one part.
-  std::erase_if(specs, [&](const base::ParameterSpec& spec) {
+  std::erase_if(specs, [](const base::ParameterSpec& spec) {
     return spec.type == base::ParameterType::Text ||
-           std::ranges::find(kOfThePart, spec.key) != std::end(kOfThePart) ||
-           std::ranges::any_of(
-               others, [&](const base::ParameterTable& t) { return t.find(spec.key) != nullptr; });
+           std::ranges::find(kHeadings, spec.group) == std::end(kHeadings) ||
+           std::ranges::find(kOfThePart, spec.key) != std::end(kOfThePart);
   });
   return base::ParameterTable(std::move(specs));
 }

@@ -1,4 +1,4 @@
-// Presets of printing: named settings of layers, walls, infill, supports, seam, quality and motion.
+// Presets of printing: named settings of layers, walls, infill, supports, seam, speeds and quality.
 // A preset states its parent and the settings that differ from the parent's. Those that come with
 // the program are read-only; the user's own are one JSON file each in userDataFolder()/presets.
 #pragma once
@@ -22,8 +22,10 @@ struct PrintPreset {
   bool operator==(const PrintPreset&) const = default;
 };
 
-// Returns the settings that a preset may have: those of allParameters() that tell how to print. It
-// has none about the part (its size, its mesh, planes and files for it), the tools or the program.
+// Returns the settings that a preset may have: those of allParameters() below the headings Layers,
+// Beads, Tool-paths, Cooling and Quality. It has none about the part (its size, its mesh, planes
+// and files for it), the tools, the program, the outputs, or the clearances and the model of
+// collisions.
 const base::ParameterTable& presetParameters();
 
 // Returns the ids of all presets, sorted.
