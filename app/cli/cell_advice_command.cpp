@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "cells/cell_layout.h"
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/road.h"
@@ -160,6 +161,7 @@ ExitCode cellAdviseCommand(const AdviseOptions& options) {
 }
 
 ExitCode cellPlaceCommand(const PlaceCellOptions& options) {
+  requireNewFile(options.file, options.replace);
   const auto layout = endedWith(
       runInterruptibly([&options](const base::RunContext& ctx) { return placed(options, ctx); },
                        options.threads, {}, [] {}));

@@ -1,6 +1,7 @@
 #include "cli/cell_advice_options.h"
 
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "cli/option_texts.h"
 #include "pipeline/automatic.h"
 #include "pipeline/stage_options.h"
@@ -69,6 +70,7 @@ void addCellAdvice(CLI::App& cell, int threads,
   place->add_option("--tilt", placing->options.tiltDeg, "largest tilt of the nozzle in degrees")
       ->check(CLI::Range(0.0, 150.0));
   place->add_option("-o", placing->options.file, "file of the cell: FILE.json");
+  addReplaceFile(*place, placing->options.replace);
   place->callback([placing, chosen] {
     chosen([placing] {
       takeChoices(placing->options.request, placing->sets);

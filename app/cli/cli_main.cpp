@@ -101,7 +101,7 @@ void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
   command.add_option("--process", choices.tool().process, kProcessHelp);
   command.add_option("--scale", choices.item().scale,
                      "factor, or fit: the largest up to 1 that is in reach");
-  command.add_option("--units", choices.item().units, "units of the mesh file: um, mm, cm, in, m");
+  command.add_option("--units", choices.item().units, kUnitsHelp);
   command.add_option_function<std::string>(
       "--turn",
       [&choices](const std::string& rotation) {

@@ -78,6 +78,7 @@ ExitCode verifyCommand(const VerifyOptions& options);
 struct CompareRunOptions {
   std::filesystem::path job, record;
   std::filesystem::path curve; // file for the errors along the record; empty: none
+  bool replace = false;        // the file of the curve, if it exists
   record::RunTolerances tolerances;
   std::size_t places = 10; // listed of each kind
   int threads = 1;
@@ -162,6 +163,7 @@ struct PlaceCellOptions {
   bool fixed = false;            // The nozzle is stationary
   std::optional<double> tiltDeg; // Largest tilt of the nozzle; default: as the mode needs
   std::filesystem::path file;    // Of the cell; empty: not written
+  bool replace = false;          // the file, if it exists
   int threads = 1;
 };
 // Finds the nozzle's bend and the place of plate or nozzle for a part, and writes the cell.
@@ -170,6 +172,7 @@ ExitCode cellPlaceCommand(const PlaceCellOptions& options);
 struct MaterialOptions {
   std::string material;       // id, or a material's file
   std::filesystem::path file; // to write
+  bool replace = false;       // the file, if it exists
 };
 ExitCode materialShowCommand(const MaterialOptions& options);   // its file's text
 ExitCode materialCheckCommand(const MaterialOptions& options);  // whether it can be used
@@ -180,6 +183,7 @@ struct ProcessOptions {
   std::string process;         // id, or a process's file
   std::filesystem::path file;  // to write
   std::filesystem::path table; // of measured sizes (process/measured_sizes.h)
+  bool replace = false;        // the file, if it exists
 };
 ExitCode processShowCommand(const ProcessOptions& options);   // its file's text
 ExitCode processCheckCommand(const ProcessOptions& options);  // whether it can be used

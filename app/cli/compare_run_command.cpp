@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "cli/run_interruptibly.h"
 
 #include <cmath>
@@ -51,6 +52,7 @@ void sayPlaces(const RunComparison& c, std::size_t limit) {
 } // namespace
 
 ExitCode compareRunCommand(const CompareRunOptions& options) {
+  requireNewFile(options.curve, options.replace);
   auto outcome = runInterruptibly(
       [options](const base::RunContext& ctx) {
         return pipeline::compareRun(options.job, options.record, options.tolerances, ctx);

@@ -1,6 +1,7 @@
 #include "cli/compare_run_options.h"
 
 #include "cli/commands.h"
+#include "cli/new_file.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -34,6 +35,7 @@ void addCompareRun(CLI::App& app, int threads,
       ->check(CLI::PositiveNumber);
   command->add_option("--places", options.places, "number of places listed of each kind");
   command->add_option("-o", options.curve, "FILE.csv for the errors along the record");
+  addReplaceFile(*command, options.replace);
   command->add_option("--threads", options.threads, "threads to use")->check(CLI::Range(1, 256));
   command->add_option("--progress", values->progress, "how progress is shown")
       ->check(CLI::IsMember({"bar", "json", "none"}));

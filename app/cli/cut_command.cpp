@@ -2,20 +2,24 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/staged_folder.h"
 #include "base/units.h"
+#include "cli/option_texts.h"
 #include "cli/run_interruptibly.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "planar/parting/part_cut.h"
+#include "project/length_unit.h"
 #include "project/loaded_part.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,11 +30,12 @@ namespace {
 using planar::Joint;
 
 struct CutOptions {
-  std::string part, joint = "none";
+  std::string part, units = "mm", joint = "none";
   std::vector<double> plane;
   Joint sizes;
   double directionDeg = 0.0;
   std::filesystem::path folder;
+  bool replace = false; // the results of an earlier cut
   int threads = 1;
 };
 
@@ -55,13 +60,22 @@ planar::Plane planeOf(const std::vector<double>& numbers) {
   return {normal.normalized(), numbers[3]};
 }
 
+// Returns the part in mm.
+geometry::TriangleMesh partOf(const CutOptions& options, const base::RunContext& ctx) {
+  const double mm = project::lengthUnit(options.units).mm;
+  geometry::TriangleMesh mesh = *project::loadPart(options.part, true, ctx)->mesh;
+  for (Eigen::Vector3d& vertex : mesh.vertices)
+    vertex *= mm;
+  return mesh;
+}
+
 std::vector<NamedMesh> cutMeshes(const CutOptions& options, const base::RunContext& ctx) {
-  const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.3));
+  const geometry::TriangleMesh part = partOf(options, ctx.sub(0.0, 0.3));
   Joint joint = options.sizes;
   joint.kind = jointWords().at(options.joint);
   joint.directionRad = base::degreesToRadians(options.directionDeg);
   planar::PartHalves halves =
-      planar::cutPart(*loaded->mesh, planeOf(options.plane), joint, ctx.sub(0.3, 1.0));
+      planar::cutPart(part, planeOf(options.plane), joint, ctx.sub(0.3, 1.0));
   std::vector<NamedMesh> made{{"A", std::move(halves.below)}, {"B", std::move(halves.above)}};
   for (std::size_t i = 0; i < halves.dowels.size(); ++i)
     made.push_back({fmt::format("dowel {}", i + 1), std::move(halves.dowels[i])});
@@ -69,36 +83,85 @@ std::vector<NamedMesh> cutMeshes(const CutOptions& options, const base::RunConte
 }
 
 std::vector<NamedMesh> splitMeshes(const CutOptions& options, const base::RunContext& ctx) {
-  const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.5));
+  const geometry::TriangleMesh part = partOf(options, ctx.sub(0.0, 0.5));
   std::vector<NamedMesh> made;
-  for (geometry::TriangleMesh& body : planar::bodiesOf(*loaded->mesh))
+  for (geometry::TriangleMesh& body : planar::bodiesOf(part))
     made.push_back({std::to_string(made.size() + 1), std::move(body)});
   return made;
 }
 
-ExitCode writeMeshes(const CutOptions& options,
-                     std::vector<NamedMesh> (*make)(const CutOptions&, const base::RunContext&)) {
-  const auto made = endedWith(runInterruptibly(
-      [&](const base::RunContext& ctx) { return make(options, ctx); }, options.threads, {}, [] {}));
+bool isNumber(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+bool isCutWord(std::string_view word) {
+  constexpr std::string_view kDowel = "dowel ";
+  return word == "A" || word == "B" ||
+         (word.starts_with(kDowel) && isNumber(word.substr(kDowel.size())));
+}
+
+// A command that makes meshes of a part.
+struct MakingCommand {
+  std::vector<NamedMesh> (*make)(const CutOptions&, const base::RunContext&);
+  bool (*isOwnWord)(std::string_view word); // of a mesh that it may make
+};
+constexpr MakingCommand kCut{cutMeshes, isCutWord}, kSplit{splitMeshes, isNumber};
+
+std::string fileName(const std::string& part, std::string_view word) {
+  return fmt::format("{} {}.stl", part, word);
+}
+
+// Returns the results of earlier runs of the command for that part, in order.
+std::vector<std::filesystem::path> resultsIn(const std::filesystem::path& folder,
+                                             const std::string& part,
+                                             const MakingCommand& command) {
+  std::vector<std::filesystem::path> files;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::string stem = entry.path().stem().string();
+    if (stem.starts_with(part + ' ') && command.isOwnWord(stem.substr(part.size() + 1)) &&
+        entry.path().filename() == fileName(part, stem.substr(part.size() + 1)))
+      files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+// Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
+ExitCode writeMeshes(const CutOptions& options, const MakingCommand& command) {
+  const std::string part =
+      std::filesystem::path(options.part.substr(options.part.find(':') + 1)).stem().string();
+  const auto earlier = resultsIn(options.folder, part, command);
+  if (!options.replace && !earlier.empty())
+    throw base::Error(base::ErrorCode::CannotWrite, "exists already"_text, earlier.front().string(),
+                      "choose another folder, or give --replace"_text);
+  const auto made = endedWith(
+      runInterruptibly([&](const base::RunContext& ctx) { return command.make(options, ctx); },
+                       options.threads, {}, [] {}));
   if (!made)
     return kCancelled;
-  const std::string name =
-      std::filesystem::path(options.part.substr(options.part.find(':') + 1)).stem().string();
-  std::error_code failed;
-  std::filesystem::create_directories(options.folder, failed); // writing reports a failure
+  base::StagedFolder staged(options.folder);
+  for (const NamedMesh& mesh : *made)
+    base::writeFile(staged.path() / fileName(part, mesh.word), geometry::writeStl(mesh.mesh));
+  staged.commit();
+  for (const std::filesystem::path& file : earlier) // those of more dowels or bodies than now
+    if (std::ranges::none_of(*made, [&](const NamedMesh& mesh) {
+          return file.filename() == fileName(part, mesh.word);
+        }))
+      std::filesystem::remove(file);
   for (const NamedMesh& mesh : *made) {
-    const auto file = options.folder / (name + " " + mesh.word + ".stl");
-    base::writeFile(file, geometry::writeStl(mesh.mesh));
     const Eigen::Vector3d size = geometry::bounds(mesh.mesh).sizes();
-    fmt::print("{}: {:.1f} x {:.1f} x {:.1f} mm, {:.1f} cm3\n", file.string(), size.x(), size.y(),
-               size.z(), geometry::volume(mesh.mesh) / 1000.0);
+    fmt::print("{}: {:.1f} x {:.1f} x {:.1f} mm, {:.1f} cm3\n",
+               (options.folder / fileName(part, mesh.word)).string(), size.x(), size.y(), size.z(),
+               geometry::volume(mesh.mesh) / 1000.0);
   }
   return kDone;
 }
 
 void addPartAndFolder(CLI::App& command, CutOptions& options) {
-  command.add_option("PART", options.part, "mesh file, in mm, or sample:NAME")->required();
-  command.add_option("-o", options.folder, "folder for the STL files")->required();
+  command.add_option("PART", options.part, kPartHelp)->required();
+  command.add_option("--units", options.units, kUnitsHelp);
+  command.add_option("-o", options.folder, "folder for the STL files, in mm")->required();
+  command.add_flag("--replace", options.replace, "replace the files of an earlier run");
   command.add_option("--threads", options.threads, "threads to use")->check(CLI::Range(1, 256));
 }
 
@@ -131,7 +194,7 @@ void addCut(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   cut->add_option("--number", sizes.count, "pins in each section")->check(CLI::Range(1, 12));
   cut->add_option("--direction", options->directionDeg,
                   "in which a dovetail slides, in degrees from the horizontal");
-  cut->callback([options, &run] { run = [options] { return writeMeshes(*options, cutMeshes); }; });
+  cut->callback([options, &run] { run = [options] { return writeMeshes(*options, kCut); }; });
 }
 
 void addSplit(CLI::App& app, std::function<ExitCode()>& run, int threads) {
@@ -139,8 +202,7 @@ void addSplit(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   options->threads = threads;
   CLI::App* split = app.add_subcommand("split", "write each body of a part to a file of its own");
   addPartAndFolder(*split, *options);
-  split->callback(
-      [options, &run] { run = [options] { return writeMeshes(*options, splitMeshes); }; });
+  split->callback([options, &run] { run = [options] { return writeMeshes(*options, kSplit); }; });
 }
 
 } // namespace voluta::cli

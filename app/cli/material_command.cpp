@@ -1,5 +1,6 @@
 #include "base/data_files.h"
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "process/library.h"
 #include "process/own_materials.h"
 
@@ -25,6 +26,7 @@ ExitCode materialImportCommand(const MaterialOptions& options) {
 }
 
 ExitCode materialExportCommand(const MaterialOptions& options) {
+  requireNewFile(options.file, options.replace);
   process::exportMaterial(options.material, options.file);
   return kDone;
 }

@@ -9,6 +9,7 @@ inline constexpr const char* kReplaceHelp = "also replace files of the same name
 inline constexpr const char* kCellHelp = "robot cell (see: list cells), or FILE.json";
 inline constexpr const char* kProcessHelp =
     "nozzle, material, speeds (see: list processes), or FILE.json";
+inline constexpr const char* kUnitsHelp = "units of the mesh file: um, mm, cm, in, m";
 inline constexpr const char* kPartHelp = "file of a part (see: list parts), or sample:NAME";
 
 } // namespace voluta::cli

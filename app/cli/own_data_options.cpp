@@ -1,6 +1,7 @@
 #include "cli/own_data_options.h"
 
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "cli/run_interruptibly.h"
 
 #include <CLI/CLI.hpp>
@@ -23,10 +24,10 @@ void addMaterial(CLI::App& app, std::function<ExitCode()>& into) {
   add("show", "print a material's file", any, materialShowCommand);
   add("check", "check a material's file", any, materialCheckCommand);
   add("import", "copy a file to your own materials", "FILE.json", materialImportCommand);
-  add("export", "write a material to a file", "material (see: list materials)",
-      materialExportCommand)
-      ->add_option("-o", options->file, "FILE.json to write")
-      ->required();
+  CLI::App* written = add("export", "write a material to a file", "material (see: list materials)",
+                          materialExportCommand);
+  written->add_option("-o", options->file, "FILE.json to write")->required();
+  addReplaceFile(*written, options->replace);
 }
 
 void addProcess(CLI::App& app, std::function<ExitCode()>& into) {
@@ -51,9 +52,11 @@ void addProcess(CLI::App& app, std::function<ExitCode()>& into) {
   sizes->add_option("TABLE", options->table, "rows: length x 50 49.8; slot y 5 4.8; hole 10 9.6")
       ->required();
   sizes->add_option("-o", options->file, "FILE.json to write the process to");
-  add("export", "write a process to a file", "process (see: process list)", processExportCommand)
-      ->add_option("-o", options->file, "FILE.json to write")
-      ->required();
+  addReplaceFile(*sizes, options->replace);
+  CLI::App* written = add("export", "write a process to a file", "process (see: process list)",
+                          processExportCommand);
+  written->add_option("-o", options->file, "FILE.json to write")->required();
+  addReplaceFile(*written, options->replace);
 }
 
 } // namespace voluta::cli

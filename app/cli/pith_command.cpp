@@ -1,6 +1,7 @@
 #include "cli/pith_command.h"
 
 #include "base/files.h"
+#include "cli/new_file.h"
 #include "cli/run_interruptibly.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
@@ -21,6 +22,7 @@ struct PithOptions {
   std::string part;
   planar::PithRule rule;
   std::filesystem::path file;
+  bool replace = false;
   int threads = 1;
 };
 
@@ -36,6 +38,7 @@ Made makePith(const PithOptions& options, const base::RunContext& ctx) {
 }
 
 ExitCode pithCommand(const PithOptions& options) {
+  requireNewFile(options.file, options.replace);
   const auto made = endedWith(
       runInterruptibly([&](const base::RunContext& ctx) { return makePith(options, ctx); },
                        options.threads, {}, [] {}));
@@ -65,6 +68,7 @@ void addPith(CLI::App& app, std::function<ExitCode()>& run, int threads) {
       "pith", "make the pith of a part: a rod along its skeleton, to be printed first");
   pith->add_option("PART", options->part, "mesh file, in mm, or sample:NAME")->required();
   pith->add_option("-o", options->file, "FILE.stl to write, in the part's coordinates")->required();
+  addReplaceFile(*pith, options->replace);
   pith->add_option("--share", rule.share, "radius as a share of the part's radius")
       ->check(CLI::Range(0.05, 0.9));
   pith->add_option("--least", rule.minRadiusMm, "least radius [mm]")

@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "cli/commands.h"
+#include "cli/new_file.h"
 #include "process/head_shapes.h"
 #include "process/library.h"
 #include "process/measured_sizes.h"
@@ -38,12 +39,14 @@ ExitCode processImportCommand(const ProcessOptions& options) {
 }
 
 ExitCode processExportCommand(const ProcessOptions& options) {
+  requireNewFile(options.file, options.replace);
   base::writeFile(options.file,
                   process::itemText(process::loadItem(Shelf::Processes, options.process)));
   return kDone;
 }
 
 ExitCode processSizesCommand(const ProcessOptions& options) {
+  requireNewFile(options.file, options.replace);
   process::LibraryItem item = process::loadItem(Shelf::Processes, options.process);
   const std::vector<process::MeasuredSize> sizes =
       process::readMeasuredSizes(base::readFile(options.table), options.table.string());

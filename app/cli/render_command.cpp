@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "cli/new_file.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/film_writer.h"
 #include "pictures/job_film.h"
@@ -28,6 +29,7 @@ struct RenderOptions {
   std::filesystem::path job, picture;
   std::string size = "1280x800";
   pictures::PictureOptions look; // Except its size
+  bool replace = false;
 };
 
 std::pair<int, int> sizeOf(const std::string& text) {
@@ -53,6 +55,7 @@ void requireEnding(const std::filesystem::path& file, const std::string& ending)
 
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode renderCommand(const RenderOptions& options) {
+  requireNewFile(options.picture, options.replace);
   pictures::PictureOptions look = options.look;
   std::tie(look.width, look.height) = sizeOf(options.size);
   look.where = options.job.string();
@@ -74,11 +77,13 @@ struct FilmCommandOptions {
   std::filesystem::path job, film;
   std::string size = "1280x720";
   pictures::FilmOptions how;
+  bool replace = false;
 };
 
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode filmCommand(const FilmCommandOptions& options) {
   requireEnding(options.film, ".webm");
+  requireNewFile(options.film, options.replace);
   pictures::FilmOptions film = options.how;
   std::tie(film.look.width, film.look.height) = sizeOf(options.size);
   film.look.where = options.job.string();
@@ -106,6 +111,7 @@ void addFilm(CLI::App& app, std::function<ExitCode()>& run) {
   CLI::App* command = app.add_subcommand("film", "draw the robot printing a job; needs no display");
   command->add_option("JOB", options->job, "job.voluta")->required();
   command->add_option("-o", options->film, "WebM file to write")->required();
+  addReplaceFile(*command, options->replace);
   command->add_option("--length", film.lengthS, "seconds of the film, in which all is printed");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
   command->add_option("--colour", film.look.colour,
@@ -121,6 +127,7 @@ void addRender(CLI::App& app, std::function<ExitCode()>& run) {
   CLI::App* render = app.add_subcommand("render", "draw a picture of a job; needs no display");
   render->add_option("JOB", options->job, "job.voluta")->required();
   render->add_option("-o", options->picture, "PNG file to write")->required();
+  addReplaceFile(*render, options->replace);
   render->add_option("--show", options->look.show, "part, voxels, pieces, layers, paths or robot");
   render->add_option("--layer", options->look.layer, "show layers 1 to this one");
   render->add_option("--time", options->look.timeS, "robot: seconds from the program's start");

@@ -111,6 +111,65 @@ TEST(PartCut, PlanesThatMissTouchOrFollowAFaceDoNotCut) {
   EXPECT_NEAR(geometry::volume(wedges.below), 500.0, 1e-9);
 }
 
+TEST(PartCut, SlabsThatCannotBePrintedAreRefused) {
+  const TriangleMesh cube = box({0, 0, 0}, {10, 10, 10});
+  const std::string above = failure(cube, {Vector3d::UnitZ(), 9.99});
+  EXPECT_TRUE(contains(above, "a slab of 0.01 mm at (5, 5, 9.99), thinner than a layer")) << above;
+  EXPECT_TRUE(contains(above, "move the plane")) << above;
+  EXPECT_TRUE(contains(failure(cube, {Vector3d::UnitZ(), 0.04}), "a slab of 0.04 mm at"));
+  EXPECT_TRUE(contains(failure(cube, {-Vector3d::UnitX(), -9.96}), "a slab of 0.04 mm at"));
+  EXPECT_NEAR(geometry::volume(halvesOf(cube, {Vector3d::UnitZ(), 9.9}).above), 10.0, 1e-6);
+  // Another body above makes the slab no thicker.
+  TriangleMesh two = cube;
+  append(two, box({0, 0, 12}, {10, 10, 20}));
+  EXPECT_TRUE(contains(failure(two, {Vector3d::UnitZ(), 9.99}), "a slab of 0.01 mm"));
+  EXPECT_EQ(bodiesOf(halvesOf(two, {Vector3d::UnitZ(), 6.0}).above).size(), 2u);
+}
+
+TEST(PartCut, PlanesBetweenBodiesCutNone) {
+  TriangleMesh two = box({0, 0, 0}, {10, 10, 10});
+  append(two, box({0, 0, 12}, {10, 10, 20}));
+  for (const double at : {10.0, 11.0, 12.0}) {
+    const std::string line = failure(two, {Vector3d::UnitZ(), at});
+    EXPECT_TRUE(contains(line, "passes between the bodies of the part and cuts none")) << line;
+    EXPECT_TRUE(contains(line, "split the part into its bodies")) << line;
+  }
+}
+
+// The wall around a hole is thinnest at the rim of one of its ends, where the side leans inward.
+TEST(PartCut, HolesLeaveTheirWallWhereTheSurfaceSlants) {
+  const double height = 60.0, plane = 30.0;
+  for (const double slantDeg : {2.0, 5.0, 10.0, 20.0, 30.0, 45.0})
+    for (const double size : {3.0, 6.0, 9.0}) {
+      SCOPED_TRACE(testing::Message() << slantDeg << " deg, " << size << " mm");
+      // A ridge: its sides lean inward by the angle, and are 20 mm apart at the plane.
+      const double slope = std::tan(base::degreesToRadians(slantDeg));
+      const double foot = 20.0 + slope * plane, top = 20.0 - slope * (height - plane);
+      TriangleMesh ridge = box({-foot, 0, 0}, {foot, 60, height});
+      for (Vector3d& v : ridge.vertices)
+        if (v.z() > 1.0)
+          v.x() = std::copysign(std::max(top, 0.0), v.x());
+      if (top <= 0.0)
+        continue; // its sides meet below the top
+      Joint joint;
+      joint.kind = Joint::Kind::Dowels;
+      joint.sizeMm = size;
+      joint.count = 12; // also where there is least room
+      const PartHalves halves = halvesOf(ridge, {Vector3d::UnitZ(), plane}, joint);
+      const double radius = 0.5 * size + joint.clearanceMm,
+                   depth = joint.depthMm + joint.clearanceMm;
+      const double promised = std::max(1.2, 0.3 * size);
+      ASSERT_FALSE(halves.pins.empty());
+      for (const Vector3d& pin : halves.pins) {
+        const double side = 20.0 - slope * depth; // half the width at the end of the hole
+        const double wall =
+            (side - std::abs(pin.x()) - radius) * std::cos(base::degreesToRadians(slantDeg));
+        EXPECT_GE(wall, promised - 1e-9) << pin.x();
+        EXPECT_GE(std::min(pin.y(), 60.0 - pin.y()) - radius, promised - 1e-9);
+      }
+    }
+}
+
 TEST(PartCut, AnOpenMeshIsRefused) {
   TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
   open.triangles.pop_back();

@@ -33,6 +33,7 @@ constexpr double kMinWallMm = 1.2;           // around holes
 constexpr double kChamferShare = 0.1;        // of a pin's diameter, at its ends
 constexpr double kFlankRad = base::kPi / 12; // of a dovetail
 constexpr double kLostShare = 1e-6;          // of the volume, by rounding
+constexpr double kMinSlabMm = 0.05;          // as thick as the thinnest layers
 
 double wallMm(const Joint& joint) {
   return std::max(kMinWallMm, kWallShare * joint.sizeMm);
@@ -87,6 +88,43 @@ void requireVolume(const TriangleMesh& mesh, double mm3, double wholeMm3) {
     failsToJoin();
 }
 
+Vector3d centroidOf(const TriangleMesh& section) {
+  Vector3d sum = Vector3d::Zero();
+  double area = 0.0;
+  for (std::size_t t = 0; t < section.triangles.size(); ++t) {
+    const double own = geometry::triangleArea(section, t);
+    sum += own * (section.corner(t, 0) + section.corner(t, 1) + section.corner(t, 2)) / 3.0;
+    area += own;
+  }
+  return area > 0.0 ? (sum / area).eval() : section.vertices.front();
+}
+
+// Throws if the bodies of a half that the plane cut are all too thin. `outward`: away from the
+// plane; `offsetMm`: minus its distance from the origin along that direction.
+void requireThickness(const TriangleMesh& half, double offsetMm, const Vector3d& outward,
+                      const TriangleMesh& section) {
+  const double onPlaneMm = 1e-6 * kMinSlabMm + 1e-9 * geometry::bounds(half).diagonal().norm();
+  double thickestMm = 0.0;
+  for (const TriangleMesh& body : bodiesOf(half)) {
+    double nearest = 1e300, farthest = 0.0;
+    for (const Vector3d& v : body.vertices) {
+      const double height = outward.dot(v) + offsetMm;
+      nearest = std::min(nearest, std::abs(height));
+      farthest = std::max(farthest, height);
+    }
+    if (nearest <= onPlaneMm)
+      thickestMm = std::max(thickestMm, farthest);
+  }
+  if (thickestMm >= kMinSlabMm)
+    return;
+  const Vector3d at = centroidOf(section);
+  throw Error(ErrorCode::UnusableInput,
+              base::message("the plane leaves a slab of {thickness} at {place}, thinner than a "
+                            "layer"_text,
+                            base::mm(thickestMm), base::Point{at.x(), at.y(), at.z()}),
+              {}, "move the plane further into the part"_text);
+}
+
 struct Halves {
   PartHalves halves;
   TriangleMesh section;
@@ -104,10 +142,16 @@ Halves cutPlain(const TriangleMesh& part, const Plane& plane) {
     throw Error(ErrorCode::UnusableInput, "the plane does not cut the part"_text, {},
                 "move the plane into the part"_text);
   out.halves.sectionMm2 = cut.sectionMm2;
+  if (!(cut.sectionMm2 > 0.0))
+    throw Error(ErrorCode::UnusableInput,
+                "the plane passes between the bodies of the part and cuts none"_text, {},
+                "move the plane into a body, or split the part into its bodies"_text);
   std::vector<bool> isSection(cut.below.tag.size());
   for (std::size_t t = 0; t < isSection.size(); ++t)
     isSection[t] = cut.below.tag[t] >= 0;
   out.section = geometry::subMesh(cut.below.mesh, isSection);
+  requireThickness(out.halves.below, cut.offsetMm, -plane.normal, out.section);
+  requireThickness(out.halves.above, -cut.offsetMm, plane.normal, out.section);
   return out;
 }
 
@@ -210,17 +254,6 @@ TriangleMesh largestOf(const TriangleMesh& section) {
   for (std::size_t t = 0; t < keep.size(); ++t)
     keep[t] = parts.ofTriangle[t] == largest;
   return geometry::subMesh(section, keep);
-}
-
-Vector3d centroidOf(const TriangleMesh& section) {
-  Vector3d sum = Vector3d::Zero();
-  double area = 0.0;
-  for (std::size_t t = 0; t < section.triangles.size(); ++t) {
-    const double own = geometry::triangleArea(section, t);
-    sum += own * (section.corner(t, 0) + section.corner(t, 1) + section.corner(t, 2)) / 3.0;
-    area += own;
-  }
-  return area > 0.0 ? (sum / area).eval() : section.vertices.front();
 }
 
 // Both halves are the part within a large body that has the joint on one side.

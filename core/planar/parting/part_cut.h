@@ -32,10 +32,11 @@ struct PartHalves {
 
 // Cuts the part along the plane and joins the halves. Sections are closed by flat faces; without a
 // joint the halves together are the part (planar/plane_cut.h). Pins are perpendicular to the plane,
-// far from each other, and leave a wall of 0.3 diameters, at least 1.2 mm, around their holes.
+// far from each other, and leave a wall of 0.3 diameters, at least 1.2 mm, around their holes
+// everywhere.
 // Precondition (Error{Internal}): sizes are finite; clearance >= 0. Throws Error{UnusableInput} if
-// the part is not closed, the plane does not cut it, there is no room for the joint, or the mesh
-// intersects itself at the cut.
+// the part is not closed, the plane does not cut it or leaves less than a layer (0.05 mm), there is
+// no room for the joint, or the mesh intersects itself at the cut.
 PartHalves cutPart(const geometry::TriangleMesh& part, const Plane& plane, const Joint& joint,
                    const base::RunContext& ctx);
 
