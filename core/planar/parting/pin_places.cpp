@@ -75,13 +75,14 @@ std::vector<Vector2d> candidatesIn(const Paths& region) {
   return out;
 }
 
-// Returns whether a wall is left everywhere around a hole of both halves. The distance to the
-// surface changes by at most the distance along the axis.
+// Returns whether a wall is left everywhere around a hole of both halves. A point of the surface
+// that is nearest to the axis between two of its points, at a distance d, is at most
+// hypot(d, step / 2) from the nearer one.
 bool leavesWall(const geometry::MeshQuery& surface, const Vector3d& at, const Vector3d& normal,
                 const PinRoom& room) {
-  const double step = 0.5 * room.wallMm;
-  const int steps = static_cast<int>(std::ceil(room.depthMm / step));
-  const double needed = room.radiusMm + 0.75 * room.wallMm;
+  const int steps = static_cast<int>(std::ceil(4.0 * room.depthMm / room.wallMm));
+  const double step = room.depthMm / steps;
+  const double needed = std::hypot(room.radiusMm + room.wallMm, 0.5 * step);
   for (int k = -steps; k <= steps; ++k) {
     const Vector3d on = at + (room.depthMm * k / steps) * normal;
     if (surface.closest(on, needed).triangle >= 0)
