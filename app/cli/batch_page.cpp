@@ -141,7 +141,7 @@ std::string batchPage(const Json& rows, const std::vector<std::string>& settings
       page +=
           "<td>" + escapedMarkup(row->contains(setting) ? wordsOf(row->at(setting)) : "") + "</td>";
     page +=
-        "<td>" + outcome.words + "</td><td>" + escapedMarkup(wordsOf(row->at("mode"))) + "</td>";
+        "<td>" + outcome.words + "</td><td>" + escapedMarkup(wordsOf(row->at("plannedMode"))) + "</td>";
     const auto cell = [&](const Figure& figure) {
       const Json& value = row->at(figure.key);
       const auto least = best.find({path, figure.key});

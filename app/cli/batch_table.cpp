@@ -25,6 +25,7 @@ struct Column {
 };
 constexpr Column kColumns[] = {{"verdict", "/verdict"},
                                {"mode", "/decomposition/mode"},
+                               {"plannedMode", "/decomposition/mode"},
                                {"layers", "/layers/count"},
                                {"missedVoxels", "/decomposition/missedAfterSupports"},
                                {"waypoints", "/toolpath/waypoints"},
@@ -64,7 +65,9 @@ Json rowOf(const fs::path& folder, const std::string& name, const Json& job) {
   const Json report = ended ? jsonOf(folder / "jobs" / name / "report.json") : Json();
   for (const Column& column : kColumns) {
     const Json::json_pointer place(column.place);
-    row[column.key] = report.contains(place) ? report.at(place) : Json();
+    // A setting of the study has its column; "mode" is also a figure.
+    if (!row.contains(column.key))
+      row[column.key] = report.contains(place) ? report.at(place) : Json();
   }
   row["findings"] = report.contains("findings") ? Json(report.at("findings").size()) : Json();
   row["reason"] = !ended                     ? "not planned"

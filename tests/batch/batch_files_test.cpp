@@ -121,15 +121,22 @@ TEST(BatchTable, HasTheFiguresOfTheReports) {
   const auto rows = folder.json("out/table.json");
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].at("job"), "a-1");
-  EXPECT_EQ(rows[0].at("mode"), nullptr); // the report has none
+  EXPECT_EQ(rows[0].at("mode"), "flat"); // the setting, whatever the report has
+  EXPECT_EQ(rows[0].at("plannedMode"), nullptr);
   EXPECT_EQ(rows[0].at("layers"), 7);
   EXPECT_EQ(rows[0].at("durationS"), 1.25);
   EXPECT_EQ(rows[0].at("findings"), 2);
   EXPECT_EQ(rows[0].at("reason"), "\"too\", small");
   EXPECT_EQ(rows[1].at("exitCode"), 3);
   EXPECT_EQ(rows[1].at("reason"), "voluta-cli: broken");
+  EXPECT_EQ(rows[1].at("mode"), "flat");
   EXPECT_EQ(rows[2].at("exitCode"), nullptr);
   EXPECT_EQ(rows[2].at("verdict"), nullptr);
+  folder.write("out/jobs/a-1/report.json",
+               R"({"decomposition": {"mode": "curved"}, "findings": [{}, {}]})");
+  ASSERT_EQ(folder.batch("--table -o out").code, 0);
+  EXPECT_EQ(folder.json("out/table.json")[0].at("mode"), "flat");
+  EXPECT_EQ(folder.json("out/table.json")[0].at("plannedMode"), "curved");
   const std::string csv = folder.read("out/table.csv");
   EXPECT_THAT(csv, HasSubstr(",2,\"\"\"too\"\", small\"\n"));
   EXPECT_THAT(csv, HasSubstr(",not planned\n"));
