@@ -15,10 +15,12 @@
 #include "pipeline/program_files.h"
 #include "pipeline/proof.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/reported_choices.h"
 #include "planar/given_cuts.h"
 #include "toolpath/path_vtp_writer.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace voluta::pipeline {
 
@@ -102,12 +104,17 @@ void nameWritten(project::ProgramReport& program, const std::filesystem::path& f
 }
 
 // Sorts blocking findings first; otherwise they keep the order of the stages.
-void writeReport(project::Report report, const std::filesystem::path& folder) {
+void writeReport(project::Report report, const project::Job& job,
+                 const std::filesystem::path& folder) {
   static_cast<project::VerdictReport&>(report) = verdictReport(report);
   for (project::ProgramReport& program : report.programs)
     nameWritten(program, folder);
   std::ranges::stable_partition(report.findings, &plan::Finding::blocking);
-  base::writeFile(folder / kReportName, project::reportJson(report));
+  const ReportedChoices choices = reportedChoices(job);
+  auto json = nlohmann::ordered_json::parse(project::reportJson(report));
+  json["preset"] = {{"name", choices.preset}, {"changed", choices.changed}};
+  json["pauses"] = choices.pauses;
+  base::writeFile(folder / kReportName, json.dump(2) + "\n");
 }
 
 // The build file contains the whole part's tool-paths, so a resumed print has none.
@@ -163,7 +170,7 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
   result.job.report.timings.write += writing.seconds();
   result.job.report.timings.total += writing.seconds();
   result.job.report.peakRssMb = base::peakResidentMb();
-  writeReport(result.job.report, folder);
+  writeReport(result.job.report, result.job, folder);
 }
 
 Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>& formats,
@@ -216,7 +223,7 @@ void writeHandover(const PlanResult& result, const Programs& programs,
     return !format.empty() && !isThere(format);
   });
   written.peakRssMb = base::peakResidentMb();
-  writeReport(std::move(written), folder);
+  writeReport(std::move(written), result.job, folder);
 }
 
 } // namespace voluta::pipeline

@@ -206,6 +206,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.robot = result.cell->robot().label;
   proof.cell = result.cell->label();
   proof.mode = modeLabel(result.job);
+  proof.choices = reportedChoices(result.job);
   proof.process = result.tooling().first().process;
   proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
   proof.layers = layersOf(result.job.report);
@@ -369,6 +370,8 @@ std::string proofJson(const Proof& proof) {
             {"robot", proof.robot},
             {"cell", proof.cell},
             {"process", proof.process.id},
+            {"preset", {{"name", proof.choices.preset}, {"changed", proof.choices.changed}}},
+            {"pauses", proof.choices.pauses},
             {"files", std::move(files)},
             {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
             {"material", proof.process.material.label},

@@ -7,6 +7,7 @@
 #include "pipeline/outputs.h"
 #include "pipeline/plan_verdict.h"
 #include "pipeline/proof_style.h"
+#include "pipeline/reported_choices.h"
 #include "pipeline/road.h"
 #include "process/process.h"
 
@@ -45,6 +46,7 @@ struct Proof {
   std::string date, version; // local time; Voluta's version
   std::string robot, cell;
   base::Text mode;
+  ReportedChoices choices;
   process::Process process;
   Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero();
   int layers = 0;

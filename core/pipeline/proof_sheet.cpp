@@ -161,6 +161,7 @@ private:
          message("nozzle {nozzle}, bead {width#} x {height}"_text, base::mm(p.nozzleDiameterMm),
                  base::mm(p.beadWidthMm), base::mm(p.layerHeightMm)));
     limits();
+    choices();
     fact("Mass"_text,
          message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG)));
     if (!proof_.tools.empty()) {
@@ -177,6 +178,16 @@ private:
     fact("Quality"_text,
          t.accepted.empty() ? message("{quality}"_text, t.quality)
                             : message("{quality}; accepted: {shares}"_text, t.quality, t.accepted));
+  }
+
+  void choices() {
+    const ReportedChoices& c = proof_.choices;
+    fact("Preset"_text, c.changed.empty() ? message("{name}"_text, c.preset)
+                                          : message("{name}; changed: {settings}"_text, c.preset,
+                                                    fmt::format("{}", fmt::join(c.changed, ", "))));
+    if (!c.pauses.empty())
+      fact("Pauses before layers"_text,
+           message("{layers}"_text, fmt::format("{}", fmt::join(c.pauses, ", "))));
   }
 
   void tools() {

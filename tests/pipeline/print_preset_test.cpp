@@ -350,6 +350,32 @@ TEST_F(PresetCommands, APresetIsPlannedByIdNameAndFile) {
   EXPECT_EQ(givenParameters(choices).at("infillDensity"), "0.2");
 }
 
+TEST_F(PresetCommands, ReportsNameThePresetItsChangesAndThePauses) {
+  const std::string part = smallBox();
+  const auto out = folder_ / "out";
+  const test::Ended ended =
+      run({"plan", part, part, "-o", out.string(), "--mode", "flat", "--preset", "Strong", "--set",
+           "seam=aligned", "--set", "pauseLayers=4", "--part", "2:walls=3", "--format", "urscript"});
+  EXPECT_TRUE(ended.code == 0 || ended.code == 4) << ended.err;
+  const auto json = [&](const char* file) {
+    return nlohmann::json::parse(base::readFile(out / file));
+  };
+  std::string proof;
+  for (const std::string& name : names(out))
+    if (name.ends_with(".proof.json"))
+      proof = name;
+  ASSERT_FALSE(proof.empty());
+  for (const nlohmann::json& report : {json("report.json"), json(proof.c_str())}) {
+    EXPECT_EQ(report.at("preset").at("name"), "Strong");
+    EXPECT_EQ(report.at("preset").at("changed"),
+              (std::vector<std::string>{"seam=aligned", "2:walls=3"}));
+    EXPECT_EQ(report.at("pauses"), std::vector<int>{4});
+  }
+  const std::string page = base::readFile(out / (proof.substr(0, proof.size() - 4) + "html"));
+  EXPECT_NE(page.find("Strong; changed: seam=aligned, 2:walls=3"), std::string::npos);
+  EXPECT_NE(page.find("Pauses before layers"), std::string::npos);
+}
+
 TEST_F(PresetCommands, WrongOnesAreRefusedInOneLine) {
   const std::string part = smallBox(), out = (folder_ / "out").string();
   const auto refused = [&](const std::string& preset) {
