@@ -76,7 +76,14 @@ TEST(FlatMode, OverhangIsMeasuredInAreaAndInVoxels) {
   EXPECT_GT(d.missedVoxels, 1000u);
   std::size_t misses = 0;
   for (const plan::Finding& f : result.job.report.findings)
-    misses += voluta::plan::reportId(f) == "uniformMisses" ? f.count : 0;
+    if (voluta::plan::reportId(f) == "uniformMisses") {
+      misses += f.count;
+      const std::string reason = voluta::plan::englishReason(f);
+      EXPECT_TRUE(reason.starts_with("unsupported voxels in flat layers: " +
+                                     std::to_string(f.count) + " of "))
+          << reason;
+      EXPECT_TRUE(reason.ends_with("no layer below carries them")) << reason;
+    }
   EXPECT_EQ(overhangsIn(result.job.report), 2);
   EXPECT_EQ(misses, d.missedVoxels);
   // On its head it needs nothing.

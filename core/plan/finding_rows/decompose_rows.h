@@ -113,7 +113,7 @@ inline constexpr FindingRow kDecomposeRows[] = {
          "place the part on a larger face, or use other cutting planes (`cutPlanes`)"_text),
     info(
         UniformMisses, "uniformMisses",
-        "{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels|{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels"_plural,
+        "unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them"_text,
         kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
     info(RegionOutside, "regionOutside",
          "region {region} is outside the part: it has no effect"_text,
