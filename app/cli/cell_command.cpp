@@ -2,7 +2,10 @@
 #include "base/files.h"
 #include "base/number_list.h"
 #include "cli/commands.h"
+#include "cli/new_file.h"
+#include "curved/platform_polygon.h"
 #include "pipeline/cell_file_check.h"
+#include "robot/cell_draft.h"
 #include "robot/measured/measured_json.h"
 
 #include <fmt/format.h>
@@ -11,6 +14,8 @@
 namespace voluta::cli {
 
 namespace {
+constexpr double kAnyPlateMm = 80.0;
+
 robot::NumberRows rowsOf(const std::filesystem::path& file) {
   return base::readRows(base::readFile(file), file.string());
 }
@@ -29,6 +34,21 @@ ExitCode cellTipCommand(const MeasuredOptions& options) {
     robot = robot::loadRobot(options.robot);
   fmt::print("{}\n",
              robot::tipJson(robot::tipOfRows(rows, robot ? &*robot : nullptr), rows.size()));
+  return kDone;
+}
+
+ExitCode cellImportCommand(const CellFileOptions& options) {
+  const std::filesystem::path file = options.cell;
+  robot::Cell::read(file, process::loadProcess("fdm-1.0"), curved::platformDisc(kAnyPlateMm));
+  const robot::CellDraft draft(robot::selfContainedCell(file));
+  fmt::print("{}\n", robot::saveOwnCell(draft).string());
+  return kDone;
+}
+
+ExitCode cellExportCommand(const CellFileOptions& options) {
+  requireNewFile(options.file, options.replace);
+  base::writeFile(options.file, robot::selfContainedCell(base::dataFile(
+                                    "cells", options.cell, "unknown cell '{id}'"_text)));
   return kDone;
 }
 

@@ -519,6 +519,7 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
       return answered([&](const base::RunContext& ctx) { return cellCheckCommand(*checked, ctx); });
     };
   });
+  addCellFiles(*cell, parsed.run);
   addReach(*cell, parsed, threads);
   addCellAdvice(*cell, threads,
                 [&parsed](std::function<ExitCode()> run) { parsed.run = std::move(run); });

@@ -21,6 +21,9 @@
 namespace CLI {
 class App;
 }
+namespace voluta::process {
+struct LibraryItem;
+}
 
 namespace voluta::cli {
 
@@ -171,16 +174,21 @@ ExitCode cellPlaceCommand(const PlaceCellOptions& options);
 
 struct MaterialOptions {
   std::string material;       // id, or a material's file
+  std::string other;          // to compare with
   std::filesystem::path file; // to write
   bool replace = false;       // the file, if it exists
 };
+// Prints the fields that differ, one per line. Precondition: items of one shelf.
+void sayDifferences(const process::LibraryItem& first, const process::LibraryItem& second);
 ExitCode materialShowCommand(const MaterialOptions& options);   // its file's text
 ExitCode materialCheckCommand(const MaterialOptions& options);  // whether it can be used
 ExitCode materialImportCommand(const MaterialOptions& options); // copies it to the user's own
 ExitCode materialExportCommand(const MaterialOptions& options);
+ExitCode materialCompareCommand(const MaterialOptions& options); // prints the fields that differ
 
 struct ProcessOptions {
   std::string process;         // id, or a process's file
+  std::string other;           // to compare with
   std::filesystem::path file;  // to write
   std::filesystem::path table; // of measured sizes (process/measured_sizes.h)
   bool replace = false;        // the file, if it exists
@@ -189,10 +197,19 @@ ExitCode processShowCommand(const ProcessOptions& options);   // its file's text
 ExitCode processCheckCommand(const ProcessOptions& options);  // whether it can be used
 ExitCode processImportCommand(const ProcessOptions& options); // copies it to the user's own
 ExitCode processExportCommand(const ProcessOptions& options);
+ExitCode processCompareCommand(const ProcessOptions& options); // prints the fields that differ
 // Prints the corrections that measured sizes of a part of this process give, and writes the process
 // with them to `file` if it is set.
 ExitCode processSizesCommand(const ProcessOptions& options);
 ExitCode processListCommand(const ProcessOptions& options); // all, and which are the user's own
+
+struct CellFileOptions {
+  std::string cell;           // id, or a cell's file
+  std::filesystem::path file; // to write
+  bool replace = false;       // the file, if it exists
+};
+ExitCode cellImportCommand(const CellFileOptions& options); // copies it to the user's own
+ExitCode cellExportCommand(const CellFileOptions& options); // with its robot, if that is an own one
 
 struct CheckCellOptions {
   std::string cell; // Id, or a file

@@ -25,6 +25,12 @@ ExitCode materialImportCommand(const MaterialOptions& options) {
   return kDone;
 }
 
+ExitCode materialCompareCommand(const MaterialOptions& options) {
+  sayDifferences(process::loadItem(process::Shelf::Materials, options.material),
+                 process::loadItem(process::Shelf::Materials, options.other));
+  return kDone;
+}
+
 ExitCode materialExportCommand(const MaterialOptions& options) {
   requireNewFile(options.file, options.replace);
   process::exportMaterial(options.material, options.file);

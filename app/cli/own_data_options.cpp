@@ -28,6 +28,9 @@ void addMaterial(CLI::App& app, std::function<ExitCode()>& into) {
                           materialExportCommand);
   written->add_option("-o", options->file, "FILE.json to write")->required();
   addReplaceFile(*written, options->replace);
+  add("compare", "print the fields in which two materials differ", any, materialCompareCommand)
+      ->add_option("OTHER", options->other, any)
+      ->required();
 }
 
 void addProcess(CLI::App& app, std::function<ExitCode()>& into) {
@@ -57,6 +60,24 @@ void addProcess(CLI::App& app, std::function<ExitCode()>& into) {
                           processExportCommand);
   written->add_option("-o", options->file, "FILE.json to write")->required();
   addReplaceFile(*written, options->replace);
+  add("compare", "print the fields in which two processes differ", any, processCompareCommand)
+      ->add_option("OTHER", options->other, any)
+      ->required();
+}
+
+void addCellFiles(CLI::App& cell, std::function<ExitCode()>& into) {
+  auto options = std::make_shared<CellFileOptions>();
+  CLI::App* import = cell.add_subcommand("import", "copy a file to your own cells");
+  import->add_option("CELL", options->cell, "FILE.json")->required();
+  import->callback([options, &into] { into = quick([=] { return cellImportCommand(*options);
+});
+} // namespace voluta::cli
+);
+CLI::App* written = cell.add_subcommand("export", "write a cell to a file");
+written->add_option("CELL", options->cell, "cell (see: list cells)")->required();
+written->add_option("-o", options->file, "FILE.json to write")->required();
+addReplaceFile(*written, options->replace);
+written->callback([options, &into] { into = quick([=] { return cellExportCommand(*options); }); });
 }
 
 } // namespace voluta::cli

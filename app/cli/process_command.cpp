@@ -1,8 +1,10 @@
+#include "base/error.h"
 #include "base/files.h"
 #include "cli/commands.h"
 #include "cli/new_file.h"
 #include "process/head_shapes.h"
 #include "process/library.h"
+#include "process/library_fields.h"
 #include "process/measured_sizes.h"
 
 #include <fmt/format.h>
@@ -11,11 +13,22 @@ namespace voluta::cli {
 
 using process::Shelf;
 
+namespace {
+std::string ownWords(const std::string& id) {
+  try {
+    const process::LibraryItem item = process::loadItem(Shelf::Processes, id);
+    return item.inherits ? " (own, inherits from " + item.basedOn + ")" : " (own)";
+  } catch (const base::Error&) {
+    return " (own)";
+  }
+}
+} // namespace
+
 ExitCode processListCommand(const ProcessOptions&) {
   for (const std::string& id : process::libraryIds(Shelf::Processes)) {
     const bool own = !process::comesWithProgram(Shelf::Processes, id);
     fmt::print("{:<18} {}{}\n", id, process::labelOrProblem(Shelf::Processes, id),
-               own ? " (own)" : "");
+               own ? ownWords(id) : "");
   }
   return kDone;
 }
@@ -42,6 +55,23 @@ ExitCode processExportCommand(const ProcessOptions& options) {
   requireNewFile(options.file, options.replace);
   base::writeFile(options.file,
                   process::itemText(process::loadItem(Shelf::Processes, options.process)));
+  return kDone;
+}
+
+void sayDifferences(const process::LibraryItem& first, const process::LibraryItem& second) {
+  const auto said = [](const process::FieldDifference& row, const base::ParameterValue& value) {
+    const double* number = std::get_if<double>(&value);
+    return number && !row.none.empty() && *number == row.spec.minimum
+               ? base::english(row.none)
+               : base::formatParameter(value) + (row.spec.unit.empty() ? "" : " " + row.spec.unit);
+  };
+  for (const process::FieldDifference& row : process::differences(first, second))
+    fmt::print("{}: {} | {}\n", row.spec.key, said(row, row.first), said(row, row.second));
+}
+
+ExitCode processCompareCommand(const ProcessOptions& options) {
+  sayDifferences(process::loadItem(Shelf::Processes, options.process),
+                 process::loadItem(Shelf::Processes, options.other));
   return kDone;
 }
 

@@ -3,6 +3,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/inherited_text.h"
 #include "base/nearest_name.h"
 #include "curved/platform_polygon.h"
 #include "layers/tool_assignment.h"
@@ -567,7 +568,7 @@ void takeOwnFiles(project::Choices& choices) {
   for (project::ToolChoice& tool : choices.tools)
     if (base::isDataFileName(tool.process)) {
       const std::string file = tool.process;
-      tool.process = base::readFile(file);
+      tool.process = base::wholeText("processes", base::readFile(file), file);
       process::readProcessText(tool.process, file);
     } else if (isOwnProcess(tool.process)) {
       tool.process = process::jobChoice(process::loadItem(process::Shelf::Processes, tool.process));

@@ -3,6 +3,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/inherited_text.h"
 #include "process/process_text.h"
 
 #include <algorithm>
@@ -89,9 +90,11 @@ bool comesWithProgram(Shelf shelf, const std::string& id) {
 }
 
 LibraryItem readItem(Shelf shelf, const std::string& text, const std::string& name) {
+  const std::string whole = base::wholeText(rowOf(shelf).folder, text, name);
+  const bool inherits = !base::parentOf(text).empty();
   if (shelf == Shelf::Processes)
-    return {readProcessText(text, name), basedOnOf(text)};
-  return {readMaterialText(text, name), basedOnOf(text)};
+    return {readProcessText(whole, name), basedOnOf(whole), inherits};
+  return {readMaterialText(whole, name), basedOnOf(whole), inherits};
 }
 
 std::string itemText(const LibraryItem& item) {
@@ -144,10 +147,41 @@ void checkOwnId(Shelf shelf, const std::string& id, const std::string& where) {
                       "choose another id"_text);
 }
 
+namespace {
+bool isThere(Shelf shelf, const std::string& id) {
+  const std::vector<std::string> ids = libraryIds(shelf);
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+// Returns the text of an own item's file.
+std::string fileText(const LibraryItem& item) {
+  const std::string whole = itemText(item);
+  if (!item.inherits || !isThere(item.shelf(), item.basedOn))
+    return whole;
+  const LibraryItem parent = loadItem(item.shelf(), item.basedOn);
+  return base::textOfDifferences(whole, parent.id(), itemText(parent));
+}
+
+// Returns the own items that inherit from the one with that id. Files that cannot be read are left
+// out.
+std::vector<LibraryItem> heirsOf(Shelf shelf, const std::string& id) {
+  std::vector<LibraryItem> heirs;
+  for (const std::string& other : libraryIds(shelf))
+    try {
+      LibraryItem item = loadItem(shelf, other);
+      if (item.inherits && item.basedOn == id && !comesWithProgram(shelf, other))
+        heirs.push_back(std::move(item));
+    } catch (const base::Error&) {
+    }
+  return heirs;
+}
+} // namespace
+
 std::filesystem::path saveOwn(const LibraryItem& item) {
   checkOwnId(item.shelf(), item.id(), item.id());
-  const std::string text = itemText(item);
-  readItem(item.shelf(), text, item.id() + ".json");
+  std::string text = fileText(item);
+  if (!(readItem(item.shelf(), text, item.id() + ".json") == item))
+    text = itemText(item); // a parent's file has values that cannot be told from missing ones
   const std::filesystem::path file = fileIn(base::userDataFolder(), item.shelf(), item.id());
   std::error_code none;
   std::filesystem::create_directories(file.parent_path(), none); // writeFile() reports a failure
@@ -162,8 +196,24 @@ std::filesystem::path importItem(Shelf shelf, const std::filesystem::path& file)
   return saveOwn(item);
 }
 
+void renameOwn(const LibraryItem& item, const std::string& id) {
+  const std::string old = item.id();
+  saveOwn(item.named(id, item.label()));
+  for (LibraryItem& heir : heirsOf(item.shelf(), old)) {
+    heir.basedOn = id;
+    saveOwn(heir);
+  }
+  removeOwn(item.shelf(), old);
+}
+
 void removeOwn(Shelf shelf, const std::string& id) {
   checkOwnId(shelf, id, id);
+  for (LibraryItem& heir : heirsOf(shelf, id)) {
+    const LibraryItem removed = loadItem(shelf, id);
+    heir.inherits = removed.inherits;
+    heir.basedOn = removed.basedOn;
+    saveOwn(heir);
+  }
   const std::filesystem::path file = fileIn(base::userDataFolder(), shelf, id);
   std::error_code failure;
   std::filesystem::remove(file, failure);
@@ -181,6 +231,7 @@ LibraryItem duplicateOf(const LibraryItem& item) {
   LibraryItem copy =
       item.named(id, item.label() + (count == 1 ? ", own" : ", own " + std::to_string(count)));
   copy.basedOn = item.id();
+  copy.inherits = std::ranges::find(taken, item.id()) != taken.end();
   if (auto* material = std::get_if<Material>(&copy.data))
     material->comesWithProgram = false;
   return copy;

@@ -17,6 +17,9 @@ enum class Shelf { Processes, Materials }; // As the alternatives of LibraryItem
 struct LibraryItem {
   std::variant<Process, Material> data;
   std::string basedOn; // id of the item that it was duplicated from; empty: none
+  // Its own file states only the differences from that item (base/inherited_text.h), so that it
+  // follows changes of the others. Not compared.
+  bool inherits = false;
 
   Shelf shelf() const { return static_cast<Shelf>(data.index()); }
   const std::string& id() const;
@@ -40,14 +43,19 @@ LibraryItem loadItem(Shelf shelf, const std::string& choice);
 // Returns the label for a list of items: of one that cannot be read, the reason.
 std::string labelOrProblem(Shelf shelf, const std::string& id);
 
-// Writes an own item, replacing one with the same id, and returns its file. Throws
-// Error{UnusableInput} if the id is no file name or that of an item that comes with the program, or
-// if the item cannot be read back; Error{CannotWrite}.
+// Writes an own item, replacing one with the same id, and returns its file. One that inherits, and
+// whose parent is in the library, is written as its differences. Throws Error{UnusableInput} if the
+// id is no file name or that of an item that comes with the program, or if the item cannot be read
+// back; Error{CannotWrite}.
 std::filesystem::path saveOwn(const LibraryItem& item);
 // Checks a file and saves it as own item. Throws as readItem(), checkItem() and saveOwn().
 std::filesystem::path importItem(Shelf shelf, const std::filesystem::path& file);
-// Deletes the file of an own item. Throws Error{UnusableInput} for one that comes with the program,
-// Error{CannotWrite} if it cannot be deleted.
+// Gives an own item another id; those that inherit from it then inherit from the new one. Throws as
+// saveOwn() and removeOwn().
+void renameOwn(const LibraryItem& item, const std::string& id);
+// Deletes the file of an own item. Those that inherit from it keep their values. Throws
+// Error{UnusableInput} for one that comes with the program, Error{CannotWrite} if it cannot be
+// deleted.
 void removeOwn(Shelf shelf, const std::string& id);
 // Throws Error{UnusableInput} if saveOwn() would refuse the id. `where` names its place in errors.
 void checkOwnId(Shelf shelf, const std::string& id, const std::string& where);
@@ -56,7 +64,7 @@ void checkOwnId(Shelf shelf, const std::string& id, const std::string& where);
 // its nozzle: all narrower than half of it, or all wider than ten times it. `where` names the item.
 void checkItem(const LibraryItem& item, const std::string& where);
 
-// Returns a copy with an id that is free, based on the item.
+// Returns a copy with an id that is free. It inherits from the item if that is in the library.
 LibraryItem duplicateOf(const LibraryItem& item);
 
 // Returns the choice that a job stores for a process: the id of one that comes with the program,

@@ -2,6 +2,7 @@
 
 #include "base/data_files.h"
 #include "base/files.h"
+#include "base/inherited_text.h"
 #include "base/json_node.h"
 #include "base/lower_case.h"
 #include "process/chosen_range.h"
@@ -174,7 +175,7 @@ double bridgedMm(const Material& material, double beadWidthMm) {
 }
 
 Material readMaterialText(const std::string& text, const std::string& name) {
-  return readMaterialNode(JsonNode::parse(text, name));
+  return readMaterialNode(JsonNode::parse(base::wholeText(kFolder, text, name), name));
 }
 
 Material readMaterialNode(const JsonNode& top) {

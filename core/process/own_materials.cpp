@@ -2,6 +2,7 @@
 
 #include "base/data_files.h"
 #include "base/files.h"
+#include "base/inherited_text.h"
 #include "process/library.h"
 #include "process/process.h"
 
@@ -26,7 +27,8 @@ std::string processTextWith(const std::string& choice, const std::string& materi
   const Material chosen = chosenMaterial(material);
   loadProcess(choice); // reports what is wrong with the process
   const base::DataText data = base::dataText("processes", choice, "unknown process '{id}'"_text);
-  auto json = nlohmann::ordered_json::parse(data.text);
+  auto json =
+      nlohmann::ordered_json::parse(base::wholeText("processes", data.text, data.file.string()));
   json["material"] = chosen.id;
   json.erase("ownMaterial");
   if (!chosen.comesWithProgram)

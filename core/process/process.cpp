@@ -2,6 +2,7 @@
 
 #include "base/data_files.h"
 #include "base/files.h"
+#include "base/inherited_text.h"
 #include "base/json_node.h"
 #include "process/bead_model.h"
 #include "process/chosen_range.h"
@@ -195,7 +196,7 @@ Process readProcess(const std::filesystem::path& file) {
 }
 
 Process readProcessText(const std::string& text, const std::string& name) {
-  const JsonNode top = JsonNode::parse(text, name);
+  const JsonNode top = JsonNode::parse(base::wholeText("processes", text, name), name);
   top.allowOnly({"id",
                  "label",
                  "nozzleDiameterMm",

@@ -83,6 +83,8 @@ TEST_F(CommandLine, NoCommandReplacesAFileUnasked) {
       {"compare-run", job, "r.csv", "-o", "x.csv"},
       {"cell", "place", part, "--robot", "ur5", "-o", "x.json"},
       {"material", "export", "pla", "-o", "x.json"},
+      {"cell", "export", "ur5-fixed", "-o", "x.json"},
+      {"cell", "export", "ur5-fixed", "-o", "x.json"},
       {"process", "export", "fdm-1.0", "-o", "x.json"},
       {"process", "sizes", "fdm-1.0", "t.txt", "-o", "x.json"}};
   for (std::vector<std::string> words : commands) {

@@ -34,6 +34,11 @@ protected:
   }
   void TearDown() override { unsetenv("VOLUTA_DATA"); }
 
+  std::filesystem::path fileOf(Shelf shelf, const std::string& id) const {
+    return folder_.path() / (shelf == Shelf::Materials ? "materials" : "processes") /
+           (id + ".json");
+  }
+
   test::TemporaryFolder folder_;
 };
 
@@ -198,6 +203,14 @@ TEST_F(Library, damagedTextsAreReadOrRefused) {
   }
 }
 
+double valueOf(const LibraryItem& item, const std::string& key) {
+  for (const LibraryField& field : libraryFields(item))
+    if (field.spec.key == key)
+      return std::get<double>(field.get(item));
+  ADD_FAILURE() << key;
+  return 0.0;
+}
+
 LibraryItem withValue(LibraryItem item, const std::string& key, const base::ParameterValue& value) {
   for (const LibraryField& field : libraryFields(item))
     if (field.spec.key == key) {
@@ -355,6 +368,100 @@ TEST_F(Library, anOwnProcessIsDuplicatedSavedListedAndRemoved) {
   EXPECT_EQ(libraryIds(Shelf::Processes).size(), before);
   EXPECT_EQ(loadProcess(travels).beadWidthMm, 1.5) << "without its file";
   EXPECT_THROW(removeOwn(Shelf::Processes, "fdm-1.0"), base::Error);
+}
+
+// Of every item a copy is made that differs in one field; then its parent changes in all others.
+TEST_F(Library, ownItemsFollowTheirParentsInAllOtherFields) {
+  for (const Shelf shelf : {Shelf::Materials, Shelf::Processes})
+    for (const std::string& id : libraryIds(shelf)) {
+      SCOPED_TRACE(id);
+      LibraryItem parent = duplicateOf(loadItem(shelf, id));
+      EXPECT_TRUE(parent.inherits);
+      saveOwn(parent);
+      EXPECT_TRUE(loadItem(shelf, parent.id()) == parent);
+      const auto stated = Json::parse(base::readFile(fileOf(shelf, parent.id())));
+      EXPECT_EQ(stated.size(), 3u) << "id, label, inherits: " << stated.dump();
+      EXPECT_EQ(stated.at("inherits"), id);
+
+      LibraryItem child = duplicateOf(parent);
+      const std::string own = shelf == Shelf::Materials ? "pricePerKg" : "travelSpeedMmPerS";
+      child = withValue(child, own, 77.0);
+      saveOwn(child);
+      EXPECT_TRUE(loadItem(shelf, child.id()).inherits);
+      EXPECT_TRUE(loadItem(shelf, child.id()) == child);
+
+      const std::string other =
+          shelf == Shelf::Materials ? "densityGPerCm3" : "accelerationMmPerS2";
+      parent = withValue(withValue(parent, other, 9.5), own, 11.0);
+      saveOwn(parent);
+      child = loadItem(shelf, child.id());
+      EXPECT_EQ(valueOf(child, other), 9.5);
+      EXPECT_EQ(valueOf(child, own), 77.0);
+
+      // The job and the exported file need no parent.
+      const std::string whole = itemText(child);
+      EXPECT_EQ(whole.find("inherits"), std::string::npos);
+      // Another name of the parent reaches the child, and its end leaves the child's values.
+      renameOwn(parent, "renamed");
+      EXPECT_EQ(loadItem(shelf, child.id()).basedOn, "renamed");
+      removeOwn(shelf, "renamed");
+      const LibraryItem left = loadItem(shelf, child.id());
+      EXPECT_EQ(left.basedOn, id);
+      EXPECT_TRUE(left.inherits) << "from the parent's parent";
+      EXPECT_EQ(valueOf(left, other), 9.5);
+      EXPECT_EQ(valueOf(left, own), 77.0);
+      removeOwn(shelf, child.id());
+    }
+}
+
+TEST_F(Library, parentsThatAreMissingOrInACircleAreRefusedInOneLine) {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& words) {
+    try {
+      readItem(Shelf::Materials, text, "x.json");
+      ADD_FAILURE() << text;
+    } catch (const base::Error& error) {
+      const std::string line = error.what();
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+      for (const std::string& word : words)
+        EXPECT_NE(line.find(word), std::string::npos) << line << " lacks " << word;
+    }
+  };
+  refused(R"({"id": "x", "label": "X", "inherits": "gone"})",
+          {"x.json", "'x'", "'gone'", "does not exist"});
+  refused(R"({"id": "x", "label": "X", "inherits": "x"})", {"x.json", "'x'", "from itself"});
+  const auto write = [&](const std::string& id, const std::string& parent) {
+    const auto file = fileOf(Shelf::Materials, id);
+    std::filesystem::create_directories(file.parent_path());
+    base::writeFile(file,
+                    R"({"id": ")" + id + R"(", "label": "L", "inherits": ")" + parent + "\"}");
+  };
+  write("a", "b");
+  write("b", "a");
+  refused(R"({"id": "x", "label": "X", "inherits": "a"})", {"from itself"});
+  refused(R"({"id": "x", "label": "X", "inherits": "pla", "fan": 7})", {"x.json", "fan"});
+  refused(R"({"id": "x", "label": "X", "inherits": "pla", "fann": 1})", {"x.json", "fann"});
+  EXPECT_NE(labelOrProblem(Shelf::Materials, "a").find("from itself"), std::string::npos);
+  // null states that there is none.
+  const LibraryItem unheated = readItem(
+      Shelf::Materials, R"({"id": "x", "label": "X", "inherits": "pla", "bedC": null})", "x.json");
+  EXPECT_FALSE(std::get<Material>(unheated.data).bedC);
+  EXPECT_EQ(std::get<Material>(unheated.data).densityGPerCm3, loadMaterial("pla").densityGPerCm3);
+}
+
+TEST_F(Library, aProcessFileThatInheritsIsImportedAndPlansWithoutItsParent) {
+  const auto file = folder_ / "mine.json";
+  base::writeFile(file,
+                  R"({"id": "mine", "label": "Mine", "inherits": "fdm-0.4", "speedMmPerS": 22,)"
+                  R"( "layerHeightMm": {"max": 0.3}})");
+  importItem(Shelf::Processes, file);
+  const LibraryItem mine = loadItem(Shelf::Processes, "mine");
+  EXPECT_TRUE(mine.inherits);
+  EXPECT_EQ(mine.process()->speedMmPerS, 22.0);
+  EXPECT_EQ(mine.process()->layerHeightMm, 0.2);
+  EXPECT_EQ(mine.process()->layerHeightMaxMm, 0.3);
+  const std::string travels = jobChoice(mine);
+  removeOwn(Shelf::Processes, "mine");
+  EXPECT_TRUE(sameProcess(loadProcess(travels), *mine.process()));
 }
 
 TEST_F(Library, idsAreFileNamesAndBeadsFitTheirNozzle) {
