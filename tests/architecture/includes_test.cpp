@@ -130,6 +130,23 @@ TEST(Architecture, WidgetsKeepTheirDirections) {
   }
 }
 
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A dialog of Qt's own asks about an existing file before the name has its ending.
+TEST(Architecture, FilesToWriteAreAskedForInOnePlace) {
+  for (const auto& entry : fs::recursive_directory_iterator(kWidgets)) {
+    if (!entry.is_regular_file() || entry.path().filename() == "save_file.cpp")
+      continue;
+    const std::string text = contentOf(entry.path());
+    EXPECT_EQ(text.find("getSaveFileName"), std::string::npos)
+        << entry.path() << ": forms::saveFile";
+    EXPECT_EQ(text.find("AcceptSave"), std::string::npos) << entry.path() << ": forms::saveFile";
+  }
+}
+
 TEST(Architecture, CoreIncludesNoWidgets) {
   for (const Include& include : includesBelow(kCore))
     EXPECT_FALSE(kWidgetsMayInclude.count(fs::path(include.target).begin()->string()))

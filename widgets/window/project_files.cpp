@@ -6,6 +6,7 @@
 #include "document/recovery.h"
 #include "forms/discard.h"
 #include "forms/file_patterns.h"
+#include "forms/save_file.h"
 #include "plan/trajectory.h"
 #include "project/station.h"
 #include "window/cell/arm_import_dialog.h"
@@ -369,10 +370,10 @@ void ProjectFiles::save() {
 void ProjectFiles::saveAs() {
   QSettings settings;
   const QString folder = settings.value(kSaveFolder).toString();
-  const QString file = QFileDialog::getSaveFileName(&window_, tr("Save the project"),
-                                                    (folder.isEmpty() ? QString() : folder + '/') +
-                                                        document_.name() + ".voluta",
-                                                    tr("Voluta projects (*.voluta)"));
+  const QString file =
+      forms::saveFile(&window_, tr("Save the project"),
+                      (folder.isEmpty() ? QString() : folder + '/') + document_.name() + ".voluta",
+                      tr("Voluta projects (*.voluta)"));
   if (file.isEmpty()) {
     afterSave_ = nullptr;
     return;

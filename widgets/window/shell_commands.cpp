@@ -1,5 +1,6 @@
 #include "window/shell_commands.h"
 
+#include "forms/save_file.h"
 #include "project/version.h"
 #include "timeline/timeline_bar.h"
 #include "viewer/viewport.h"
@@ -10,8 +11,6 @@
 #include "window/unrolled/unrolled_dock.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
 #include <QUndoStack>
@@ -276,13 +275,11 @@ std::vector<Command> languageCommands() {
 
 void savePicture(PictureArea& area, const QString& name,
                  const std::function<void(const QString&)>& failed) {
-  QString file = QFileDialog::getSaveFileName(
-      &area, translated(QT_TRANSLATE_NOOP("Commands", "Save the picture")), name + ".png",
-      translated(QT_TRANSLATE_NOOP("Commands", "Pictures (*.png)")));
+  const QString file =
+      forms::saveFile(&area, translated(QT_TRANSLATE_NOOP("Commands", "Save the picture")),
+                      name + ".png", translated(QT_TRANSLATE_NOOP("Commands", "Pictures (*.png)")));
   if (file.isEmpty())
     return;
-  if (QFileInfo(file).suffix().isEmpty())
-    file += ".png";
   if (!area.viewport().grabFrame().save(file, "PNG"))
     failed(file);
 }

@@ -1,13 +1,12 @@
 #include "window/film/film_dialog.h"
 
+#include "forms/save_file.h"
 #include "forms/value_boxes.h"
 #include "language/words.h"
 #include "pictures/job_film.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -70,13 +69,10 @@ FilmDialog::FilmDialog(std::shared_ptr<const pipeline::PlanResult> plan, const Q
 
 void FilmDialog::choose() {
   length_->interpretText(); // Typed, and not left yet
-  QString file = QFileDialog::getSaveFileName(this, tr("Save the film"), name_ + ".webm",
-                                              tr("Films (*.webm)"));
-  if (file.isEmpty())
-    return;
-  if (QFileInfo(file).suffix().isEmpty())
-    file += ".webm";
-  save(file);
+  const QString file =
+      forms::saveFile(this, tr("Save the film"), name_ + ".webm", tr("Films (*.webm)"));
+  if (!file.isEmpty())
+    save(file);
 }
 
 void FilmDialog::save(const QString& file) {

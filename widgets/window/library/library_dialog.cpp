@@ -6,6 +6,7 @@
 #include "forms/colours.h"
 #include "forms/file_patterns.h"
 #include "forms/icons.h"
+#include "forms/save_file.h"
 #include "geometry/formats/mesh_reader.h"
 #include "language/words.h"
 #include "panels/head_drawing.h"
@@ -445,14 +446,12 @@ void LibraryDialog::importFile() {
 
 void LibraryDialog::exportFile() {
   const LibraryItem& item = shelf().at(current()).draft;
-  QString file = QFileDialog::getSaveFileName(this, tr("Export %1").arg(named(item.id())),
-                                              QSettings().value("open/folder").toString() +
-                                                  QLatin1Char('/') + named(item.id()) + ".json",
-                                              tr("JSON files (*.json)"));
+  const QString file = forms::saveFile(this, tr("Export %1").arg(named(item.id())),
+                                       QSettings().value("open/folder").toString() +
+                                           QLatin1Char('/') + named(item.id()) + ".json",
+                                       tr("JSON files (*.json)"));
   if (file.isEmpty())
     return;
-  if (QFileInfo(file).suffix().isEmpty())
-    file += QStringLiteral(".json");
   tried([&] { base::writeFile(file.toStdString(), process::itemText(item)); });
 }
 

@@ -5,6 +5,7 @@
 #include "forms/dialog_buttons.h"
 #include "forms/duration_text.h"
 #include "forms/icons.h"
+#include "forms/save_file.h"
 #include "language/numbers.h"
 #include "language/words.h"
 #include "plan/finding.h"
@@ -14,7 +15,6 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -264,12 +264,10 @@ void MillDialog::say(const QString& text, std::optional<forms::Icon> icon) {
 }
 
 void MillDialog::save() {
-  QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the G-code"), name_ + ".nc", tr("G-code (*.nc)"));
+  const QString file =
+      forms::saveFile(this, tr("Save the G-code"), name_ + ".nc", tr("G-code (*.nc)"));
   if (file.isEmpty() || !made_ || isOutOfDate_)
     return;
-  if (!file.contains(QLatin1Char('.')))
-    file += ".nc";
   try {
     base::writeFile(file.toStdString(), made_->milled.program);
     say(tr("Saved %1").arg(file), forms::Icon::Good);

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "document/document.h"
 #include "document/mode_switch.h"
+#include "forms/save_file.h"
 #include "language/parameter_texts.h"
 #include "language/words.h"
 #include "pipeline/stage_options.h"
@@ -389,13 +390,11 @@ void PresetEditor::exportFile() {
   tried([&] {
     const PrintPreset preset = present();
     const QString folder = QSettings().value("open/folder").toString();
-    QString file = QFileDialog::getSaveFileName(
-        bar_->window(), tr("Export %1").arg(named(preset.label)),
-        folder + u'/' + named(preset.id) + QStringLiteral(".json"), presetFilter());
+    const QString file =
+        forms::saveFile(bar_->window(), tr("Export %1").arg(named(preset.label)),
+                        folder + u'/' + named(preset.id) + QStringLiteral(".json"), presetFilter());
     if (file.isEmpty())
       return;
-    if (QFileInfo(file).suffix().isEmpty())
-      file += QStringLiteral(".json");
     // An own preset is exported with the settings of its own parents.
     const std::string choice = pipeline::presetChoice(preset);
     base::writeFile(file.toStdString(),

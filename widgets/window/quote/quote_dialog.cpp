@@ -4,12 +4,12 @@
 #include "base/files.h"
 #include "forms/duration_text.h"
 #include "forms/value_boxes.h"
+#include "forms/save_file.h"
 #include "language/words.h"
 #include "pictures/job_picture.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -130,16 +130,12 @@ void QuoteDialog::show() {
 }
 
 void QuoteDialog::save() {
-  QString filter;
-  QString file = QFileDialog::getSaveFileName(this, tr("Save page"),
-                                              tr("%1 quote").arg(name_) + QStringLiteral(".pdf"),
-                                              tr("PDF (*.pdf);;HTML (*.html)"), &filter);
+  const QString file =
+      forms::saveFile(this, tr("Save page"), tr("%1 quote").arg(name_) + QStringLiteral(".pdf"),
+                      tr("PDF (*.pdf);;HTML (*.html)"));
   if (file.isEmpty())
     return;
-  const bool isHtml = file.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive) ||
-                      (!file.contains(QChar('.')) && filter.contains(QStringLiteral("html")));
-  if (!file.contains(QChar('.')))
-    file += isHtml ? QStringLiteral(".html") : QStringLiteral(".pdf");
+  const bool isHtml = file.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive);
   save_->setEnabled(false);
   state_->setText(tr("Drawing the part…"));
   using Written = bool;
