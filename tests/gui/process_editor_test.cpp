@@ -273,6 +273,40 @@ TEST_F(ProcessEditorTest, HeadDrawnUpsideDownNeedsConfirmation) {
   EXPECT_EQ(answeredBoxes(), 3);
 }
 
+TEST_F(ProcessEditorTest, OwnItemsFollowTheOneThatTheyInheritFrom) {
+  inLibrary([&](LibraryDialog& dialog) {
+    press(dialog, "libraryDuplicate");
+    press(dialog, "libraryDuplicate");
+    EXPECT_EQ(title(dialog), "fdm-1.0-own-own");
+    type(dialog, "stepMm", "2");
+    press(dialog, "librarySave");
+    const auto* list = dialog.findChild<QListWidget*>("libraryList");
+    EXPECT_EQ(list->currentRow(), 1) << "below its parent";
+    EXPECT_TRUE(list->currentItem()->text().startsWith("  "));
+    EXPECT_TRUE(dialog.findChild<QLabel*>("libraryAbout")->text().contains("follows fdm-1.0-own"));
+    keepPicture(dialog, "library_inherits");
+
+    dialog.select("fdm-1.0-own");
+    type(dialog, "beadWidthMm.default", "1.5");
+    type(dialog, "stepMm", "3");
+    press(dialog, "librarySave");
+    dialog.select("fdm-1.0-own-own");
+    EXPECT_EQ(field(dialog, "beadWidthMm.default")->value(), 1.5);
+    EXPECT_FALSE(isMarked(dialog, "beadWidthMm.default"));
+    EXPECT_EQ(field(dialog, "stepMm")->value(), 2.0) << "its own";
+    EXPECT_TRUE(isMarked(dialog, "stepMm"));
+    // Without its parent it keeps all values.
+    dialog.select("fdm-1.0-own");
+    answerBox("", QMessageBox::YesRole);
+    press(dialog, "libraryDelete");
+    dialog.select("fdm-1.0-own-own");
+    EXPECT_EQ(field(dialog, "beadWidthMm.default")->value(), 1.5);
+    EXPECT_TRUE(isMarked(dialog, "beadWidthMm.default")) << "against the factory's now";
+    EXPECT_FALSE(list->currentItem()->text().startsWith("  "));
+    dialog.reject();
+  });
+}
+
 TEST_F(ProcessEditorTest, OwnItemsAreRenamedExportedImportedAndDeleted) {
   inLibrary([&](LibraryDialog& dialog) {
     press(dialog, "libraryDuplicate");

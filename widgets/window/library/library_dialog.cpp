@@ -40,6 +40,7 @@ using process::Shelf;
 
 namespace {
 constexpr int kListWidth = 236, kHeadWidth = 330, kWidth = 1120, kHeight = 650;
+constexpr int kIndent = 5; // Letters, of an item below the one that it inherits from
 
 QString named(const std::string& text) {
   return QString::fromStdString(text);
@@ -238,7 +239,8 @@ void LibraryDialog::showRow(QListWidgetItem& row, const ShelfEntry& entry) const
   QString first = entry.origin == ItemOrigin::Job ? tr("%1 (in this job)").arg(id) : id;
   if (entry.isChanged())
     first.prepend(QStringLiteral("• "));
-  row.setText(first + QLatin1Char('\n') + named(entry.draft.label()));
+  const QString indent(kIndent * entry.depth, QLatin1Char(' '));
+  row.setText(indent + first + QLatin1Char('\n') + indent + named(entry.draft.label()));
   row.setData(Qt::UserRole, id);
   const bool locked = entry.origin != ItemOrigin::Own;
   row.setIcon(!entry.unreadable.isEmpty() ? forms::icon(forms::Icon::Blocked)
@@ -277,8 +279,10 @@ void LibraryDialog::showEntry() {
       : entry.origin == ItemOrigin::Job
           ? tr("Stored in this job, not in your library. Duplicate it to keep it.")
       : entry.saved.basedOn.empty() ? tr("Your own.")
-                                    : tr("Your own, based on %1; fields that differ are marked.")
-                                          .arg(named(entry.saved.basedOn)));
+      : entry.saved.inherits ? tr("Your own. It follows %1 in all fields that are not marked.")
+                                   .arg(named(entry.saved.basedOn))
+                             : tr("Your own, based on %1; fields that differ are marked.")
+                                   .arg(named(entry.saved.basedOn)));
   showState();
 }
 
@@ -406,10 +410,12 @@ void LibraryDialog::removeEntry() {
 }
 
 void LibraryDialog::save() {
+  const std::string id = shelf().at(current()).saved.id();
   if (!tried([&] { shelf().save(current()); }))
     return;
   libraryChanged_ = true;
-  showEntry();
+  shelf().reload(); // those that inherit from it have changed, too
+  fillList(id);
 }
 
 void LibraryDialog::revert() {
@@ -478,13 +484,16 @@ void LibraryDialog::compare() {
 }
 
 void LibraryDialog::use() {
-  const ShelfEntry& entry = shelf().at(current());
-  if (entry.origin == ItemOrigin::Own && entry.isChanged()) {
+  const auto isUnsaved = [&] {
+    const ShelfEntry& entry = shelf().at(current()); // saving reads all again
+    return entry.origin == ItemOrigin::Own && entry.isChanged();
+  };
+  if (isUnsaved()) {
     save();
-    if (entry.isChanged())
+    if (isUnsaved())
       return;
   }
-  const LibraryItem item = entry.saved;
+  const LibraryItem item = shelf().at(current()).saved;
   if (item.process())
     jobProcess_ = process::jobChoice(item);
   emit useRequested(shelf_, named(item.process() ? jobProcess_ : item.id()));

@@ -27,6 +27,28 @@ ShelfEntry entryOf(Shelf shelf, const std::string& id) {
   entry.draft = entry.saved;
   return entry;
 }
+bool isBelow(const ShelfEntry& entry, const ShelfEntry& parent) {
+  return entry.origin == ItemOrigin::Own && parent.origin == ItemOrigin::Own &&
+         entry.saved.inherits && entry.saved.basedOn == parent.saved.id();
+}
+
+// Returns the entries with own ones that inherit from another own one below it.
+std::vector<ShelfEntry> belowTheirParents(std::vector<ShelfEntry> entries) {
+  std::vector<ShelfEntry> sorted;
+  const auto add = [&](const auto& self, ShelfEntry& entry, int depth) -> void {
+    entry.depth = depth;
+    const std::size_t at = sorted.size();
+    sorted.push_back(entry);
+    for (ShelfEntry& other : entries)
+      if (isBelow(other, sorted[at]))
+        self(self, other, depth + 1);
+  };
+  for (ShelfEntry& entry : entries)
+    if (std::ranges::none_of(entries,
+                             [&](const ShelfEntry& other) { return isBelow(entry, other); }))
+      add(add, entry, 0);
+  return sorted;
+}
 } // namespace
 
 LibraryShelf::LibraryShelf(Shelf shelf, std::string jobText)
@@ -46,6 +68,7 @@ void LibraryShelf::reload() {
   // Own ones first: they are edited most.
   std::ranges::stable_partition(
       entries_, [](const ShelfEntry& entry) { return entry.origin == ItemOrigin::Own; });
+  entries_ = belowTheirParents(std::move(entries_));
   if (!base::isDataText(jobText_))
     return;
   try {
@@ -86,9 +109,7 @@ std::string LibraryShelf::duplicate(int index) const {
 
 void LibraryShelf::rename(int index, const std::string& id) {
   ShelfEntry& entry = entries_[static_cast<std::size_t>(index)];
-  const std::string old = entry.saved.id();
-  process::saveOwn(entry.saved.named(id, entry.saved.label()));
-  process::removeOwn(shelf_, old);
+  process::renameOwn(entry.saved, id);
   entry.saved = entry.saved.named(id, entry.saved.label());
   entry.draft = entry.draft.named(id, entry.draft.label());
 }

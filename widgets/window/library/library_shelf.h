@@ -16,6 +16,7 @@ struct ShelfEntry {
   process::LibraryItem saved, draft;
   ItemOrigin origin = ItemOrigin::Program;
   QString unreadable; // Why its file cannot be used; empty: it can
+  int depth = 0;      // Number of own entries that it inherits from
 
   bool isChanged() const { return !(saved == draft); }
 };
@@ -27,7 +28,8 @@ public:
   LibraryShelf(process::Shelf shelf, std::string jobText);
 
   process::Shelf shelf() const { return shelf_; }
-  // Reads the files again; drafts of items that are still there are kept.
+  // Reads the files again; drafts of items that are still there are kept. Own items that inherit
+  // from another own one come below it.
   void reload();
   const std::vector<ShelfEntry>& entries() const { return entries_; }
   // -1: none.
