@@ -1,5 +1,6 @@
 // Menus of the right button on tree, view and findings; the Plan button that becomes Export; the
 // summary and the quote.
+#include "base/data_files.h"
 #include "base/files.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
@@ -218,6 +219,14 @@ TEST_F(ObjectMenusTest, AQuoteAddsMachineSetUpAndMarginAndIsSaved) {
   EXPECT_EQ(dialog->findChild<QLabel*>("quoteTotal")->text(), window::moneyText(expected));
   EXPECT_EQ(dialog->findChild<QTreeWidget*>("quoteRows")->topLevelItemCount(), 4);
   keepPicture(*dialog, "quote");
+  // The price of the machine is that of this cell.
+  const std::string cell = base::dataName(document().choices().cell);
+  EXPECT_EQ(window::quotePrices(cell).machinePerHour, 30.0);
+  EXPECT_EQ(window::quotePrices("another").machinePerHour, 0.0);
+  EXPECT_EQ(window::quotePrices("another").fixed, 5.0);
+  window::keepQuotePrices({45.0, 5.0, 0.2}, "another");
+  EXPECT_EQ(window::quotePrices("another").machinePerHour, 45.0);
+  EXPECT_EQ(window::quotePrices(cell).machinePerHour, 30.0);
   const auto save = [&](const char* name) {
     const QString file = path(name);
     answerFileDialog(file);

@@ -1,5 +1,6 @@
 #include "window/runs.h"
 
+#include "base/data_files.h"
 #include "curved/decomposition.h"
 #include "forms/duration_text.h"
 #include "modes/mode_table.h"
@@ -318,7 +319,7 @@ QString Runs::headline() const {
   }
   if (!quote_)
     return {};
-  quote_->prices = quotePrices();
+  quote_->prices = quotePrices(base::dataName(result->job.choices.cell));
   return quoteText(*quote_);
 }
 

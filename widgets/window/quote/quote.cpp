@@ -15,12 +15,16 @@
 namespace voluta::window {
 
 namespace {
-constexpr const char* kMachine = "quote/machinePerHour";
+constexpr const char* kMachine = "quote/machinePerHour"; // of any cell
 constexpr const char* kFixed = "quote/fixed";
 constexpr const char* kMargin = "quote/margin";
 
 QString said(const char* text) {
   return QCoreApplication::translate("Quote", text);
+}
+
+QString machineKey(const std::string& cell) {
+  return QStringLiteral("quote/machines/") + QString::fromStdString(cell);
 }
 
 QString numberText(double value, int digits) {
@@ -32,17 +36,19 @@ page::Fact fact(const QString& label, const QString& value) {
 }
 } // namespace
 
-QuotePrices quotePrices() {
+QuotePrices quotePrices(const std::string& cell) {
   const QSettings settings;
-  const auto read = [&](const char* key) {
-    return std::max(0.0, settings.value(QLatin1String(key), 0.0).toDouble());
+  const auto read = [&](const QString& key, double otherwise) {
+    return std::max(0.0, settings.value(key, otherwise).toDouble());
   };
-  return {read(kMachine), read(kFixed), read(kMargin)};
+  const double ofAny = read(QLatin1String(kMachine), 0.0);
+  return {read(machineKey(cell), ofAny), read(QLatin1String(kFixed), 0.0),
+          read(QLatin1String(kMargin), 0.0)};
 }
 
-void keepQuotePrices(const QuotePrices& prices) {
+void keepQuotePrices(const QuotePrices& prices, const std::string& cell) {
   QSettings settings;
-  settings.setValue(QLatin1String(kMachine), prices.machinePerHour);
+  settings.setValue(machineKey(cell), prices.machinePerHour);
   settings.setValue(QLatin1String(kFixed), prices.fixed);
   settings.setValue(QLatin1String(kMargin), prices.margin);
 }

@@ -6,17 +6,20 @@
 
 #include <QString>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace voluta::window {
 
-// In the user's currency; kept in the window's settings.
+// In the user's currency; kept in the window's settings, the price of the machine for each cell.
 struct QuotePrices {
   double machinePerHour = 0.0, fixed = 0.0;
   double margin = 0.0; // Share of the cost that is added
 };
-QuotePrices quotePrices();
-void keepQuotePrices(const QuotePrices& prices);
+// `cell`: of the print (base::dataName()); one without a price of its own has the price of older
+// settings, which all cells shared.
+QuotePrices quotePrices(const std::string& cell);
+void keepQuotePrices(const QuotePrices& prices, const std::string& cell);
 
 struct PrintQuote {
   struct Material {

@@ -1,10 +1,11 @@
 #include "window/quote/quote_dialog.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "forms/duration_text.h"
-#include "forms/value_boxes.h"
 #include "forms/save_file.h"
+#include "forms/value_boxes.h"
 #include "language/words.h"
 #include "pictures/job_picture.h"
 
@@ -34,9 +35,11 @@ QuoteDialog::QuoteDialog(std::shared_ptr<const pipeline::PlanResult> plan, QStri
   setObjectName("quoteDialog");
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Quote"));
-  if (plan_)
-    if (auto quote = quoteOf(*plan_, quotePrices()))
+  if (plan_) {
+    cell_ = base::dataName(plan_->job.choices.cell);
+    if (auto quote = quoteOf(*plan_, quotePrices(cell_)))
       quote_ = std::move(*quote);
+  }
   build();
   show();
 }
@@ -50,7 +53,8 @@ void QuoteDialog::build() {
   state_->setObjectName("quoteState");
   state_->setWordWrap(true);
   machine_->setObjectName("quoteMachine");
-  machine_->setToolTip(tr("Price of an hour of the machine, with power and operator"));
+  machine_->setToolTip(
+      tr("Price of an hour of the machine, with power and operator; each cell has its own"));
   fixed_->setObjectName("quoteFixed");
   fixed_->setToolTip(tr("Price of each print, whatever its size"));
   margin_->setObjectName("quoteMargin");
@@ -65,7 +69,7 @@ void QuoteDialog::build() {
   for (forms::NumberBox* box : {machine_, fixed_, margin_})
     connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
       quote_.prices = {machine_->value(), fixed_->value(), 0.01 * margin_->value()};
-      keepQuotePrices(quote_.prices);
+      keepQuotePrices(quote_.prices, cell_);
       show();
     });
   rows_->setObjectName("quoteRows");

@@ -34,6 +34,7 @@ private:
 
   std::shared_ptr<const pipeline::PlanResult> plan_;
   QString name_, size_;
+  std::string cell_; // of the print
   PrintQuote quote_;
   jobs::JobRunner runner_;
   forms::NumberBox *machine_, *fixed_, *margin_;
