@@ -7,10 +7,13 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QSettings>
+#include <QStyleFactory>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace voluta::test {
 namespace {
@@ -104,13 +107,16 @@ protected:
   }
 };
 
-// A pixel row of the widget has the colour.
-bool hasColour(const QImage& image, const QColor& colour) {
+// Share of the pixels along the edge of a picture that have the colour. Texts do not reach it.
+double shareOfEdge(const QImage& image, const QColor& colour) {
+  int there = 0, all = 0;
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (image.pixelColor(x, y) == colour)
-        return true;
-  return false;
+    for (int x = 0; x < image.width(); ++x) {
+      const bool isEdge = x == 0 || y == 0 || x == image.width() - 1 || y == image.height() - 1;
+      all += isEdge ? 1 : 0;
+      there += isEdge && image.pixelColor(x, y) == colour ? 1 : 0;
+    }
+  return all > 0 ? static_cast<double>(there) / all : 0.0;
 }
 
 TEST_F(LookTest, HighContrastIsChosenInTheMenu) {
@@ -136,17 +142,26 @@ TEST_F(LookTest, HighContrastIsChosenInTheMenu) {
     QTest::qWait(50);
     keepPicture(window(), (std::string("high-contrast-") + page).c_str());
   }
-  // Fields have outlines.
+  // Fields have outlines on all sides.
   choosePage(Page::Prepare);
   int fields = 0;
   for (QWidget* field : window().findChildren<QWidget*>())
     if (field->isVisible() && field->isEnabled() &&
         (field->inherits("QComboBox") || field->inherits("QAbstractSpinBox")) && fields < 8) {
       ++fields;
-      EXPECT_TRUE(hasColour(field->grab().toImage(), Qt::white))
+      const QColor expected =
+          field->palette().color(field->hasFocus() ? QPalette::Highlight : QPalette::WindowText);
+      EXPECT_GT(shareOfEdge(field->grab().toImage(), expected), 0.98)
           << field->objectName().toStdString();
     }
   EXPECT_GT(fields, 2);
+  // The measure tells them from fields without.
+  const std::unique_ptr<QStyle> fusion(QStyleFactory::create("Fusion"));
+  QComboBox plain(&window());
+  plain.setStyle(fusion.get());
+  plain.addItem("Outline");
+  plain.resize(160, 28);
+  EXPECT_LT(shareOfEdge(plain.grab().toImage(), plain.palette().color(QPalette::WindowText)), 0.5);
   choose("dark");
   choose("light");
   EXPECT_LT(differingShare(light, picture()), 1e-3);
