@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,54 +21,59 @@ constexpr int kBlock = 8; // cells per side of a block, which is tested as one f
 // Vertices keep this share of an edge from its ends, so that no triangle is without area.
 constexpr double kFromEnd = 0.01;
 
-// The values at the points of a grid. Points of a block that is positive throughout are positive.
+// The values at the points of a grid, block by block. Blocks that are positive throughout have
+// none.
 class Values {
 public:
   Values(const std::function<double(const Vector3d&)>& value, const Eigen::AlignedBox3d& box,
          double gridMm, const base::RunContext& ctx)
       : low_(box.min()), gridMm_(gridMm) {
     for (int k = 0; k < 3; ++k)
-      size_[k] = kBlock * static_cast<int>(std::ceil(box.sizes()[k] / (kBlock * gridMm)));
-    points_ = size_ + Vector3i::Ones();
-    at_.assign(static_cast<std::size_t>(points_.x()) * static_cast<std::size_t>(points_.y()) *
-                   static_cast<std::size_t>(points_.z()),
-               1.0);
-    const Vector3i blocks = size_ / kBlock;
-    const auto count = static_cast<std::size_t>(blocks.prod());
-    // A block sets the points of its low sides only; the last ones are outside.
-    base::parallelChunks(ctx, count, 1, [&](std::size_t begin, std::size_t end) {
+      blocks_[k] = std::max(1, static_cast<int>(std::ceil(box.sizes()[k] / (kBlock * gridMm))));
+    of_.resize(static_cast<std::size_t>(blocks_.x()) * static_cast<std::size_t>(blocks_.y()) *
+               static_cast<std::size_t>(blocks_.z()));
+    base::parallelChunks(ctx, of_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) {
-        const int i = static_cast<int>(b);
-        const Vector3i first = kBlock * Vector3i(i % blocks.x(), i / blocks.x() % blocks.y(),
-                                                 i / (blocks.x() * blocks.y()));
+        const Vector3i first = firstCell(b);
         const double reach = 0.5 * std::sqrt(3.0) * kBlock * gridMm;
         if (value(place(first) + Vector3d::Constant(0.5 * kBlock * gridMm)) > reach)
           continue;
-        for (int z = 0; z < kBlock; ++z)
-          for (int y = 0; y < kBlock; ++y)
-            for (int x = 0; x < kBlock; ++x) {
-              const Vector3i at = first + Vector3i(x, y, z);
-              at_[index(at)] = value(place(at));
-            }
+        for (int z = 0; z < kPoints; ++z)
+          for (int y = 0; y < kPoints; ++y)
+            for (int x = 0; x < kPoints; ++x)
+              of_[b].push_back(value(place(first + Vector3i(x, y, z))));
       }
     });
   }
 
-  const Vector3i& size() const { return size_; } // in cells
-  Vector3d place(const Vector3i& at) const { return low_ + gridMm_ * at.cast<double>(); }
-  std::size_t index(const Vector3i& at) const {
-    return (static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(points_.y()) +
-            static_cast<std::size_t>(at.y())) *
-               static_cast<std::size_t>(points_.x()) +
-           static_cast<std::size_t>(at.x());
+  std::size_t blocks() const { return of_.size(); }
+  bool isEmpty(std::size_t block) const { return of_[block].empty(); }
+  Vector3i firstCell(std::size_t block) const {
+    const auto nx = static_cast<std::size_t>(blocks_.x()),
+               ny = static_cast<std::size_t>(blocks_.y());
+    return kBlock * Vector3i(static_cast<int>(block % nx), static_cast<int>(block / nx % ny),
+                             static_cast<int>(block / (nx * ny)));
   }
-  double operator()(const Vector3i& at) const { return at_[index(at)]; }
+  Vector3d place(const Vector3i& at) const { return low_ + gridMm_ * at.cast<double>(); }
+  // Returns the number of a point of the grid.
+  std::uint64_t number(const Vector3i& at) const {
+    const Vector3i points = kBlock * blocks_ + Vector3i::Ones();
+    return (static_cast<std::uint64_t>(at.z()) * static_cast<std::uint64_t>(points.y()) +
+            static_cast<std::uint64_t>(at.y())) *
+               static_cast<std::uint64_t>(points.x()) +
+           static_cast<std::uint64_t>(at.x());
+  }
+  // Returns the value at a point of a block that has values; `in`: from its first cell.
+  double at(std::size_t block, const Vector3i& in) const {
+    return of_[block][static_cast<std::size_t>((in.z() * kPoints + in.y()) * kPoints + in.x())];
+  }
 
 private:
+  static constexpr int kPoints = kBlock + 1; // per side of a block
   Vector3d low_;
   double gridMm_;
-  Vector3i size_ = Vector3i::Zero(), points_ = Vector3i::Zero();
-  std::vector<double> at_;
+  Vector3i blocks_ = Vector3i::Zero();
+  std::vector<std::vector<double>> of_;
 };
 
 Vector3i cornerOf(const Vector3i& cell, int c) {
@@ -79,37 +84,52 @@ class Contour {
 public:
   explicit Contour(const Values& values) : values_(values) {}
 
-  void add(const Vector3i& cell) {
-    std::uint8_t below = 0;
-    for (int c = 0; c < 8; ++c)
-      if (values_(cornerOf(cell, c)) < 0.0)
-        below = static_cast<std::uint8_t>(below | (1u << c));
-    for (const std::vector<int>& loop : curved::cubeLoops(below)) {
-      std::vector<int> ring;
-      for (const int edge : loop)
-        ring.push_back(vertexOn(cell, edge));
-      // Around the middle: a diagonal could coincide with one of the neighbouring cube.
-      const int middle = ring.size() == 3 ? -1 : middleOf(ring);
-      if (middle < 0)
-        mesh_.triangles.push_back({ring[0], ring[1], ring[2]});
-      for (std::size_t i = 0; middle >= 0 && i < ring.size(); ++i)
-        mesh_.triangles.push_back({middle, ring[i], ring[(i + 1) % ring.size()]});
-    }
+  void addBlock(std::size_t block) {
+    for (int z = 0; z < kBlock; ++z)
+      for (int y = 0; y < kBlock; ++y)
+        for (int x = 0; x < kBlock; ++x)
+          add(block, {x, y, z});
   }
 
   geometry::TriangleMesh take() { return std::move(mesh_); }
 
 private:
-  int vertexOn(const Vector3i& cell, int edge) {
+  // `cell`: from the first one of the block.
+  void add(std::size_t block, const Vector3i& cell) {
+    std::uint8_t below = 0;
+    for (int c = 0; c < 8; ++c)
+      if (values_.at(block, cornerOf(cell, c)) < 0.0)
+        below = static_cast<std::uint8_t>(below | (1u << c));
+    for (const std::vector<int>& loop : curved::cubeLoops(below)) {
+      std::vector<int> ring;
+      for (const int edge : loop)
+        ring.push_back(vertexOn(block, cell, edge));
+      if (ring.size() == 3) {
+        mesh_.triangles.push_back({ring[0], ring[1], ring[2]});
+        continue;
+      }
+      // Around the middle: a diagonal could coincide with one of the neighbouring cube.
+      const int middle = middleOf(ring);
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        mesh_.triangles.push_back({middle, ring[i], ring[(i + 1) % ring.size()]});
+    }
+  }
+
+  int vertexOn(std::size_t block, const Vector3i& cell, int edge) {
     const curved::CubeEdge ends = curved::cubeEdges()[static_cast<std::size_t>(edge)];
     const Vector3i a = cornerOf(cell, ends.from), b = cornerOf(cell, ends.to);
-    const auto key = std::minmax({values_.index(a), values_.index(b)});
-    const auto [known, isNew] =
-        vertexOf_.try_emplace({key.first, key.second}, static_cast<int>(mesh_.vertices.size()));
+    const Vector3i first = values_.firstCell(block);
+    // An edge begins at its point of the lower number, along one of three axes.
+    int axis = 0;
+    (a - b).cwiseAbs().maxCoeff(&axis);
+    const std::uint64_t key = 3 * std::min(values_.number(first + a), values_.number(first + b)) +
+                              static_cast<std::uint64_t>(axis);
+    const auto [known, isNew] = vertexOf_.try_emplace(key, static_cast<int>(mesh_.vertices.size()));
     if (isNew) {
-      const double from = values_(a), to = values_(b);
+      const double from = values_.at(block, a), to = values_.at(block, b);
       const double t = std::clamp(from / (from - to), kFromEnd, 1.0 - kFromEnd);
-      mesh_.vertices.emplace_back((1.0 - t) * values_.place(a) + t * values_.place(b));
+      mesh_.vertices.emplace_back((1.0 - t) * values_.place(first + a) +
+                                  t * values_.place(first + b));
     }
     return known->second;
   }
@@ -124,7 +144,7 @@ private:
 
   const Values& values_;
   geometry::TriangleMesh mesh_;
-  std::map<std::pair<std::size_t, std::size_t>, int> vertexOf_;
+  std::unordered_map<std::uint64_t, int> vertexOf_; // by edge
 };
 } // namespace
 
@@ -134,11 +154,9 @@ geometry::TriangleMesh closedContour(const std::function<double(const Vector3d&)
   base::require(gridMm > 0.0 && !box.isEmpty(), "a grid in a box");
   const Values values(value, box, gridMm, ctx);
   Contour contour(values);
-  const Vector3i n = values.size();
-  for (int z = 0; z < n.z(); ++z)
-    for (int y = 0; y < n.y(); ++y)
-      for (int x = 0; x < n.x(); ++x)
-        contour.add({x, y, z});
+  for (std::size_t block = 0; block < values.blocks(); ++block)
+    if (!values.isEmpty(block))
+      contour.addBlock(block);
   return contour.take();
 }
 

@@ -12,6 +12,7 @@
 #include "substrate/skin.h"
 #include "substrate/substrate_layers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -63,10 +64,23 @@ substrate::Skin skinOf(const Shape& shape) {
   return {shape.numbers[0], base::degreesToRadians(shape.numbers[1])};
 }
 
+// A plane is exact on any grid, and a large curved surface nearly so.
+double skinGridMm(const TriangleMesh& part, double depthMm, const substrate::LevelOptions& levels) {
+  constexpr double kMostCells = 400.0; // along the part's longest side
+  const double coarse = geometry::bounds(part).sizes().maxCoeff() / kMostCells;
+  return std::min(depthMm, std::max(substrate::offsetGridMm(levels), coarse));
+}
+
 TriangleMesh skinBody(const project::Region& region, const Shape& shape, const TriangleMesh& part,
                       const substrate::LevelOptions& levels, const base::RunContext& ctx) {
-  const double gridMm = substrate::offsetGridMm(levels);
   const substrate::Skin skin = skinOf(shape);
+  if (skin.depthMm < levels.heightMinMm)
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message("region {region} is thinner than the lowest layer ({least})"_text,
+                      region.shape, base::mm(levels.heightMinMm)),
+        {}, "make it deeper, or use a process with lower layers"_text);
+  const double gridMm = skinGridMm(part, skin.depthMm, levels);
   const substrate::SkinSurface surface(part, skin, gridMm);
   if (surface.empty())
     throw base::Error(

@@ -189,6 +189,8 @@ TEST(PartRegions, ASkinNeedsASurfaceAndACore) {
       v.x() = 2.0;
   const std::vector<project::Region> skin{{.shape = "skin:1,30", .use = "surface"}};
   EXPECT_THROW(divided({roof}, skin, kLevels, {}), base::Error);
+  const std::vector<project::Region> film{{.shape = "skin:0.3", .use = "surface"}};
+  EXPECT_THROW(divided({part}, film, kLevels, {}), base::Error);
 }
 
 } // namespace
