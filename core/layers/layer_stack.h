@@ -14,6 +14,8 @@ namespace voluta::layers {
 
 // Patch::group of support, which is broken off afterwards.
 inline constexpr int kSupportGroup = -1;
+// Patch::group of the first region that has layers of its own; the next regions follow.
+inline constexpr int kRegionGroups = 1 << 20;
 
 // The mid-surface of material printed without interruption: a connected triangle surface with its
 // boundary on the part. The nozzle tip is at vertex + 1/2 thickness * direction. Triangles are
@@ -27,7 +29,7 @@ struct Patch {
   // per vertex, unit: a direction in which the head clears earlier material (front normal)
   std::vector<Eigen::Vector3d> clearDirection;
   int layer = 0; // level it was cut from; 0 is on the platform
-  int group = 0; // piece or component, or kSupportGroup
+  int group = 0; // piece or component, kSupportGroup, or from kRegionGroups
   // Per vertex, 1 on a seam: a boundary inside the part where another patch continues. Empty: no
   // seams.
   std::vector<std::uint8_t> innerRim;

@@ -143,7 +143,7 @@ void assignTools(LayerStack& stack, const ToolAssignment& assignment) {
       patch.tool = assignment.support;
     else if (const auto tool = toolFrom(assignment.fromLayer, patch.layer))
       patch.tool = *tool;
-    else if (!assignment.pieces.empty() && patch.group >= 0)
+    else if (!assignment.pieces.empty() && patch.group >= 0 && patch.group < kRegionGroups)
       patch.tool =
           assignment.pieces[static_cast<std::size_t>(patch.group) % assignment.pieces.size()];
     else

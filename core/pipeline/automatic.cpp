@@ -6,6 +6,7 @@
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "pipeline/stage_options.h"
+#include "regions/region_uses.h"
 #include "support/supports.h"
 
 #include <algorithm>

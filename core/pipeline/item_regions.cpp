@@ -3,11 +3,15 @@
 #include "base/error.h"
 #include "base/key_text.h"
 #include "base/stopwatch.h"
+#include "geometry/formats/threemf_parts.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_boolean.h"
 #include "layers/layer_checks.h"
 #include "layers/layer_stack.h"
+#include "layers/tool_assignment.h"
 #include "modes/level_choices.h"
+#include "modes/mode.h"
+#include "modes/mode_table.h"
 #include "modes/platform_body.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
@@ -20,6 +24,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -45,38 +50,82 @@ regions::PlacedPart placedPart(const modes::LoadStage& placed, const geometry::T
   return {whole, modes::motionOf(file, scale, placed.placement), scale};
 }
 
-// Keys of the regions for which `isMeant` holds; empty without any.
-template <typename IsMeant> std::string keysOf(const Resolved& resolved, const IsMeant& isMeant) {
+// Returns shapes and uses of all regions in their order, and the sizes of layers that their bodies
+// follow; settings are not among them.
+std::string shapesKey(const Resolved& resolved) {
   std::string key;
-  for (const Region& region : regionsOf(resolved))
-    if (isMeant(regions::findUse(region.use))) {
-      Region shape = region;
-      shape.parameters.clear();
-      key += "region " + keyOf(shape);
-    }
-  return key;
+  for (const Region& region : regionsOf(resolved)) {
+    Region shape = region;
+    shape.parameters.clear();
+    key += "region " + keyOf(shape);
+  }
+  const substrate::LevelOptions levels = modes::levelOptions(resolved.modeChoices());
+  return key + base::keyText(levels.layerHeightMm, levels.heightMinMm, levels.heightMaxMm,
+                             levels.beadWidthMm);
 }
 
-// Returns the choices of a region as those of an item.
-Resolved resolvedRegion(const Resolved& item, const Region& region) {
-  project::Choices own = item.choices;
-  for (const auto& [key, value] : region.parameters)
-    own.item().parameters[key] = value;
-  // A skin or jacket is solid unless it is asked not to be.
-  const regions::RegionLayers layers = regions::findUse(region.use).layers;
-  if ((layers == regions::RegionLayers::Surface || layers == regions::RegionLayers::Around) &&
-      !region.parameters.contains("infillDensity"))
-    own.item().parameters["infillDensity"] = "1";
-  return resolve(own);
+// Returns the tool that a region states; nullopt: that of the part. Throws Error{Usage} if the job
+// has no such tool, or it cannot print the layers of the part.
+std::optional<int> toolOf(const Resolved& resolved, const Region& region) {
+  const auto stated = region.parameters.find("tool");
+  if (stated == region.parameters.end())
+    return std::nullopt;
+  base::ParameterValues values = resolved.values;
+  values.set("tool", stated->second);
+  const int tool = layers::toolAssignment(values, resolved.tooling.tools().size()).part;
+  requirePrints(resolved.tooling, tool, resolved.process().layerHeightMm);
+  return tool;
 }
 
-toolpath::CoverRules rulesOf(const Resolved& resolved) {
-  toolpath::ToolpathOptions options = toolpathOptionsOf(resolved.values, resolved.process());
-  if (resolved.tools.infill != resolved.tools.part)
-    options.infillTool = resolved.tools.infill;
-  return {std::move(options), resolved.tooling};
+// Returns how a region is covered: by its own settings, with the layers of its item.
+toolpath::CoverRules rulesOf(const Resolved& item, const Region* region) {
+  base::ParameterValues values = item.values;
+  int interior = item.tools.infill, whole = item.tools.part;
+  if (region) {
+    for (const auto& [key, value] : region->parameters)
+      values.set(key, value);
+    // A skin or jacket is solid unless it is asked not to be.
+    const regions::RegionLayers layers = regions::findUse(region->use).layers;
+    if ((layers == regions::RegionLayers::Surface || layers == regions::RegionLayers::Around) &&
+        !region->parameters.contains("infillDensity"))
+      values.set("infillDensity", "1");
+    const layers::ToolAssignment tools =
+        layers::toolAssignment(values, item.tooling.tools().size());
+    interior = tools.infill;
+    whole = toolOf(item, *region).value_or(item.tools.part);
+    requirePrints(item.tooling, interior, item.process().layerHeightMm);
+  }
+  toolpath::ToolpathOptions options = toolpathOptionsOf(values, item.process());
+  if (interior != whole)
+    options.infillTool = interior;
+  return {std::move(options), item.tooling};
 }
 
+bool isOnGround(const Resolved& resolved) {
+  return modes::findMode(resolved.choices.item().mode).result == project::ResultKind::OnGround;
+}
+
+// Throws Error{UnusableInput} if a part that stands on a plate lost what it stands on.
+void requireFoot(const geometry::TriangleMesh& left, const geometry::TriangleMesh& whole,
+                 const Resolved& resolved) {
+  const double floatsMm = geometry::bounds(left).min().z() - geometry::bounds(whole).min().z();
+  if (floatsMm > kOnPlateMm && !isOnGround(resolved))
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("regions take away what the part stands on: the rest of it "
+                                    "begins {gap:.3g} above its place"_text,
+                                    base::mm(floatsMm)),
+                      {}, "make the regions smaller, or move them up"_text);
+}
+
+// Layers of regions are not corrected for the sizes of the machine, by which the part is judged.
+void requireNoCorrection(const process::Process& p) {
+  if (p.scaleX != 1.0 || p.scaleY != 1.0 || p.outlineOffsetMm != 0.0 || p.holeOffsetMm != 0.0)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("process {process} corrects sizes: layers of regions have no "
+                                    "corrections"_text,
+                                    p.id),
+                      {}, "choose a process without corrections, or remove the regions"_text);
+}
 } // namespace
 
 bool hasRegions(const Resolved& resolved) {
@@ -92,17 +141,11 @@ withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::Tr
   cut->part = std::make_shared<geometry::TriangleMesh>(
       regions::withoutCuts(placedPart(*stage, *stage->part, file, unitMm), regionsOf(resolved),
                            modes::levelOptions(resolved.modeChoices()), ctx));
-  const double floatsMm =
-      geometry::bounds(*cut->part).min().z() - geometry::bounds(*stage->part).min().z();
-  if (floatsMm > kOnPlateMm)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("regions cut away what the part stands on: it would float "
-                                    "{gap:.3g} above its place"_text,
-                                    base::mm(floatsMm)),
-                      {}, "cut the part in two instead, or leave a part of its foot"_text);
+  requireFoot(*cut->part, *stage->part, resolved);
   cut->voxels = nullptr;
   project::ModelReport report = modelReport(*cut->part);
   report.scale = cut->report.scale;
+  report.repairs = cut->report.repairs;
   cut->report = std::move(report);
   return cut;
 }
@@ -118,18 +161,21 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
   auto stage = std::make_shared<RegionStage>();
   stage->rest = whole;
   if (any(resolved, &regions::RegionUse::hasLayers)) {
+    requireNoCorrection(resolved.process());
     regions::PartRegions made = regions::divided(part, all, levels, ctx);
     stage->layered = std::move(made.layered);
     if (!stage->layered.empty())
       stage->rest = std::make_shared<geometry::TriangleMesh>(std::move(made.rest));
+    requireFoot(*stage->rest, *whole, resolved);
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     const regions::RegionUse& use = regions::findUse(all[i].use);
     stage->bodies.emplace_back();
-    bool isInPart =
-        use.cuts || std::ranges::find(stage->layered, i, &regions::LayeredRegion::index) !=
-                        stage->layered.end();
-    if (!use.cuts && !use.hasLayers()) {
+    const auto layered = std::ranges::find(stage->layered, i, &regions::LayeredRegion::index);
+    bool isInPart = layered != stage->layered.end();
+    if (use.cuts) { // The part ends at the body.
+      isInPart = geometry::touch(*whole, regions::bodyOf(all[i], part, levels, ctx));
+    } else if (!use.hasLayers()) {
       stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
       const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
                                                 stage->bodies.back(), false);
@@ -137,8 +183,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     }
     if (!isInPart)
       stage->findings.push_back(
-          plan::makeFinding(plan::FindingKind::RegionOutside,
-                            {{"region", all[i].name.empty() ? all[i].shape : all[i].name}}));
+          plan::makeFinding(plan::FindingKind::RegionOutside, {{"region", all[i].shape}}));
   }
   return stage;
 }
@@ -159,6 +204,7 @@ withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
     for (layers::Patch& patch : own.stack.patches) {
       patch.layer += stack.layerCount;
       patch.region = static_cast<int>(region.index) + 1;
+      patch.group = layers::kRegionGroups + static_cast<int>(region.index);
       stack.patches.push_back(std::move(patch));
     }
     stack.layerCount += own.stack.layerCount;
@@ -189,45 +235,50 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
       dividing.empty()
           ? *stage->layers
           : regions::dividedPatches(*stage->layers, dividing, resolved.process().beadWidthMm, ctx);
-  std::vector<int> tools{resolved.tools.part};
+  std::vector<std::optional<int>> tools{std::nullopt};
   for (const Region& region : all)
-    tools.push_back(resolvedRegion(resolved, region).tools.part);
+    tools.push_back(toolOf(resolved, region));
   for (layers::Patch& patch : stack.patches)
-    if (patch.region > 0)
-      patch.tool = tools[static_cast<std::size_t>(patch.region)];
+    patch.tool = tools[static_cast<std::size_t>(patch.region)].value_or(patch.tool);
+  std::vector<geometry::TriangleMesh> places = regions.bodies;
+  for (const regions::LayeredRegion& region : regions.layered)
+    places[region.index] = region.solid;
+  std::ranges::copy(regions.findings, std::back_inserter(made->findings));
   made->report.patches = stack.patches.size();
-  made->report.regions = regions::figuresOf(*stage->layers, stack, part, all, regions.bodies, ctx);
+  made->report.regions = regions::figuresOf(*stage->layers, stack, part, all, places, ctx);
   made->layers = layers::kept(std::move(stack));
   made->timings.extract += watch.seconds();
   return made;
 }
 
 std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved) {
-  std::vector<toolpath::CoverRules> rules{rulesOf(resolved)};
+  std::vector<toolpath::CoverRules> rules{rulesOf(resolved, nullptr)};
   for (const Region& region : regionsOf(resolved))
-    rules.push_back(rulesOf(resolvedRegion(resolved, region)));
+    rules.push_back(rulesOf(resolved, &region));
   return rules;
 }
 
 std::string cutRegionsKey(const Resolved& resolved) {
-  return keysOf(resolved, [](const regions::RegionUse& use) { return use.cuts; });
+  return any(resolved, &regions::RegionUse::cuts) ? shapesKey(resolved) : std::string();
 }
 
 std::string layeredRegionsKey(const Resolved& resolved) {
-  return keysOf(resolved, [](const regions::RegionUse& use) { return use.hasLayers(); });
+  return any(resolved, &regions::RegionUse::hasLayers) ? shapesKey(resolved) : std::string();
 }
 
-std::string dividingRegionsKey(const Resolved& resolved) {
-  return keysOf(resolved,
-                [](const regions::RegionUse& use) { return !use.cuts && !use.hasLayers(); });
+std::string regionLayersKey(const Resolved& resolved) {
+  if (!hasRegions(resolved))
+    return {};
+  std::string key = shapesKey(resolved);
+  for (const Region& region : regionsOf(resolved))
+    key += base::keyText(toolOf(resolved, region).value_or(-1));
+  return key;
 }
 
 std::string regionRulesKey(const Resolved& resolved) {
   std::string key;
-  for (const Region& region : regionsOf(resolved)) {
-    const Resolved own = resolvedRegion(resolved, region);
-    key += "region " + base::keyText(own.tools.part) + toolpath::optionsKey(rulesOf(own).options);
-  }
+  for (const Region& region : regionsOf(resolved))
+    key += "region " + toolpath::optionsKey(rulesOf(resolved, &region).options);
   return key;
 }
 

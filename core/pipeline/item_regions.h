@@ -58,7 +58,7 @@ std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved);
 // Return the inputs of these functions, as text; empty without regions.
 std::string cutRegionsKey(const Resolved& resolved);
 std::string layeredRegionsKey(const Resolved& resolved);
-std::string dividingRegionsKey(const Resolved& resolved);
+std::string regionLayersKey(const Resolved& resolved);
 std::string regionRulesKey(const Resolved& resolved);
 
 } // namespace voluta::pipeline

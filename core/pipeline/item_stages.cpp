@@ -283,8 +283,6 @@ ItemOutcome ItemStages::decompose() {
   report().decomposition = decomposed_->report;
   report().decomposition.mode = resolved_.choices.item().mode;
   plan::Findings findings = decomposed_->findings;
-  if (regions_)
-    append(findings, regions_->findings);
   // Here and not in the mode, so that its pieces are not searched again for other supports.
   if (supportsSlices())
     std::erase_if(findings, isOverhangOfSlices);
@@ -309,15 +307,20 @@ ItemOutcome ItemStages::layers() {
     auto made = mode_.layers(resolved_.modeChoices(), *decomposed_,
                              regions_ && !regions_->layered.empty() ? *regions_->rest : printed,
                              span.sub(0.0, 0.9));
-    made = withTools(withWalledSupport(std::move(made), printed), resolved_.tools);
+    made = withWalledSupport(std::move(made), printed);
     if (regions_)
       made = withRegionLayers(std::move(made), *regions_, printed, resolved_, span.sub(0.9, 0.95));
+    made = withTools(std::move(made), resolved_.tools);
     made = withSteps(std::move(made), printed, span.sub(0.95, 1.0).quiet());
     return regions_ ? dividedByRegions(std::move(made), *regions_, printed, resolved_, span.quiet())
                     : made;
   });
   item().layers = stage->layers;
   report().layers = stage->report;
+  const std::vector<project::Region>& regions = resolved_.choices.item().regions;
+  for (std::size_t i = 0; i < report().layers.regions.size() && i < regions.size(); ++i)
+    if (!regions[i].name.empty())
+      report().layers.regions[i].region = regions[i].name;
   report().decomposition.supportVolumeMm3 =
       decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
   return {stage->findings, stage->timings};

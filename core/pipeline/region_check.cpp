@@ -52,10 +52,10 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
     const bool followsSurface = shape.kind->frame == regions::ShapeFrame::Part;
     if (use.layers == regions::RegionLayers::Turning &&
         regions::directionOf(region.use).cross(Eigen::Vector3d::UnitZ()).norm() < 1e-3)
-      throw Error(
-          ErrorCode::Usage,
-          base::message("layers of region {region} turn to where they are"_text, region.shape), {},
-          "give another direction than upwards"_text);
+      throw Error(ErrorCode::Usage,
+                  base::message("layers of region {region} turn to a vertical direction"_text,
+                                region.shape),
+                  {}, "give a tilted direction"_text);
     if (use.layers == regions::RegionLayers::Surface && !followsSurface)
       throw Error(
           ErrorCode::Usage,

@@ -90,7 +90,7 @@ PlanRequest onlyItem(const PlanRequest& request, std::size_t i) {
 bool areAlike(const project::ItemChoices& a, const project::ItemChoices& b) {
   const auto all = [](const project::ItemChoices& c) {
     return std::tie(c.automatic, c.platformStays, c.automaticStrategy, c.mode, c.growth, c.platform,
-                    c.scale, c.units, c.placement.liftMm, c.repair, c.parameters);
+                    c.scale, c.units, c.placement.liftMm, c.repair, c.parameters, c.regions);
   };
   return all(a) == all(b) && a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
 }

@@ -217,7 +217,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   put(project::Stage::Load, loadText(loaded, resolved, cellKey));
   put(project::Stage::Decompose,
       base::keyText(mode.id) + mode.decompose.key(in) + layeredRegionsKey(resolved));
-  put(project::Stage::Layers, mode.layers.key(in) + tools + dividingRegionsKey(resolved));
+  put(project::Stage::Layers, mode.layers.key(in) + tools + regionLayersKey(resolved));
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);
   paths.canTilt = canTilt(choices, cell);

@@ -216,8 +216,11 @@ std::size_t ownTool(const project::Choices& choices) {
 
 void removeTool(project::Choices& choices, std::size_t tool) {
   choices.tools.erase(choices.tools.begin() + static_cast<std::ptrdiff_t>(tool));
-  for (project::ItemChoices& item : choices.items)
+  for (project::ItemChoices& item : choices.items) {
     layers::forgetTool(item.parameters, static_cast<int>(tool) + 1);
+    for (project::Region& region : item.regions)
+      layers::forgetTool(region.parameters, static_cast<int>(tool) + 1);
+  }
 }
 
 base::ParameterTable parametersOf(const project::Choices& choices) {
@@ -403,18 +406,20 @@ layers::ToolAssignment chosenTools(const base::ParameterValues& values,
                                    const process::Tooling& tooling) {
   layers::ToolAssignment assignment = layers::toolAssignment(values, tooling.tools().size());
   assignment.fromLayer = toolsFromLayers(values, tooling.tools().size());
-  const double height = tooling.at(assignment.part).process.layerHeightMm;
-  for (const int tool : assignment.used()) {
-    const process::Process& p = tooling.at(tool).process;
-    if (height < p.layerHeightMinMm || height > p.layerHeightMaxMm)
-      throw Error(ErrorCode::Usage,
-                  base::message("tool {number} cannot print layers of {height}"_text, tool + 1,
-                                base::mm(height)),
-                  std::string("layerHeightMm"),
-                  base::message("give {least#} to {most}"_text, base::mm(p.layerHeightMinMm),
-                                base::mm(p.layerHeightMaxMm)));
-  }
+  for (const int tool : assignment.used())
+    requirePrints(tooling, tool, tooling.at(assignment.part).process.layerHeightMm);
   return assignment;
+}
+
+void requirePrints(const process::Tooling& tooling, int tool, double layerHeightMm) {
+  const process::Process& p = tooling.at(tool).process;
+  if (layerHeightMm < p.layerHeightMinMm || layerHeightMm > p.layerHeightMaxMm)
+    throw Error(ErrorCode::Usage,
+                base::message("tool {number} cannot print layers of {height}"_text, tool + 1,
+                              base::mm(layerHeightMm)),
+                std::string("layerHeightMm"),
+                base::message("give {least#} to {most}"_text, base::mm(p.layerHeightMinMm),
+                              base::mm(p.layerHeightMaxMm)));
 }
 
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {

@@ -95,6 +95,8 @@ process::Tooling chosenTooling(const project::Choices& choices,
 // part's layer height.
 layers::ToolAssignment chosenTools(const base::ParameterValues& values,
                                    const process::Tooling& tooling);
+// Throws Error{Usage} if a tool cannot print layers of that height. `tool`: an index.
+void requirePrints(const process::Tooling& tooling, int tool, double layerHeightMm);
 
 // Returns the length [mm] of one unit of the loaded part's mesh at scale 1. For a voxel object this
 // is the user's voxelMm, or else the parameter's default regardless of mode and process. Throws

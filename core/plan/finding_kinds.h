@@ -73,7 +73,6 @@ enum class FindingKind : std::uint8_t {
   BlockedPieces,
   SmallFoot,
   UniformMisses,
-  RegionOutside,
   // layers
   DroppedPieces,
   UnsupportedPatches,
@@ -87,6 +86,7 @@ enum class FindingKind : std::uint8_t {
   PlaneMisses,
   HeightBeyondLimits,
   PartsHinder,
+  RegionOutside,
   // toolpath
   GivenWithoutSection,
   GivenTooFast,

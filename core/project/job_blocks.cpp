@@ -396,23 +396,28 @@ bool isSound(const plan::ToolPlan& p) {
 }
 
 namespace {
-bool isSoundItem(const JobItem& item) {
+bool isSoundItem(const JobItem& item, const ItemChoices& choices) {
+  const auto regions = std::ssize(choices.regions);
   if (!allFinite(item.platform.polygon))
     return false;
   if (const Voxels voxels = item.decomposition(); voxels && !soundDecomposition(*voxels))
     return false;
   if (const Pieces pieces = item.pieces(); pieces && !soundPieces(*pieces))
     return false;
-  return !item.layers || std::ranges::all_of(item.layers->patches, [](const layers::Patch& patch) {
-    return soundMesh(patch.surface) && allFinite(patch.chart.at);
+  return !item.layers || std::ranges::all_of(item.layers->patches, [&](const layers::Patch& patch) {
+    return soundMesh(patch.surface) && allFinite(patch.chart.at) && patch.tool >= 0 &&
+           patch.region >= 0 && patch.region <= regions;
   });
 }
 } // namespace
 
 bool isConsistent(const Job& job) {
   if (job.items.size() != job.choices.items.size() || job.items.size() != job.report.items.size() ||
-      !std::ranges::all_of(job.items, isSoundItem) || (job.toolPlan && !isSound(*job.toolPlan)))
+      (job.toolPlan && !isSound(*job.toolPlan)))
     return false;
+  for (std::size_t i = 0; i < job.items.size(); ++i)
+    if (!isSoundItem(job.item(i), job.choices.item(i)))
+      return false;
   if (job.trajectory && !soundTrajectory(*job.trajectory, job.toolPlan.get()))
     return false;
   if (job.resumedAt > 0 && (!job.trajectory || job.resumedAt >= job.trajectory->pointCount()))

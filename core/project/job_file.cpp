@@ -477,8 +477,11 @@ Job readFrame(const FileFrame& frame, const std::string& where, const base::Para
   if (!hasSoundScales(job) || !isConsistent(job))
     throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
   addNotes(updateKeys(job.choices.parameters), job.item());
-  for (std::size_t i = 0; i < job.items.size(); ++i)
+  for (std::size_t i = 0; i < job.items.size(); ++i) {
     addNotes(updateKeys(job.choices.item(i).parameters), job.item(i));
+    for (Region& region : job.choices.item(i).regions)
+      addNotes(updateKeys(region.parameters), job.item(i));
+  }
   if (frame.format == kScopeless)
     moveToJob(table, job.choices);
   return job;

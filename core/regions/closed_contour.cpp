@@ -25,8 +25,8 @@ constexpr double kFromEnd = 0.01;
 // none.
 class Values {
 public:
-  Values(const std::function<double(const Vector3d&)>& value, const Eigen::AlignedBox3d& box,
-         double gridMm, const base::RunContext& ctx)
+  Values(const BoundedFunction& function, const Eigen::AlignedBox3d& box, double gridMm,
+         const base::RunContext& ctx)
       : low_(box.min()), gridMm_(gridMm) {
     for (int k = 0; k < 3; ++k)
       blocks_[k] = std::max(1, static_cast<int>(std::ceil(box.sizes()[k] / (kBlock * gridMm))));
@@ -36,12 +36,12 @@ public:
       for (std::size_t b = begin; b < end; ++b) {
         const Vector3i first = firstCell(b);
         const double reach = 0.5 * std::sqrt(3.0) * kBlock * gridMm;
-        if (value(place(first) + Vector3d::Constant(0.5 * kBlock * gridMm)) > reach)
+        if (function.bound(place(first) + Vector3d::Constant(0.5 * kBlock * gridMm)) > reach)
           continue;
         for (int z = 0; z < kPoints; ++z)
           for (int y = 0; y < kPoints; ++y)
             for (int x = 0; x < kPoints; ++x)
-              of_[b].push_back(value(place(first + Vector3i(x, y, z))));
+              of_[b].push_back(function.value(place(first + Vector3i(x, y, z))));
       }
     });
   }
@@ -148,15 +148,17 @@ private:
 };
 } // namespace
 
-geometry::TriangleMesh closedContour(const std::function<double(const Vector3d&)>& value,
+geometry::TriangleMesh closedContour(const BoundedFunction& function,
                                      const Eigen::AlignedBox3d& box, double gridMm,
                                      const base::RunContext& ctx) {
   base::require(gridMm > 0.0 && !box.isEmpty(), "a grid in a box");
-  const Values values(value, box, gridMm, ctx);
+  const Values values(function, box, gridMm, ctx);
   Contour contour(values);
   for (std::size_t block = 0; block < values.blocks(); ++block)
-    if (!values.isEmpty(block))
+    if (!values.isEmpty(block)) {
+      ctx.checkpoint();
       contour.addBlock(block);
+    }
   return contour.take();
 }
 

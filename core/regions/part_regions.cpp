@@ -26,6 +26,7 @@ using geometry::TriangleMesh;
 
 // Mean thickness up to which a piece is rounding, as between two bodies that touch.
 constexpr double kFilmMm = 0.01;
+constexpr double kBoxMargin = 4.0; // [grid]: of the box around a part
 
 TriangleMesh moved(TriangleMesh mesh, const PlacedPart& part) {
   for (Eigen::Vector3d& v : mesh.vertices)
@@ -66,7 +67,7 @@ substrate::Skin skinOf(const Shape& shape) {
 
 // A plane is exact on any grid, and a large curved surface nearly so.
 double skinGridMm(const TriangleMesh& part, double depthMm, const substrate::LevelOptions& levels) {
-  constexpr double kMostCells = 400.0; // along the part's longest side
+  constexpr double kMostCells = 300.0; // along the part's longest side
   const double coarse = geometry::bounds(part).sizes().maxCoeff() / kMostCells;
   return std::min(depthMm, std::max(substrate::offsetGridMm(levels), coarse));
 }
@@ -87,11 +88,17 @@ TriangleMesh skinBody(const project::Region& region, const Shape& shape, const T
         base::ErrorCode::UnusableInput,
         base::message("region {region}: no face of the part is as flat as that"_text, region.shape),
         {}, "give a steeper slope"_text);
-  Eigen::AlignedBox3d box = geometry::bounds(surface.surface());
-  box.min().array() -= skin.depthMm + 2.0 * gridMm;
-  box.max().array() += skin.depthMm + 2.0 * gridMm;
-  return closedContour([&](const Eigen::Vector3d& p) { return surface.excess(p); }, box, gridMm,
-                       ctx);
+  // Only what is in the part matters.
+  Eigen::AlignedBox3d box = geometry::bounds(part);
+  box.min().array() -= kBoxMargin * gridMm;
+  box.max().array() += kBoxMargin * gridMm;
+  const auto outsideMm = [&](const Eigen::Vector3d& p) {
+    return -(p - box.min()).cwiseMin(box.max() - p).minCoeff() + gridMm;
+  };
+  return closedContour(
+      {[&](const Eigen::Vector3d& p) { return std::max(surface.excess(p), outsideMm(p)); },
+       [&](const Eigen::Vector3d& p) { return std::max(surface.excessOfDepth(p), outsideMm(p)); }},
+      box, gridMm, ctx);
 }
 } // namespace
 
@@ -111,7 +118,8 @@ TriangleMesh bodyOf(const project::Region& region, const PlacedPart& part,
   base::require(region.mesh != nullptr, "the region has its mesh");
   const TriangleMesh mesh = moved(*region.mesh, part);
   return shape.kind->mesh == ShapeMesh::Painted
-             ? substrate::bodyAround(mesh, shape.numbers[0], substrate::offsetGridMm(levels), ctx)
+             ? substrate::bodyAround(mesh, shape.numbers[0],
+                                     skinGridMm(part.mesh, shape.numbers[0], levels), ctx)
              : mesh;
 }
 

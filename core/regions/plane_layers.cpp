@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "geometry/measures.h"
+#include "geometry/nearest_share.h"
 #include "layers/layer_checks.h"
 #include "layers/layer_findings.h"
 #include "layers/order.h"
@@ -131,7 +132,19 @@ substrate::StackedLevels turningLayers(const geometry::TriangleMesh& solid,
     const Vector3d from = p - hinge;
     return (from - from.dot(axis) * axis).norm();
   };
-  const Range radius = rangeOf(solid, radiusMm);
+  Range radius = rangeOf(solid, radiusMm);
+  // Nearest on an edge, seen along the axis.
+  const auto across = [&](const Vector3d& p) {
+    const Vector3d from = p - hinge;
+    return Eigen::Vector2d(from.dot(inwards), from.z());
+  };
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector2d a = across(solid.corner(t, k)),
+                            b = across(solid.corner(t, (k + 1) % 3));
+      const double share = geometry::nearestShare(Eigen::Vector2d(0.0, 0.0), a, b);
+      radius.low = std::min(radius.low, ((1.0 - share) * a + share * b).norm());
+    }
   const auto least = static_cast<int>(std::ceil(radius.high * angle / levels.heightMaxMm - 1e-9)),
              most = static_cast<int>(std::floor(radius.low * angle / levels.heightMinMm + 1e-9));
   if (least > most)

@@ -12,6 +12,8 @@
 namespace voluta::regions {
 
 namespace {
+constexpr double kOnSurfaceMm = 0.02;
+
 double volumeOf(const layers::Patch& patch) {
   double mm3 = 0.0;
   for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
@@ -33,8 +35,11 @@ std::vector<char> facesIn(const project::Region& region, const geometry::Triangl
   if (body.empty())
     return isIn;
   const geometry::MeshQuery query(body);
-  for (std::size_t t = 0; t < isIn.size(); ++t)
-    isIn[t] = query.inside((part.corner(t, 0) + part.corner(t, 1) + part.corner(t, 2)) / 3.0);
+  for (std::size_t t = 0; t < isIn.size(); ++t) {
+    const Eigen::Vector3d middle =
+        (part.corner(t, 0) + part.corner(t, 1) + part.corner(t, 2)) / 3.0;
+    isIn[t] = query.closest(middle).distance < kOnSurfaceMm || query.inside(middle) ? 1 : 0;
+  }
   return isIn;
 }
 } // namespace
@@ -46,7 +51,7 @@ figuresOf(const layers::LayerStack& whole, const layers::LayerStack& stack,
   std::vector<plan::RegionStatistics> figures;
   for (std::size_t i = 0; i < all.size(); ++i) {
     plan::RegionStatistics& own = figures.emplace_back();
-    own.region = all[i].name.empty() ? all[i].shape : all[i].name;
+    own.region = all[i].shape;
     own.use = all[i].use;
     const layers::StepFigures steps =
         layers::stepsOn(whole, part, facesIn(all[i], part, bodies[i]), ctx);

@@ -106,7 +106,7 @@ TriangleMesh sphere(const Numbers& n, const AlignedBox3d&) {
 
 // A slab that is wider than the part.
 TriangleMesh heights(const Numbers& n, const AlignedBox3d& around) {
-  constexpr double kBeyondMm = 1.0;
+  constexpr double kBeyondMm = 10.0;
   if (n[0] >= n[1])
     throw Error(ErrorCode::Usage,
                 base::message("the range of heights from {from} to {to} is empty"_text,

@@ -58,6 +58,15 @@ const RegionUse& findUse(std::string_view text) {
   return *found;
 }
 
+bool tiltHead(const std::vector<project::Region>& regions) {
+  return std::ranges::any_of(regions, [](const project::Region& region) {
+    const RegionLayers layers = findUse(region.use).layers;
+    return layers == RegionLayers::Flat
+               ? !directionOf(region.use).isApprox(Eigen::Vector3d::UnitZ(), 1e-6)
+               : layers != RegionLayers::None;
+  });
+}
+
 Eigen::Vector3d directionOf(std::string_view text) {
   const RegionUse& use = findUse(text);
   base::require(use.fields.size() == 3, "a use with a direction");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "project/region.h"
 #include "regions/region_kinds.h"
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@ namespace voluta::regions {
 enum class RegionLayers {
   None,
   Surface, // parallel to the part's upper surface; of skins
-  Around,  // at constant distance from what is printed before
+  Around,  // at constant distance from the rest of the part
   Flat,    // perpendicular to a direction
   Turning  // planes that turn from horizontal to a direction, thicker on one side
 };
@@ -38,6 +39,8 @@ std::string formOf(const RegionUse& use);
 // Returns the use of a text such as "flat:0,1,1". Throws Error{Usage} that names the nearest one,
 // or its form.
 const RegionUse& findUse(std::string_view text);
+// Returns whether the layers of one of the regions tilt the head.
+bool tiltHead(const std::vector<project::Region>& regions);
 // Returns the unit direction that the text of a use states. Throws Error{Usage} for a direction of
 // no length. Precondition: the use has a direction.
 Eigen::Vector3d directionOf(std::string_view text);

@@ -244,6 +244,10 @@ SkinSurface::SkinSurface(const TriangleMesh& part, const Skin& skin, double grid
   query_ = queryOf(surface_);
 }
 
+double SkinSurface::excessOfDepth(const Vector3d& p) const {
+  return query_->closest(p).distance - depthMm_;
+}
+
 double SkinSurface::excess(const Vector3d& p) const {
   const geometry::MeshQuery::Closest on = query_->closest(p);
   const auto t = static_cast<std::size_t>(on.triangle);

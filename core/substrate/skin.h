@@ -35,8 +35,10 @@ public:
   bool empty() const { return surface_.empty(); }
   // With its continuation.
   const geometry::TriangleMesh& surface() const { return surface_; }
-  // Returns how far a point is beyond the skin [mm]: negative inside it, and at least the distance
-  // from the surface less the depth. Precondition: not empty. Thread-safe.
+  // Return the distance from the surface less the depth, and how far a point is beyond the skin
+  // [mm], which is at least that and negative inside the skin. Precondition: not empty.
+  // Thread-safe.
+  double excessOfDepth(const Eigen::Vector3d& p) const;
   double excess(const Eigen::Vector3d& p) const;
 
 private:

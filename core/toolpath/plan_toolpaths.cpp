@@ -272,10 +272,10 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
 }
 
 // Throws Error{Usage} for a spiral with regions.
-std::vector<CoverRules> withSpiral(std::vector<CoverRules> rules) {
+std::vector<CoverRules> withSpiral(std::vector<CoverRules> rules, const layers::LayerStack& stack) {
   if (!rules.front().options.spiral)
     return rules;
-  if (rules.size() > 1)
+  if (std::ranges::any_of(stack.patches, [](const layers::Patch& p) { return p.region > 0; }))
     throw base::Error(base::ErrorCode::Usage, "a spiral has no regions"_text, {},
                       "remove the regions, or set spiral to false"_text);
   rules.front().options = spiralOptions(rules.front().options);
@@ -298,7 +298,7 @@ ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::La
                              const base::RunContext& ctx, std::span<const Vector3d> others) {
   const base::Stopwatch watch;
   if (items.size() == 1) {
-    const std::vector<CoverRules> rules = withSpiral(items.front().rules);
+    const std::vector<CoverRules> rules = withSpiral(items.front().rules, joined);
     return planCovered(coverLayers(joined, rules, kCoverShare, ctx), 1, joined, cell, tooling,
                        rules.front().options, {}, watch, ctx);
   }

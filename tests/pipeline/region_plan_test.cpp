@@ -8,6 +8,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_cache.h"
 #include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
 #include "process/bead_model.h"
@@ -16,6 +17,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace voluta::pipeline {
 namespace {
@@ -129,6 +131,7 @@ TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {
   }
   EXPECT_THROW(planPart(requestWith({"skin:2"}, "1", "trace"), {}), base::Error);
   EXPECT_THROW(planPart(requestWith({"height:-1,3;use=cut"}, "1"), {}), base::Error);
+  EXPECT_THROW(planPart(requestWith({"height:-1,3;use=flat"}, "1"), {}), base::Error);
 }
 
 // A project keeps regions, meshes included; its results stay those of its choices.
@@ -169,6 +172,70 @@ TEST(RegionPlan, KeysFollowTheRegions) {
   differ("height:4,8", "height:4,9", Layers);
   differ("height:4,8;walls=3", "height:4,8;walls=4", Toolpath);
   EXPECT_EQ(keysWith("height:4,8;name=a"), keysWith("height:4,8;name=b"));
+}
+
+// Keys state the order of regions and the tool of each: results of one order or tool are not taken
+// for another.
+TEST(RegionPlan, KeysStateOrderAndTools) {
+  const auto keysOf = [](const std::vector<std::string>& regions) {
+    PlanRequest request = requestWith(regions, "0.5");
+    request.choices.tools.push_back({"fdm-1.0"});
+    request.until = project::Stage::Load;
+    return stageKeys(request);
+  };
+  const std::string settings = "cylinder:0,0,8,12,40;walls=5", cut = "box:0,0,16,6,100,4;use=cut",
+                    skin = "skin:1.6";
+  constexpr std::size_t kLayers = project::indexOf(project::Stage::Layers);
+  EXPECT_NE(keysOf({settings, cut})[kLayers], keysOf({cut, settings})[kLayers]);
+  EXPECT_NE(keysOf({settings, skin})[kLayers], keysOf({skin, settings})[kLayers]);
+  EXPECT_NE(keysOf({settings + ";tool=2"})[kLayers], keysOf({settings + ";tool=1"})[kLayers]);
+}
+
+// A second plan with another tool, from the cache of the first.
+TEST(RegionPlan, ATouchedToolPrintsTheRegionAgain) {
+  StageCache cache;
+  const auto toolsWith = [&](const std::string& tool) {
+    PlanRequest request = requestWith({"cylinder:0,0,8,16,40;tool=" + tool}, "1");
+    request.choices.tools.push_back({"fdm-1.0"});
+    request.until = project::Stage::Toolpath;
+    const PlanResult plan = planPart(request, {}, &cache);
+    std::map<int, double> mm;
+    const plan::ToolPlan& paths = *plan.job.toolPlan;
+    for (const plan::ToolPath& path : paths.paths)
+      for (std::size_t w = path.first + 1; w < path.first + path.count; ++w)
+        if (paths.position[w].head<2>().norm() < 6.0)
+          mm[path.tool] += (paths.position[w] - paths.position[w - 1]).norm();
+    return mm;
+  };
+  EXPECT_GT(toolsWith("2")[1], 100.0);
+  EXPECT_EQ(toolsWith("1")[1], 0.0);
+}
+
+// Each of two parts has its own regions, in mode auto too.
+TEST(RegionPlan, PartsHaveTheirOwnRegions) {
+  PlanRequest request = requestWith({"height:4,8;walls=4"}, "1");
+  request.items.push_back(request.items.front());
+  request.choices.items.push_back(request.choices.item());
+  request.choices.item(1).regions = {regions::parsedRegion("skin:1.6", {})};
+  request.choices.item(1).placement.centreMm = {80.0, 0.0};
+  for (project::ItemChoices& item : request.choices.items)
+    item.automatic = true;
+  request.until = project::Stage::Layers;
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.job.report.item(0).layers.regions.size(), 1u);
+  EXPECT_EQ(plan.job.report.item(0).layers.regions[0].use, "settings");
+  ASSERT_EQ(plan.job.report.item(1).layers.regions.size(), 1u);
+  EXPECT_EQ(plan.job.report.item(1).layers.regions[0].use, "surface");
+}
+
+// An earlier region with settings leaves a later skin alone.
+TEST(RegionPlan, TheLaterRegionHoldsForLayersToo) {
+  PlanRequest request = requestWith({"height:0,100;infillDensity=0.3", "skin:1.6"}, "0.2");
+  request.until = project::Stage::Layers;
+  const PlanResult plan = planPart(request, {});
+  const auto& regions = plan.job.report.item().layers.regions;
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_NEAR(regions[1].volumeMm3 / (40.0 * 32.0 * 1.6), 1.0, 0.02);
 }
 
 } // namespace

@@ -179,6 +179,18 @@ TEST(PartRegions, BodiesThatTouchLeaveNoFilm) {
   EXPECT_EQ(geometry::components(made.rest).count, 1);
 }
 
+// Far finer than the step: blocks beside the rising wall are not left out.
+TEST(PartRegions, ASkinOfAFineNozzleIsClosedAtAStep) {
+  const substrate::LevelOptions fine{0.2, 0.1, 0.3, 0.0, 0.4};
+  const TriangleMesh part = test::box({0, 0, 0}, {16, 8, 6}) + test::box({8, 0, 4}, {16, 8, 8.5});
+  const std::vector<project::Region> skin{{.shape = "skin:2.4", .use = "surface"}};
+  const PartRegions made = divided({part}, skin, fine, {});
+  double mm3 = 0.0;
+  for (const LayeredRegion& region : made.layered)
+    mm3 += geometry::volume(region.solid);
+  EXPECT_NEAR(mm3 / (2.0 * 8.0 * 8.0 * 2.4), 1.0, 0.03);
+}
+
 TEST(PartRegions, ASkinNeedsASurfaceAndACore) {
   const TriangleMesh part = test::box({0, 0, 0}, {20, 20, 5});
   const std::vector<project::Region> thick{{.shape = "skin:6", .use = "surface"}};

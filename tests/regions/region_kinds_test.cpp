@@ -28,7 +28,7 @@ TEST(RegionKinds, BodiesAreClosedAndHaveTheirVolume) {
       {"box:1,2,3,4,5,6", 120.0},
       {"cylinder:0,0,5,8,10", base::kPi * 16.0 * 10.0},
       {"sphere:3,0,10,12", 4.0 / 3.0 * base::kPi * 216.0},
-      {"height:5,9", 42.0 * 42.0 * 4.0}};
+      {"height:5,9", 60.0 * 60.0 * 4.0}};
   for (const auto& [shape, mm3] : cases) {
     const geometry::TriangleMesh body = bodyInBox(shape);
     EXPECT_TRUE(geometry::isWatertight(body)) << shape;

@@ -15,6 +15,7 @@
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 #include "project/loaded_part.h"
+#include "regions/region_uses.h"
 
 #include <algorithm>
 
@@ -94,7 +95,7 @@ std::vector<Eigen::Vector2d> plateWithSize(const project::ItemChoices& item) {
 } // namespace
 
 bool mayLean(const project::ItemChoices& item) {
-  return item.automatic || !modes::findMode(item.mode).upright;
+  return item.automatic || !modes::findMode(item.mode).upright || regions::tiltHead(item.regions);
 }
 
 PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) {

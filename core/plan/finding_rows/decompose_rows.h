@@ -115,9 +115,6 @@ inline constexpr FindingRow kDecomposeRows[] = {
         UniformMisses, "uniformMisses",
         "unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them"_text,
         kRotateOrOther, {.remedies = kOffers<RotateToMinRiskyArea>}),
-    info(RegionOutside, "regionOutside",
-         "region {region} is outside the part: it has no effect"_text,
-         "move it into the part, or remove it"_text),
 };
 
 } // namespace voluta::plan::finding_rows

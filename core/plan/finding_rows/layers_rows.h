@@ -57,6 +57,9 @@ inline constexpr FindingRow kLayersRows[] = {
         "{help}"_text,
         {.whyNoRemedy =
              "move one of the parts on the Prepare page, or print one after another"_text}),
+    info(RegionOutside, "regionOutside",
+         "region {region} is outside the part, or behind later regions: it has no effect"_text,
+         "move it into the part, or remove it"_text),
 };
 
 } // namespace voluta::plan::finding_rows

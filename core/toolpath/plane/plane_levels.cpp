@@ -33,7 +33,8 @@ PlaneLevels::PlaneLevels(const layers::LayerStack& stack, const base::RunContext
     if (!patches_[i] && !isSupport(i) && !stack.patches[i].surface.empty())
       curved.insert(stack.patches[i].item);
   std::vector<Eigen::Vector3d> directions;
-  std::vector<std::tuple<int, std::size_t, double, std::size_t>> order;
+  // Regions with layers of their own are stacks of their own.
+  std::vector<std::tuple<int, int, std::size_t, double, std::size_t>> order;
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     if (curved.contains(stack.patches[i].item))
       patches_[i].reset();
@@ -45,14 +46,16 @@ PlaneLevels::PlaneLevels(const layers::LayerStack& stack, const base::RunContext
     const auto direction = static_cast<std::size_t>(known - directions.begin());
     if (known == directions.end())
       directions.push_back(patches_[i]->direction);
-    order.emplace_back(stack.patches[i].item, direction, patches_[i]->heightMm, i);
+    const int region = std::max(0, stack.patches[i].group - layers::kRegionGroups + 1);
+    order.emplace_back(stack.patches[i].item, region, direction, patches_[i]->heightMm, i);
   }
   std::ranges::sort(order);
   std::size_t stackNumber = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const auto& [item, direction, height, i] = order[k];
-    const bool isSameStack =
-        k > 0 && std::get<0>(order[k - 1]) == item && std::get<1>(order[k - 1]) == direction;
+    const auto& [item, region, direction, height, i] = order[k];
+    const bool isSameStack = k > 0 && std::get<0>(order[k - 1]) == item &&
+                             std::get<1>(order[k - 1]) == region &&
+                             std::get<2>(order[k - 1]) == direction;
     stackNumber += isSameStack ? 0 : 1;
     const double thickness = patches_[i]->thicknessMm;
     if (!isSameStack || height - levels_.back().middleMm >
