@@ -330,7 +330,9 @@ std::vector<Statement> allStatements(std::mt19937& random) {
        .needle = "plates"},
       {.members = {{"Metadata/Slic3r_PE.config", "; x"}}, .needle = "Slic3r_PE.config"},
       {.members = {{"Metadata/layer_heights_profile.txt", "1"}}, .needle = "layer heights"},
-      {.members = {{"Metadata/custom_gcode_per_layer.xml", "<a/>"}}, .needle = "given heights"},
+      {.members = {{"Metadata/custom_gcode_per_layer.xml",
+                    R"(<a><layer top_z="2" type="1"/></a>)"}},
+       .needle = "a pause at"},
       {.members = {{"Other/" + n + ".bin", "1"}}, .needle = "Other/" + n},
   };
 }

@@ -6,15 +6,28 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace voluta::geometry {
 
 constexpr std::size_t kMaxPartsOfFile = 255;
 
+// A place within a part to which its file gives settings of its own.
+struct ModifierOfFile {
+  std::string name;                // of its volume; empty: none
+  TriangleMesh mesh;               // as read, in the coordinates of the part's mesh; empty: heights
+  double fromMm = 0.0, toMm = 0.0; // heights over the lowest point of the part
+  // Keys and values of the slicer, each key once. "extruder" is from 1, and differs from the
+  // part's.
+  std::vector<std::pair<std::string, std::string>> settings;
+};
+
 struct PartOfFile {
   std::string name; // of its object or product; empty: none
   MeshFile file;
-  Eigen::Vector3d placeMm{0.0, 0.0, 0.0}; // of the mesh's origin in the file
+  Eigen::Vector3d placeMm{0.0, 0.0, 0.0};     // of the mesh's origin in the file
+  std::vector<ModifierOfFile> modifiers = {}; // where two overlap, the later one holds
 };
 
 // Throws Error{UnusableInput} if the file holds more than kMaxPartsOfFile parts.

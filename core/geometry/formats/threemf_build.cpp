@@ -46,8 +46,8 @@ const std::string& firstNamed(const std::string& name, const std::string& otherw
   return name.empty() ? otherwise : name;
 }
 
-// Adds a sentence for each setting of an object and its volumes that is not acted on. `otherName`:
-// for objects without a name.
+// Adds a sentence for each setting of an object and its volumes that is not acted on, without
+// modifiers. `otherName`: for objects without a name.
 void noteSettings(const ThreemfObjectSettings& object, const std::string& otherName,
                   const std::string& member, std::vector<base::Message>& notes) {
   const std::string& name = firstNamed(object.name, otherName);
@@ -57,27 +57,38 @@ void noteSettings(const ThreemfObjectSettings& object, const std::string& otherN
           "not used: extruder {number} of '{object}' ({where}): choose the tool of the part"_text,
           extruder, of, member));
   };
-  const auto noteKeys = [&](const std::vector<std::string>& keys, const std::string& of) {
-    if (!keys.empty())
+  const auto noteKeys = [&](const ThreemfValues& settings, const std::string& of) {
+    if (!settings.empty())
       notes.push_back(base::message("not used: settings of '{object}' ({where}): {keys}"_text, of,
-                                    member, inQuotes(keys)));
+                                    member, keysInQuotes(settings)));
   };
   noteExtruder(object.extruder, 1, name);
   noteKeys(object.settings, name);
   for (const ThreemfVolume& volume : object.volumes) {
+    if (volume.kind == Kind::Modifier)
+      continue;
     const std::string& own = firstNamed(volume.name, volume.objectId);
     const std::string of = own.empty() || own == name ? name : name + " / " + own;
-    if (volume.kind == Kind::Part || volume.kind == Kind::Modifier)
+    if (volume.kind == Kind::Part)
       noteExtruder(volume.extruder, object.extruder == 0 ? 1 : object.extruder, of);
     noteKeys(volume.settings, of);
   }
+}
+
+// Returns the settings of a modifier. `usual`: extruder of its object, 0: the first.
+ThreemfValues modifierSettings(const ThreemfVolume& volume, int usual) {
+  ThreemfValues settings = volume.settings;
+  if (volume.extruder != 0 && volume.extruder != std::max(usual, 1))
+    settings.emplace_back("extruder", std::to_string(volume.extruder));
+  return settings;
 }
 
 // Places everything that is built, each object at every use.
 class Unfolding {
 public:
   Unfolding(const ZipPackage& package, const std::string& model, const std::string& name)
-      : package_(package), name_(name), settings_(slicerSettings(package, model)) {}
+      : package_(package), name_(name), settings_(slicerSettings(package, model)),
+        heights_(slicerHeights(package)) {}
 
   const ThreemfModel& model(const std::string& member) {
     const auto known = models_.find(member);
@@ -98,12 +109,17 @@ public:
     return read;
   }
 
-  void addItem(const ThreemfUse& item, const std::string& member,
+  void addItem(const ThreemfUse& given, const std::string& member,
                const Eigen::Affine3d& mm_T_build) {
+    const ThreemfUse item = original(given, member);
+    const std::size_t number = numberOf(item);
     if (!item.printable) {
       ++unprintable_;
       return;
     }
+    if (const auto ranges = heights_.ranges.find(static_cast<long long>(number));
+        ranges != heights_.ranges.end())
+      ranges_[items_] = ranges->second;
     itemName_ = model(item.path.empty() ? member : memberOf(item.path)).nameOf(item.id);
     itemId_ = item.id;
     const auto settings = settings_.objects.find(item.id);
@@ -113,11 +129,19 @@ public:
     mm_T_item_ = mm_T_build * item.parent_T_object;
     ThreemfUse inItem = item;
     inItem.parent_T_object.setIdentity();
-    add(inItem, {member, Eigen::Affine3d::Identity(), Kind::Part, {}, 0});
+    add(inItem, {member, Eigen::Affine3d::Identity(), Kind::Part, {}, {}, 0});
     ++items_;
   }
 
   std::vector<ThreemfPiece> takePieces() { return std::move(pieces_); }
+  std::map<std::size_t, std::vector<ThreemfRange>> takeRanges() { return std::move(ranges_); }
+  std::vector<base::Message> modifierNotes() const {
+    std::vector<base::Message> notes = modifiers_;
+    if (!ranges_.empty())
+      notes.push_back(base::message("not used: settings of ranges of height ('{member}')"_text,
+                                    heights_.rangesMember));
+    return notes;
+  }
 
   // Returns a sentence for each kind of skipped or changed items.
   std::vector<base::Message> notes() const {
@@ -147,6 +171,12 @@ public:
     for (const auto& [member, model] : models_)
       notes.insert(notes.end(), model.notes.begin(), model.notes.end());
     notes.insert(notes.end(), settings_.notes.begin(), settings_.notes.end());
+    notes.insert(notes.end(), heights_.notes.begin(), heights_.notes.end());
+    for (const auto& [number, ranges] : heights_.ranges)
+      if (number < 1 || number > static_cast<long long>(originals_.size()))
+        notes.push_back(base::message(
+            "not used: settings of ranges of height of object {number}, which does not exist ('{member}')"_text,
+            number, heights_.rangesMember));
     return notes;
   }
 
@@ -157,8 +187,39 @@ private:
     Eigen::Affine3d item_T_parent;
     Kind kind = Kind::Part;
     std::string volumeName;
-    int depth = 0; // below the build item
+    ThreemfValues settings; // of a modifier
+    int depth = 0;          // below the build item
   };
+
+  // PrusaSlicer writes a further instance as an object with the first as its only component.
+  // Returns the use of the first one, which has the settings.
+  ThreemfUse original(ThreemfUse use, const std::string& member) {
+    for (int depth = 0; depth < kDeepest && use.path.empty(); ++depth) {
+      const auto& objects = model(member).objects;
+      const auto found = objects.find(use.id);
+      if (found == objects.end() || settings_.objects.contains(use.id))
+        break;
+      const ThreemfObject& object = found->second;
+      if (object.components.size() != 1 || !object.triangles.empty() ||
+          !object.components.front().path.empty() ||
+          !settings_.objects.contains(object.components.front().id))
+        break;
+      const ThreemfUse& inner = object.components.front();
+      use.parent_T_object = use.parent_T_object * inner.parent_T_object;
+      use.id = inner.id;
+    }
+    return use;
+  }
+
+  // Returns the number of the object among those that are built, from 1, as in settings of heights.
+  std::size_t numberOf(const ThreemfUse& item) {
+    const std::string key = item.path + '\n' + item.id;
+    const auto known = std::ranges::find(originals_, key);
+    if (known != originals_.end())
+      return static_cast<std::size_t>(known - originals_.begin()) + 1;
+    originals_.push_back(key);
+    return originals_.size();
+  }
 
   // Slicers store the names of objects outside of the model.
   void addSlicerNames(ThreemfModel& model) const {
@@ -178,8 +239,9 @@ private:
     const ThreemfObject& object = found->second;
     if (place.depth > kDeepest || ++uses_ > kMaxUses)
       throw endless();
-    Place inside{where, place.item_T_parent * use.parent_T_object, place.kind, place.volumeName,
-                 place.depth + 1};
+    Place inside{where,          place.item_T_parent * use.parent_T_object,
+                 place.kind,     place.volumeName,
+                 place.settings, place.depth + 1};
     takeKind(object, use.id, place.depth, inside);
     // The type of an object with components is that of its components.
     if (!object.components.empty() || object.type == ThreemfObjectType::Model)
@@ -196,7 +258,12 @@ private:
       const ThreemfObjectSettings own = curaSettings(object.settings);
       if (!own.volumes.empty())
         inside.kind = own.volumes.front().kind;
-      if (noted_.insert(inside.member + '\n' + id).second)
+      if (inside.kind == Kind::Modifier) {
+        ThreemfVolume whole = own.volumes.empty() ? ThreemfVolume() : own.volumes.front();
+        whole.extruder = own.extruder;
+        whole.settings = own.settings;
+        inside.settings = modifierSettings(whole, 0);
+      } else if (noted_.insert(inside.member + '\n' + id).second)
         noteSettings(own, firstNamed(object.name, id), inside.member, said_);
     }
     if (!itemSettings_ || depth > 1 || (depth == 0 && !object.components.empty()))
@@ -205,6 +272,7 @@ private:
       if (!volume.objectId.empty() && volume.objectId == id) {
         inside.kind = volume.kind;
         inside.volumeName = volume.name;
+        inside.settings = modifierSettings(volume, itemSettings_->extruder);
       }
   }
 
@@ -228,9 +296,16 @@ private:
       empty_ += object.components.empty() ? 1 : 0;
       return;
     }
-    ThreemfPiece piece{
-        items_,     firstNamed(place.volumeName, object.name), itemName_,          {}, {},
-        place.kind, mm_T_item_ * place.item_T_parent,          place.item_T_parent};
+    ThreemfPiece piece{items_,
+                       firstNamed(place.volumeName, object.name),
+                       itemName_,
+                       {},
+                       {},
+                       place.kind,
+                       mm_T_item_ * place.item_T_parent,
+                       place.item_T_parent,
+                       place.settings};
+    notePaints(object, firstNamed(piece.name, firstNamed(itemName_, id)), place.member, id);
     addTriangles(object, place, piece);
     if (!object.beams.empty() || !object.balls.empty()) {
       const std::vector<Facet> solids = beamSolids(object);
@@ -239,6 +314,19 @@ private:
       beams_ += object.beams.size();
     }
     keep(std::move(piece), id);
+  }
+
+  void notePaints(const ThreemfObject& object, const std::string& name, const std::string& member,
+                  const std::string& id) {
+    if (object.paints.empty() || !noted_.insert(member + "\npaint\n" + id).second)
+      return;
+    for (const auto& [attribute, paint] : object.paints)
+      said_.emplace_back(
+          "not used: {paint} on {count} triangle of '{object}' ({attribute}, line {line} of "
+          "{where})|"
+          "not used: {paint} on {count} triangles of '{object}' ({attribute}, from line {line} of {where})"_plural,
+          std::vector<base::Value>{paintWord(attribute), paint.triangles, name, attribute,
+                                   paint.line, member});
   }
 
   // Adds the triangles to the piece by volumes; those of volumes that are not solid become pieces.
@@ -271,6 +359,8 @@ private:
       ThreemfPiece other = piece;
       other.name = firstNamed(volumes[v]->name, piece.name);
       other.kind = volumes[v]->kind;
+      if (other.kind == Kind::Modifier)
+        other.settings = modifierSettings(*volumes[v], itemSettings_->extruder);
       other.volumeEnds = {facets[v].size()};
       other.facets = std::move(facets[v]);
       keep(std::move(other), std::to_string(v));
@@ -302,9 +392,10 @@ private:
           "cut away: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
           wordOf(piece.kind), name, object, at));
     else
-      said_.push_back(base::message(
-          "not used: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
-          wordOf(piece.kind), name, object, at));
+      (piece.kind == Kind::Modifier ? modifiers_ : said_)
+          .push_back(base::message(
+              "not used: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
+              wordOf(piece.kind), name, object, at));
   }
 
   Error endless() const {
@@ -315,7 +406,10 @@ private:
   const ZipPackage& package_;
   const std::string& name_;
   ThreemfSettings settings_;
+  ThreemfHeights heights_;
   std::vector<ThreemfPiece> pieces_;
+  std::map<std::size_t, std::vector<ThreemfRange>> ranges_; // by item
+  std::vector<std::string> originals_;                      // objects that are built
   std::map<std::string, ThreemfModel> models_;
   std::string unit_; // of the main model
   // Of the item being unfolded; itemSettings_ may be null
@@ -323,7 +417,8 @@ private:
   const ThreemfObjectSettings* itemSettings_ = nullptr;
   Eigen::Affine3d mm_T_item_ = Eigen::Affine3d::Identity();
   std::vector<base::Message> said_; // about objects and volumes
-  std::set<std::string> noted_;     // those of them that have their sentence
+  std::vector<base::Message> modifiers_;
+  std::set<std::string> noted_; // those of them that have their sentence
   std::size_t facets_ = 0, items_ = 0;
   std::size_t uses_ = 0, unprintable_ = 0, beams_ = 0, empty_ = 0;
   std::array<std::size_t, 5> skipped_{}; // by type
@@ -369,12 +464,19 @@ ThreemfBuild read3mfBuild(std::string_view bytes, const std::string& name) {
     unfolding.addItem(item, member, mm_T_build);
   const std::vector<base::Message> notes = unfolding.notes();
   build.pieces = unfolding.takePieces();
+  build.modifierNotes = unfolding.modifierNotes();
+  build.ranges = unfolding.takeRanges();
+  for (ThreemfPiece& piece : build.pieces)
+    if (piece.kind == Kind::Modifier)
+      build.modifiers.push_back(std::move(piece));
   cutNegatives(build.pieces, name);
   if (build.pieces.empty()) {
     refuseSliced(package, name);
-    if (!notes.empty())
+    std::vector<base::Message> all = notes;
+    all.insert(all.end(), build.modifierNotes.begin(), build.modifierNotes.end());
+    if (!all.empty())
       throw Error(ErrorCode::UnusableInput,
-                  base::message("contains nothing to print: {what}"_text, notes), name);
+                  base::message("contains nothing to print: {what}"_text, all), name);
   }
   build.notes.insert(build.notes.end(), notes.begin(), notes.end());
   return build;

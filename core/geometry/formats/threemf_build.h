@@ -3,10 +3,12 @@
 
 #include "base/text.h"
 #include "geometry/formats/facet_soup.h"
+#include "geometry/formats/threemf_heights.h"
 #include "geometry/formats/threemf_settings.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,7 @@ struct ThreemfPiece {
   ThreemfVolumeKind kind = ThreemfVolumeKind::Part;
   Eigen::Affine3d mm_T_object = Eigen::Affine3d::Identity();
   Eigen::Affine3d item_T_object = Eigen::Affine3d::Identity(); // in the model's unit
+  ThreemfValues settings; // of a modifier, with an extruder other than the object's
 };
 
 // Appends the facets moved by `mm_T_object`; a mirrored piece is reversed, as it would be inside
@@ -32,10 +35,13 @@ void appendPlaced(const ThreemfPiece& piece, const Eigen::Affine3d& mm_T_object,
 
 struct ThreemfBuild {
   std::vector<ThreemfPiece> pieces; // in the order of the build; negative volumes are cut away
-  std::vector<base::Message> notes; // omitted or changed content, a sentence each
+  std::vector<ThreemfPiece> modifiers;
+  std::map<std::size_t, std::vector<ThreemfRange>> ranges; // by item, of those that have any
+  std::vector<base::Message> notes;         // omitted or changed content, a sentence each
+  std::vector<base::Message> modifierNotes; // for readers that leave out modifiers and ranges
 };
 
-// Returns everything that is built as one.
+// Returns everything that is built as one, without modifiers and ranges.
 FacetSoup soupOf(const ThreemfBuild& build);
 
 // Throws as read3mf().

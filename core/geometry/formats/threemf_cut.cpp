@@ -18,17 +18,6 @@ using base::ErrorCode;
 
 constexpr double kMaxCoordinate = 1e9; // of coordinates, as of a mesh
 
-// Leaves out facets that a mesh cannot have.
-TriangleMesh soundMesh(const std::vector<Facet>& facets) {
-  std::vector<Facet> sound;
-  for (const Facet& f : facets)
-    if (std::ranges::all_of(f, [](const Eigen::Vector3d& v) {
-          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kMaxCoordinate;
-        }))
-      sound.push_back(f);
-  return shareVertices(sound);
-}
-
 // Returns nullopt if neither the meshes nor their repaired ones can be cut.
 std::optional<TriangleMesh> cutOrRepaired(const TriangleMesh& part, const TriangleMesh& negative) {
   if (std::optional<TriangleMesh> rest = subtract(part, negative))
@@ -88,6 +77,16 @@ void cutOut(ThreemfPiece& piece, const ThreemfPiece& negative, const std::string
 }
 
 } // namespace
+
+TriangleMesh soundMesh(const std::vector<Facet>& facets) {
+  std::vector<Facet> sound;
+  for (const Facet& f : facets)
+    if (std::ranges::all_of(f, [](const Eigen::Vector3d& v) {
+          return v.allFinite() && v.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+        }))
+      sound.push_back(f);
+  return shareVertices(sound);
+}
 
 void cutNegatives(std::vector<ThreemfPiece>& pieces, const std::string& name) {
   for (const ThreemfPiece& negative : pieces)

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "geometry/formats/threemf_build.h"
+#include "geometry/triangle_mesh.h"
 
 #include <vector>
 
 namespace voluta::geometry {
+
+// Returns the mesh of the facets that a mesh can have: finite, and not too far away.
+TriangleMesh soundMesh(const std::vector<Facet>& facets);
 
 // Cuts the negative pieces out of the solid ones of their items, exactly, and removes all pieces
 // that are not solid or of which nothing is left. Meshes that the cut does not accept are repaired

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -30,6 +31,12 @@ struct ThreemfBeam {
   std::array<bool, 2> round{};     // capped by a ball; false: flat
 };
 
+// A kind of paint on triangles of an object, as slicers have it.
+struct ThreemfPaint {
+  std::size_t triangles = 0;
+  long long line = 0; // of the first one
+};
+
 struct ThreemfObject {
   std::string name; // empty: none
   ThreemfObjectType type = ThreemfObjectType::Model;
@@ -43,6 +50,7 @@ struct ThreemfObject {
   bool hasClippedBeams = false;
   // Cura's settings of the object (infill_mesh, extruder_nr, ...) with their values.
   std::vector<std::pair<std::string, std::string>> settings;
+  std::map<std::string, ThreemfPaint> paints; // by attribute
 };
 
 struct ThreemfModel {
@@ -54,6 +62,9 @@ struct ThreemfModel {
   // Returns the name of the object; empty if it has none or does not exist.
   std::string nameOf(const std::string& id) const;
 };
+
+// Returns the word for paint in that attribute of triangles; empty if it is none.
+base::Text paintWord(std::string_view attribute);
 
 // `name` of the file and `member` of the package are for errors and notes. A model whose root is in
 // another namespace than the core's, as of Cura 4.5, which exchanges two of them, is read all the

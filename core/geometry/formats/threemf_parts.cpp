@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/formats/threemf_build.h"
+#include "geometry/formats/threemf_cut.h"
 #include "geometry/measures.h"
 #include "geometry/meshes_meet.h"
 
@@ -96,6 +97,73 @@ PartOfFile partOf(const std::vector<ThreemfPiece>& pieces, const Group& group, b
   part.file = meshOf(std::move(soup), part.name.empty() ? name : name + ", " + part.name);
   return part;
 }
+
+// Returns the modifier in the coordinates of a part with that place in the file; its mesh is empty
+// if it has no valid facet.
+ModifierOfFile modifierOf(const ThreemfPiece& piece, const Vector3d& placeMm) {
+  Eigen::Affine3d part_T_object = piece.mm_T_object;
+  part_T_object.translation() -= placeMm;
+  std::vector<Facet> facets;
+  appendPlaced(piece, part_T_object, facets);
+  return {piece.name, soundMesh(facets), 0.0, 0.0, piece.settings};
+}
+
+Eigen::AlignedBox3d boxInFile(const TriangleMesh& mesh, const Vector3d& placeMm) {
+  Eigen::AlignedBox3d box = bounds(mesh);
+  return box.translate(placeMm);
+}
+
+// Gives the parts the ranges of heights of their items. `items`: of each part.
+void addRanges(const ThreemfBuild& build, const std::vector<std::size_t>& items,
+               std::vector<PartOfFile>& parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (const auto ranges = build.ranges.find(items[i]); ranges != build.ranges.end())
+      for (const ThreemfRange& range : ranges->second)
+        parts[i].modifiers.push_back({{}, {}, range.fromMm, range.toMm, range.settings});
+}
+
+// Gives each modifier to the parts of its item that it meets, or to the first one, which reports
+// that it is outside; one that is an item of its own, as Cura has it, to all parts that it meets.
+void addModifiers(const ThreemfBuild& build, const std::vector<std::size_t>& items,
+                  std::vector<PartOfFile>& parts) {
+  for (const ThreemfPiece& piece : build.modifiers) {
+    const bool isOwnItem = std::ranges::find(items, piece.item) == items.end();
+    const ModifierOfFile inFile = modifierOf(piece, Vector3d::Zero());
+    if (inFile.mesh.empty())
+      continue;
+    const Eigen::AlignedBox3d box = bounds(inFile.mesh);
+    std::vector<std::size_t> meant, met;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (isOwnItem || items[i] == piece.item) {
+        meant.push_back(i);
+        if (box.intersects(boxInFile(parts[i].file.mesh, parts[i].placeMm)))
+          met.push_back(i);
+      }
+    if (met.empty())
+      met = {meant.front()};
+    for (const std::size_t i : met)
+      parts[i].modifiers.push_back(modifierOf(piece, parts[i].placeMm));
+  }
+}
+
+// Of everything as one part. Ranges of several items count from the lowest point of each, and are
+// left out.
+PartOfFile wholeOf(const ThreemfBuild& build, const std::string& name) {
+  std::vector<PartOfFile> parts{{{}, meshOf(soupOf(build), name), Vector3d::Zero(), {}}};
+  const std::size_t item = build.pieces.empty() ? 0 : build.pieces.front().item;
+  const bool isOneItem = std::ranges::all_of(
+      build.pieces, [&](const ThreemfPiece& piece) { return piece.item == item; });
+  if (isOneItem)
+    addRanges(build, {item}, parts);
+  else if (!build.ranges.empty())
+    parts.front().file.repairs.emplace_back(
+        "not used: settings of ranges of height: the objects of the file are one "
+        "part"_text);
+  for (const ThreemfPiece& piece : build.modifiers)
+    if (ModifierOfFile modifier = modifierOf(piece, Vector3d::Zero()); !modifier.mesh.empty())
+      parts.front().modifiers.push_back(std::move(modifier));
+  return std::move(parts.front());
+}
 } // namespace
 
 void requirePrintable(std::size_t parts, const std::string& file) {
@@ -119,20 +187,28 @@ bool touch(const TriangleMesh& a, const TriangleMesh& b) {
          meetingPoint(moved(a, -press), b);
 }
 
+PartOfFile read3mfWhole(std::string_view bytes, const std::string& name) {
+  return wholeOf(read3mfBuild(bytes, name), name);
+}
+
 std::vector<PartOfFile> read3mfParts(std::string_view bytes, const std::string& name) {
   const ThreemfBuild build = read3mfBuild(bytes, name);
   const std::vector<Group> groups = partsOf(build.pieces);
   if (groups.size() < 2)
-    return {{{}, meshOf(soupOf(build), name), Vector3d::Zero()}};
+    return {wholeOf(build, name)};
   requirePrintable(groups.size(), name);
   std::vector<PartOfFile> parts;
+  std::vector<std::size_t> items;
   for (const Group& group : groups) {
     const std::size_t item = build.pieces[group.front()].item;
+    items.push_back(item);
     const bool isWholeItem =
         group.size() == static_cast<std::size_t>(std::ranges::count(
                             build.pieces, item, [](const ThreemfPiece& p) { return p.item; }));
     parts.push_back(partOf(build.pieces, group, isWholeItem, name));
   }
+  addRanges(build, items, parts);
+  addModifiers(build, items, parts);
   auto& notes = parts.front().file.repairs;
   notes.insert(notes.begin(), build.notes.begin(), build.notes.end());
   return parts;

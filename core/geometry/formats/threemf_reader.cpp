@@ -15,7 +15,10 @@ FacetSoup soupOf(const ThreemfBuild& build) {
 }
 
 FacetSoup read3mf(std::string_view bytes, const std::string& name) {
-  return soupOf(read3mfBuild(bytes, name));
+  const ThreemfBuild build = read3mfBuild(bytes, name);
+  FacetSoup soup = soupOf(build);
+  soup.repairs.insert(soup.repairs.end(), build.modifierNotes.begin(), build.modifierNotes.end());
+  return soup;
 }
 
 } // namespace voluta::geometry

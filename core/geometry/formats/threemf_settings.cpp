@@ -58,11 +58,6 @@ bool isPlain(std::string_view key) {
          std::ranges::find(kPlain, key) != kPlain.end();
 }
 
-void addKey(std::vector<std::string>& keys, std::string_view key) {
-  if (!isPlain(key) && std::ranges::find(keys, key) == keys.end())
-    keys.emplace_back(key);
-}
-
 int extruderOf(std::string_view text) {
   constexpr long long kMaxCount = 1000;
   const std::optional<long long> number = integerOf(text);
@@ -86,7 +81,7 @@ public:
           plates_, member_));
     if (!plateKeys_.empty())
       settings_.notes.push_back(base::message("not used: settings of plates ({where}): {keys}"_text,
-                                              member_, inQuotes(plateKeys_)));
+                                              member_, keysInQuotes(plateKeys_)));
   }
 
 private:
@@ -153,15 +148,15 @@ private:
         volume_->kind = Kind::Modifier; // before the kinds had words
       else if (key == "extruder")
         volume_->extruder = extruderOf(value);
-      addKey(volume_->settings, key);
+      addSetting(volume_->settings, key, value);
     } else if (object_) {
       if (key == "name" && object_->name.empty())
         object_->name = value;
       else if (key == "extruder")
         object_->extruder = extruderOf(value);
-      addKey(object_->settings, key);
+      addSetting(object_->settings, key, value);
     } else if (isPlate_) {
-      addKey(plateKeys_, key);
+      addSetting(plateKeys_, key, value);
     }
   }
 
@@ -172,7 +167,7 @@ private:
   ThreemfVolume* volume_ = nullptr;
   bool isPlate_ = false, hasParts_ = false;
   std::size_t plates_ = 0; // with parts
-  std::vector<std::string> plateKeys_;
+  ThreemfValues plateKeys_;
 };
 
 constexpr std::array<std::string_view, 2> kObjectSettings{"Metadata/Slic3r_PE_model.config",
@@ -194,12 +189,10 @@ const std::array kMembers = {
     MemberRow{"Cura/", "the slicer's settings"_text},
     MemberRow{"Metadata/Slic3r_PE_layer_heights_profile.txt", "variable layer heights"_text},
     MemberRow{"Metadata/layer_heights_profile.txt", "variable layer heights"_text},
-    MemberRow{"Metadata/Prusa_Slicer_layer_config_ranges.xml", "settings of ranges of height"_text},
-    MemberRow{"Metadata/layer_config_ranges.xml", "settings of ranges of height"_text},
-    MemberRow{"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
-              "stops, tools and G-code at given heights"_text},
-    MemberRow{"Metadata/custom_gcode_per_layer.xml",
-              "stops, tools and G-code at given heights"_text},
+    MemberRow{"Metadata/Prusa_Slicer_layer_config_ranges.xml", {}}, // Read with their heights
+    MemberRow{"Metadata/layer_config_ranges.xml", {}},
+    MemberRow{"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", {}},
+    MemberRow{"Metadata/custom_gcode_per_layer.xml", {}},
     MemberRow{"Metadata/Slic3r_PE_sla_support_points.txt", "points of support"_text},
     MemberRow{"Metadata/Slic3r_PE_sla_drain_holes.txt", "drain holes"_text},
     MemberRow{"Metadata/brim_ear_points.txt", "ears of the brim"_text},
@@ -276,6 +269,23 @@ std::string inQuotes(const std::vector<std::string>& names) {
   return all;
 }
 
+std::string keysInQuotes(const ThreemfValues& settings) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : settings)
+    keys.push_back(key);
+  return inQuotes(keys);
+}
+
+void addSetting(ThreemfValues& settings, std::string_view key, std::string_view value) {
+  if (isPlain(key))
+    return;
+  const auto known = std::ranges::find(settings, key, [](const auto& s) { return s.first; });
+  if (known == settings.end())
+    settings.emplace_back(key, value);
+  else
+    known->second = value;
+}
+
 ThreemfSettings slicerSettings(const ZipPackage& package, const std::string& model) {
   ThreemfSettings settings;
   for (const std::string_view name : kObjectSettings) {
@@ -309,7 +319,7 @@ curaSettings(const std::vector<std::pair<std::string, std::string>>& settings) {
       object.extruder =
           number && *number >= 0 && *number < 1000 ? static_cast<int>(*number) + 1 : 0;
     } else if (key != "drop_to_buildplate" || !isTrue(value)) {
-      addKey(object.settings, key);
+      addSetting(object.settings, key, value);
     }
   }
   return object;

@@ -16,6 +16,9 @@ namespace voluta::geometry {
 
 enum class ThreemfVolumeKind { Part, Negative, Modifier, SupportEnforcer, SupportBlocker };
 
+// Keys and values that change the print, each key once.
+using ThreemfValues = std::vector<std::pair<std::string, std::string>>;
+
 // A piece of an object with a kind and settings of its own.
 struct ThreemfVolume {
   std::string name;
@@ -23,15 +26,15 @@ struct ThreemfVolume {
   long long firstTriangle = 0, lastTriangle = -1;
   std::string objectId; // empty: a stretch
   ThreemfVolumeKind kind = ThreemfVolumeKind::Part;
-  int extruder = 0;                  // from 1; 0: that of the object
-  std::vector<std::string> settings; // keys that change the print
+  int extruder = 0; // from 1; 0: that of the object
+  ThreemfValues settings;
 };
 
 struct ThreemfObjectSettings {
   std::string name;
-  std::string member;                // of the package, where they are
-  int extruder = 0;                  // from 1; 0: not given
-  std::vector<std::string> settings; // keys that change the print
+  std::string member; // of the package, where they are
+  int extruder = 0;   // from 1; 0: not given
+  ThreemfValues settings;
   std::vector<ThreemfVolume> volumes;
 };
 
@@ -43,6 +46,12 @@ struct ThreemfSettings {
 
 // Returns the names in quotes, "'a', 'b'".
 std::string inQuotes(const std::vector<std::string>& names);
+// Returns the keys in quotes.
+std::string keysInQuotes(const ThreemfValues& settings);
+
+// Adds a setting, in place of an earlier one of its key. Keys that change nothing in the print, or
+// that are read here, are left out.
+void addSetting(ThreemfValues& settings, std::string_view key, std::string_view value);
 
 // `model`: the main model, whose tool-paths are read by others.
 ThreemfSettings slicerSettings(const ZipPackage& package, const std::string& model);
