@@ -6,6 +6,7 @@
 #include "geometry/formats/threemf_parts.h"
 #include "geometry/measures.h"
 #include "project/cad_parts.h"
+#include "project/file_regions.h"
 #include "project/part_formats.h"
 
 #include <algorithm>
@@ -35,11 +36,18 @@ std::vector<PartInFile> loadedParts(std::vector<geometry::PartOfFile> parts,
     const std::string own = fileNameOf(part.name);
     const double from = static_cast<double>(i) / static_cast<double>(parts.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(parts.size());
-    loaded.push_back(
-        {loadedFrom(own.empty() ? file : own,
-                    std::make_shared<const geometry::TriangleMesh>(std::move(part.file.mesh)),
-                    std::move(part.file.repairs), repair, ctx.sub(from, to)),
-         part.placeMm});
+    std::vector<base::Message> notes = std::move(part.file.repairs);
+    std::vector<Region> regions = regionsOfFile(part.modifiers, notes, ctx);
+    std::shared_ptr<const LoadedPart> one =
+        loadedFrom(own.empty() ? file : own,
+                   std::make_shared<const geometry::TriangleMesh>(std::move(part.file.mesh)),
+                   std::move(notes), repair, ctx.sub(from, to));
+    if (!regions.empty()) {
+      auto divided = std::make_shared<LoadedPart>(*one);
+      divided->regions = std::move(regions);
+      one = std::move(divided);
+    }
+    loaded.push_back({std::move(one), part.placeMm});
   }
   return loaded;
 }
@@ -83,6 +91,30 @@ std::shared_ptr<const LoadedPart> loadAsOne(const std::string& part, bool repair
   return loadedFrom(std::filesystem::path(part).filename().string(),
                     std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)),
                     std::move(file.repairs), repair, ctx.sub(kReadShare, 1.0));
+}
+
+std::shared_ptr<const LoadedPart> withToolsOfJob(std::shared_ptr<const LoadedPart> part,
+                                                 std::size_t tools) {
+  const std::string key = "tool";
+  const auto lacks = [&](const Region& region) {
+    const auto tool = region.parameters.find(key);
+    return tool != region.parameters.end() && std::stoul(tool->second) > tools;
+  };
+  if (std::ranges::none_of(part->regions, lacks))
+    return part;
+  auto fitting = std::make_shared<LoadedPart>(*part);
+  for (Region& region : fitting->regions) {
+    if (!lacks(region))
+      continue;
+    const base::Message note = base::message(
+        "not used: tool {tool} of region '{region}' from the file: the job has {tools}"_text,
+        region.parameters.at(key), region.name.empty() ? region.shape : region.name, tools);
+    region.parameters.erase(key);
+    fitting->readNotes.push_back(note);
+    fitting->notes.push_back(note);
+  }
+  std::erase_if(fitting->regions, [](const Region& region) { return region.parameters.empty(); });
+  return fitting;
 }
 
 std::vector<geometry::Placement> placesInFile(std::span<const PartInFile> parts, double scale,

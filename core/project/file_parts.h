@@ -22,11 +22,16 @@ struct PartInFile {
 // Returns whether files with this ending may hold several parts.
 bool mayHoldSeveral(const std::string& file);
 
-// Returns the parts of a 3MF (geometry::read3mfParts()) or of a CAD file (project/cad_parts.h), named
-// after their objects; else, and of a 3MF with one part or with tool-paths, the only part, as
+// Returns the parts of a 3MF (geometry::read3mfParts()) or of a CAD file (project/cad_parts.h),
+// named after their objects; else, and of a 3MF with one part or with tool-paths, the only part, as
 // loadPart() does. Throws as loadPart().
 std::vector<PartInFile> loadParts(const std::string& part, bool repair,
                                   const base::RunContext& ctx);
+
+// Returns the part without the tools of its regions that a job with so many tools does not have,
+// with a note for each; itself if the job has all.
+std::shared_ptr<const LoadedPart> withToolsOfJob(std::shared_ptr<const LoadedPart> part,
+                                                 std::size_t tools);
 
 // Returns placements of that rotation that keep the parts' places relative to each other, with the
 // centre of the whole at the origin and its lowest point on the plate; parts at most 0.01 mm above

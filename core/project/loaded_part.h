@@ -4,6 +4,7 @@
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/open_surface.h"
+#include "project/region.h"
 
 #include <memory>
 #include <optional>
@@ -37,7 +38,8 @@ struct LoadedPart {
   // Already in the work frame if `inWorkFrame`.
   std::shared_ptr<const plan::ToolPlan> toolPaths;
   bool inWorkFrame = false;
-  bool repair = true;                        // whether repair was requested
+  std::vector<Region> regions; // from the file; the choices of an item take them when it is opened
+  bool repair = true;          // whether repair was requested
   std::vector<base::Message> readNotes;      // about omitted file content, a sentence each
   std::vector<base::Message> notes;          // all defects found and repaired, readNotes included
   std::vector<base::Message> remains;        // defects that could not be repaired, a sentence each

@@ -10,7 +10,9 @@
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/mesh_reader.h"
+#include "geometry/formats/threemf_parts.h"
 #include "project/content_hash.h"
+#include "project/file_regions.h"
 #include "project/job_magic.h"
 #include "project/loaded_part.h"
 #include "sliced/sliced_reader.h"
@@ -46,7 +48,9 @@ void readPackage(const std::string& file, LoadedPart& part, const base::RunConte
   constexpr double kCellMm = 0.25;
   const std::string bytes = base::readFile(file);
   if (!build3mf::holdsToolpaths(bytes)) {
-    takeMesh(geometry::readMesh(bytes, file), part);
+    geometry::PartOfFile whole = geometry::read3mfWhole(bytes, file);
+    takeMesh(std::move(whole.file), part);
+    part.regions = regionsOfFile(whole.modifiers, part.readNotes, ctx);
     return;
   }
   build3mf::ReadBuild build = build3mf::readBuild(bytes, file, ctx);

@@ -3,7 +3,9 @@
 #include "fuzz_target.h"
 
 #include "geometry/formats/mesh_reader.h"
+#include "geometry/formats/threemf_parts.h"
 #include "helpers/package_3mf.h"
+#include "project/file_regions.h"
 #include "sound_mesh.h"
 
 using namespace voluta;
@@ -67,6 +69,12 @@ constexpr const char* kBambu =
     R"(<config><object id="3"><metadata key="name" value="a"/><part id="1" subtype="negative_part">
 <metadata key="name" value="b"/></part></object><plate><metadata key="x" value="1"/><model_instance/></plate></config>)";
 
+constexpr const char* kModifiers =
+    R"(<config><object id="1"><volume firstid="0" lastid="3"><metadata key="volume_type" value="ParameterModifier"/>
+<metadata key="perimeters" value="3"/><metadata key="fill_density" value="20%"/><metadata key="extruder" value="2"/></volume>
+<range min_z="1" max_z="4.5"><option opt_key="fill_pattern">grid</option><option opt_key="layer_height">0.2</option></range>
+</object><code print_z="2.5" type="1"/><layer top_z="3" type="2" extruder="2"/></config>)";
+
 std::string packageOf(const std::string& input) {
   const std::size_t at = input.find(kSplit);
   if (at == std::string::npos)
@@ -77,6 +85,8 @@ std::string packageOf(const std::string& input) {
   zip.add("3D/3dmodel.model", input.substr(0, at));
   zip.add("Metadata/Slic3r_PE_model.config", settings);
   zip.add("Metadata/model_settings.config", settings);
+  zip.add("Metadata/Prusa_Slicer_layer_config_ranges.xml", settings);
+  zip.add("Metadata/custom_gcode_per_layer.xml", settings);
   zip.add("Other/member", "x");
   return zip.bytes();
 }
@@ -91,6 +101,7 @@ std::vector<std::string> fuzz::seeds() {
           kLattice,
           std::string(kModel) + kSplit + kPrusa,
           std::string(kModel) + kSplit + kBambu,
+          std::string(kModel) + kSplit + kModifiers,
           test::package3mf(kModel),
           test::package3mf(kModel, false),
           wide.bytes()};
@@ -101,6 +112,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::takenOrRefused([&] {
     const std::string package = input.starts_with("PK") ? input : packageOf(input);
     fuzz::expectSound(geometry::readMesh(package, "input.3mf").mesh);
+    std::vector<base::Message> notes;
+    for (const geometry::PartOfFile& part : geometry::read3mfParts(package, "input.3mf"))
+      for (const project::Region& region : project::regionsOfFile(part.modifiers, notes, {}))
+        if (region.mesh)
+          fuzz::expectSound(*region.mesh);
   });
   return 0;
 }
