@@ -119,18 +119,23 @@ void addFile(pipeline::PlanRequest& request, const std::string& file,
              const base::RunContext& ctx) {
   const double scale = std::max(project::parsedScale(choices.scale), 0.0);
   const double factor = scale > 0.0 ? scale : 1.0;
+  const std::size_t tools = request.choices.tools.size();
   std::vector<project::PartInFile> parts;
-  if (geometry::isCad(file) || (!options.asOne && project::mayHoldSeveral(file))) {
+  if (project::mayHoldSeveral(file)) {
     const geometry::Tessellation facets = tessellationOf(options, request, factor);
     parts = options.asOne ? std::vector{project::PartInFile{
                                 project::loadAsOne(file, choices.repair, facets, ctx), {}}}
                           : project::loadParts(file, choices.repair, facets, ctx);
   }
+  for (project::PartInFile& part : parts)
+    part.part = project::withToolsOfJob(part.part, tools);
   if (parts.size() < 2) {
-    const auto loaded = geometry::isCad(file) ? parts.front().part : nullptr;
+    const auto loaded = parts.empty() ? nullptr : parts.front().part;
     for (int copy = 0; copy < options.copies; ++copy) {
       request.items.push_back({file, loaded});
       request.choices.items.push_back(choices);
+      if (loaded && !options.noFileRegions)
+        request.choices.items.back().regions = loaded->regions;
     }
     return;
   }
@@ -145,6 +150,8 @@ void addFile(pipeline::PlanRequest& request, const std::string& file,
       request.items.push_back({file, parts[i].part});
       request.choices.items.push_back(choices);
       request.choices.items.back().placement = places[i];
+      if (!options.noFileRegions)
+        request.choices.items.back().regions = parts[i].part->regions;
     }
 }
 

@@ -16,6 +16,7 @@ struct PlateOptions {
   std::vector<std::string> parts;   // mesh files, or sample:NAME
   int copies = 1;                   // of each part
   bool asOne = false;               // a file of several parts is one part
+  bool noFileRegions = false;       // leave out the regions of the files
   std::string facets;               // of CAD files: "MM" or "MM,DEGREES"; empty: from the bead
   std::vector<std::string> places;  // "NUMBER:X,Y" or "NUMBER:X,Y,TURN" [mm, degrees]
   std::vector<std::string> own;     // "NUMBER:KEY=VALUE": mode, scale or a parameter of one part

@@ -206,7 +206,7 @@ layers::LayerStack dividedPatches(const layers::LayerStack& stack,
       for (const auto& body : bodies) {
         std::vector<Patch> next;
         for (const Patch& part : parts) {
-          auto made = part.surface.empty()
+          auto made = part.surface.empty() || part.region > body->number()
                           ? std::vector{part}
                           : dividedPlane(part, *body, beadWidthMm).value_or(std::vector<Patch>{});
           if (made.empty())

@@ -9,7 +9,7 @@
 #include "document/saving.h"
 #include "document/shown_names.h"
 #include "helpers/boxes_3mf.h"
-#include "helpers/package_3mf.h"
+#include "helpers/slicer_packages.h"
 #include "pipeline/stage_options.h"
 
 #include <QSignalSpy>
@@ -445,6 +445,47 @@ TEST_F(PartsOfAFile, AreAddedTogetherBesideTheOthers) {
   EXPECT_NEAR(xOf(document_, 2) - xOf(document_, 1), 27.0, 1e-9);
   EXPECT_GE(xOf(document_, 1) - 10.0, 4.0 + 10.0 - 1e-9) << "clear of the first part";
   EXPECT_EQ(document_.jobChoices().item(2).mode, "flat");
+}
+
+// Opened and added, each part has the regions of the file; opened again, it keeps its own.
+TEST_F(PartsOfAFile, HaveTheRegionsOfTheFile) {
+  const test::SlicerSettings settings{{"perimeters", "4"}, {"extruder", "2"}};
+  const std::vector<test::SlicerPart> parts{
+      {{{"body", {0, 0, 0}, {20, 20, 8}},
+        {"dense", {5, 5, 0}, {15, 15, 4}, test::SlicerKind::Modifier, settings}}},
+      {{{"body", {0, 0, 0}, {20, 20, 8}}}}};
+  const auto written = [&](const QString& name, std::size_t count) {
+    const QString file = folder_.filePath(name);
+    base::writeFile(
+        file.toStdString(),
+        test::prusaPackage({parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count)}));
+    return file;
+  };
+  const auto isRead = [&](const QString& file, bool added) {
+    QSignalSpy repaired(&opening_, &Opening::repaired);
+    added ? opening_.addPart(file) : opening_.open(file);
+    return repaired.wait(20000) && document_.sourceReady();
+  };
+  const QString one = written("one.3mf", 1), two = written("two.3mf", 2);
+  const auto regionsOf = [&](std::size_t item) {
+    return document_.jobChoices().item(item).regions;
+  };
+  ASSERT_TRUE(isRead(one, false));
+  ASSERT_EQ(regionsOf(0).size(), 1u);
+  EXPECT_EQ(regionsOf(0)[0].parameters, (std::map<std::string, std::string>{{"walls", "4"}}));
+  EXPECT_EQ(document_.source()->regions.size(), 1u) << "also after its repair";
+  project::Choices edited = document_.choices();
+  edited.item().regions[0].parameters["walls"] = "5";
+  document_.setChoices(edited, "walls");
+  ASSERT_TRUE(isRead(one, false));
+  EXPECT_EQ(regionsOf(0)[0].parameters.at("walls"), "5");
+  ASSERT_TRUE(isRead(two, true));
+  ASSERT_EQ(document_.partCount(), 3u);
+  EXPECT_EQ(regionsOf(1).size(), 1u);
+  EXPECT_TRUE(regionsOf(2).empty());
+  ASSERT_TRUE(isRead(two, false));
+  EXPECT_EQ(regionsOf(0)[0].parameters.at("walls"), "4");
+  EXPECT_TRUE(regionsOf(1).empty());
 }
 
 TEST_F(PartsOfAFile, ThatTouchMayBecomeOne) {

@@ -78,6 +78,12 @@ void takePlaces(project::Choices& choices, const std::vector<project::PartInFile
   for (std::size_t i = 0; i < places.size(); ++i)
     choices.item(first + i).placement = places[i];
 }
+// Gives the last items of `choices` the regions of their file.
+void takeRegions(project::Choices& choices, const std::vector<project::PartInFile>& parts) {
+  const std::size_t first = choices.items.size() - parts.size();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    choices.item(first + i).regions = parts[i].part->regions;
+}
 QString shownName(const std::vector<project::PartInFile>& parts, const QString& path) {
   return parts.size() == 1 ? QString::fromStdString(parts.front().part->name)
                            : QFileInfo(path).fileName();
@@ -150,6 +156,9 @@ void Document::openParts(const std::vector<project::PartInFile>& parts, const QS
   project::Choices choices = choicesOfNextPart(path);
   choices.items.resize(parts.size(), choices.item());
   takePlaces(choices, parts);
+  // The same file opened again keeps its settings.
+  if (!parts_ || path.isEmpty() || path != sourcePath() || parts.size() > 1)
+    takeRegions(choices, parts);
   const auto opened = std::make_shared<Parts>();
   opened->items = newSources(parts, path, ready);
   if (!projectFile_.isEmpty()) {
@@ -223,6 +232,7 @@ void Document::addParts(const std::vector<project::PartInFile>& parts, const QSt
   for (std::size_t i = 0; i < parts.size(); ++i)
     choices = withNewItem(choices, active_, start_.item());
   takePlaces(choices, parts);
+  takeRegions(choices, parts);
   push(withSources(std::move(choices), newSources(parts, path, ready)),
        tr("Add %1").arg(shownName(parts, path)));
 }

@@ -54,12 +54,13 @@ void Opening::addPart(const QString& path) {
 }
 
 Opening::Read Opening::readSeveral(const QString& path, Parts parts,
-                                   const geometry::Tessellation& facets,
+                                   const geometry::Tessellation& facets, std::size_t tools,
                                    const base::RunContext& ctx) {
   Read read;
   read.touching = project::touchingParts(parts);
   if (read.touching)
-    read.asOne = project::loadAsOne(path.toStdString(), false, facets, ctx);
+    read.asOne =
+        project::withToolsOfJob(project::loadAsOne(path.toStdString(), false, facets, ctx), tools);
   read.parts = std::move(parts);
   return read;
 }
@@ -68,13 +69,16 @@ void Opening::readPart(const QString& path, Take take) {
   giveUpRepair();
   runner_.run(
       [this, path, take, repair = document_.choices().item().repair,
-       process = document_.jobChoices().tool().process](const base::RunContext& ctx,
-                                                        const jobs::Post& post) {
+       process = document_.jobChoices().tool().process,
+       tools = document_.jobChoices().tools.size()](const base::RunContext& ctx,
+                                                    const jobs::Post& post) {
         const geometry::Tessellation facets =
             geometry::tessellationFor(process::loadProcess(process).beadWidthMm);
         Parts parts = project::loadParts(path.toStdString(), false, facets, ctx.sub(0.0, 0.3));
+        for (project::PartInFile& part : parts)
+          part.part = project::withToolsOfJob(part.part, tools);
         if (parts.size() > 1)
-          return readSeveral(path, std::move(parts), facets, ctx.sub(0.3, 1.0));
+          return readSeveral(path, std::move(parts), facets, tools, ctx.sub(0.3, 1.0));
         // `this` is used only in posted functions, which run on the thread of the window.
         const Part asRead = parts.front().part;
         post([this, path, take, parts, asRead, repair] {

@@ -79,7 +79,7 @@ private:
     Part asOne;                                                  // if two touch
   };
   static Read readSeveral(const QString& path, Parts parts, const geometry::Tessellation& facets,
-                          const base::RunContext& ctx);
+                          std::size_t tools, const base::RunContext& ctx);
   void readPart(const QString& path, Take take);
   void endReading(const base::Outcome<Read>& outcome, const QString& path, const Take& take);
   void takeSeveral(const Read& read, const QString& path, const Take& take);
