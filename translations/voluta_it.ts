@@ -715,6 +715,14 @@
         <source>Loo&amp;k</source>
         <translation>Aspe&amp;tto</translation>
     </message>
+    <message>
+        <source>Darken cor&amp;ners</source>
+        <translation>Scurisci gli an&amp;goli</translation>
+    </message>
+    <message>
+        <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
+        <translation>Scurisce angoli e fessure, così le forme si vedono meglio; lento senza scheda grafica</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9929,21 +9937,6 @@ facce %</translation>
         <source>to press with the force, use {formats}, or add the statements to the process (beadWords)</source>
         <translation>per premere con la forza, usa {formats}, o aggiungi le istruzioni al processo (beadWords)</translation>
     </message>
-    <message>
-        <source>line {line} ({command})</source>
-        <translation>riga {line} ({command})</translation>
-    </message>
-    <message>
-        <source>line {line} in layer {layer} ({command})</source>
-        <translation>riga {line} nello strato {layer} ({command})</translation>
-    </message>
-    <message numerus="yes">
-        <source>not used: {count} stops of the file, the robot does not wait there: {stops}</source>
-        <translation>
-            <numerusform>non usato: {count} arresto del file, lì il robot non aspetta: {stops}</numerusform>
-            <numerusform>non usati: {count} arresti del file, lì il robot non aspetta: {stops}</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>not used: {command} in {count} lines, the first is line {line}</source>
         <translation>
@@ -10143,10 +10136,6 @@ facce %</translation>
     <message>
         <source>this text does not go to the extruder as those before it</source>
         <translation>questo testo non va all&apos;estrusore come quelli prima</translation>
-    </message>
-    <message>
-        <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
-        <translation>A una sosta il pannello di comando non mostra testo: l&apos;utensile da montare è indicato solo nei commenti del programma.</translation>
     </message>
     <message>
         <source>the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its nozzle seems to point away from the part</source>
@@ -11020,28 +11009,580 @@ non stampati</translation>
         <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
         <translation>x,y,z nel file del pezzo, per esempio 1,0,0: riporta la resistenza per un carico in questa direzione. Vuoto: nessun carico.</translation>
     </message>
-    <message numerus="yes">
-        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
-        <translation>
-            <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
-            <numerusform>{share:.1f} del pezzo sarebbe stampato in aria in strati piani: {missed} di {voxels} voxel</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
-        <translation>Numeri di strati separati da virgole: prima di ciascuno il braccio va in posizione di riposo e attende che l&apos;operatore continui, per esempio per inserire un elemento. Non viene spurgato nulla.</translation>
-    </message>
     <message>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>il filmato non può essere scritto: FFmpeg non ha un codificatore VP9</translation>
     </message>
     <message>
-        <source>correct `pauseLayers`; layers are counted through the whole print</source>
-        <translation>correggi `pauseLayers`; gli strati si contano lungo tutta la stampa</translation>
+        <source>&apos;{id}&apos; inherits from &apos;{parent}&apos;, which does not exist</source>
+        <translation>&apos;{id}&apos; eredita da &apos;{parent}&apos;, che non esiste</translation>
     </message>
     <message>
-        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
-        <translation>nessuna pausa prima dello strato {layer}: la stampa finisce con lo strato {layers}</translation>
+        <source>&apos;{id}&apos; inherits from itself, through its parents</source>
+        <translation>&apos;{id}&apos; eredita da sé stesso, attraverso i suoi genitori</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is incomplete</source>
+        <translation>&apos;{text}&apos; è incompleto</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not an event of a layer</source>
+        <translation>&apos;{text}&apos; non è un evento di uno strato</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} {number} is out of range</source>
+        <translation>&apos;{text}&apos;: {field} {number} è fuori dall&apos;intervallo</translation>
+    </message>
+    <message>
+        <source>At a stop the pendant shows no text: the controller sends it to the sender of the frames, which has to show it.</source>
+        <translation>A una sosta il pannello di comando non mostra testo: il controllore lo invia al mittente dei pacchetti, che deve mostrarlo.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Parallelepipedo</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Asporta</translation>
+    </message>
+    <message>
+        <source>Cylinder along Z</source>
+        <translation>Cilindro lungo Z</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondità</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Direzione X</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Direzione Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Direzione Z</translation>
+    </message>
+    <message>
+        <source>Flat layers along a direction</source>
+        <translation>Strati piani lungo una direzione</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>Height (Z)</source>
+        <translation>Altezza (Z)</translation>
+    </message>
+    <message>
+        <source>Layers along the surface</source>
+        <translation>Strati lungo la superficie</translation>
+    </message>
+    <message>
+        <source>Layers around the rest</source>
+        <translation>Strati attorno al resto</translation>
+    </message>
+    <message>
+        <source>Layers that turn to a direction</source>
+        <translation>Strati che girano verso una direzione</translation>
+    </message>
+    <message>
+        <source>Middle X</source>
+        <translation>Centro X</translation>
+    </message>
+    <message>
+        <source>Middle Y</source>
+        <translation>Centro Y</translation>
+    </message>
+    <message>
+        <source>Middle Z</source>
+        <translation>Centro Z</translation>
+    </message>
+    <message>
+        <source>Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there.</source>
+        <translation>Numeri di strati del pezzo separati da virgole: prima di ciascuno il braccio va accanto al pezzo e attende che l&apos;operatore continui, per esempio per inserire un elemento. Poi esegue lì l&apos;innesco dell&apos;ugello.</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>Impostazioni proprie</translation>
+    </message>
+    <message>
+        <source>Painted surface</source>
+        <translation>Superficie dipinta</translation>
+    </message>
+    <message>
+        <source>Pauses before layers</source>
+        <translation>Pause prima degli strati</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Range of heights over the plate</source>
+        <translation>Intervallo di altezze sopra il piatto</translation>
+    </message>
+    <message>
+        <source>Skin below the upper surface</source>
+        <translation>Pelle sotto la superficie superiore</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sfera</translation>
+    </message>
+    <message>
+        <source>Steepest slope (degrees)</source>
+        <translation>Pendenza massima (gradi)</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Che cosa succede prima di strati del pezzo, separato da punti e virgola. Ogni voce inizia con uno strato (12) o un&apos;altezza in mm (z5.5): 12 pause TESTO; 20 wait SECONDI; 30 output NUMERO on; 40 tool NUMERO; 50 statement FORMATO RIGA.</translation>
+    </message>
+    <message>
+        <source>a change of colour</source>
+        <translation>un cambio di colore</translation>
+    </message>
+    <message>
+        <source>a change to extruder {number}</source>
+        <translation>un cambio all&apos;estrusore {number}</translation>
+    </message>
+    <message>
+        <source>a painted fuzzy skin</source>
+        <translation>una superficie ruvida dipinta</translation>
+    </message>
+    <message>
+        <source>a painted seam</source>
+        <translation>una cucitura dipinta</translation>
+    </message>
+    <message>
+        <source>a pause</source>
+        <translation>una pausa</translation>
+    </message>
+    <message>
+        <source>a spiral has no regions</source>
+        <translation>una spirale non ha regioni</translation>
+    </message>
+    <message>
+        <source>a statement of your own</source>
+        <translation>un&apos;istruzione propria</translation>
+    </message>
+    <message>
+        <source>a tool changes before a layer, not at a height</source>
+        <translation>un utensile si cambia prima di uno strato, non a un&apos;altezza</translation>
+    </message>
+    <message>
+        <source>add it from its file again</source>
+        <translation>aggiungila di nuovo dal suo file</translation>
+    </message>
+    <message>
+        <source>change the tool where the file was made</source>
+        <translation>cambia l&apos;utensile dove è stato creato il file</translation>
+    </message>
+    <message>
+        <source>check what it does on the controller; leave it out of `layerEvents` if you do not need it</source>
+        <translation>controlla che cosa fa sul controllore; toglila da `layerEvents` se non serve</translation>
+    </message>
+    <message>
+        <source>choose a process without corrections, or remove the regions</source>
+        <translation>scegli un processo senza correzioni, o rimuovi le regioni</translation>
+    </message>
+    <message>
+        <source>correct the setting; layers are counted for each part</source>
+        <translation>correggi l&apos;impostazione; gli strati si contano per ogni pezzo</translation>
+    </message>
+    <message>
+        <source>custom G-code</source>
+        <translation>G-code personalizzato</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>evento</translation>
+    </message>
+    <message>
+        <source>events before layers</source>
+        <translation>eventi prima degli strati</translation>
+    </message>
+    <message>
+        <source>format {format} has outputs {first} to {last}, not {number}</source>
+        <translation>il formato {format} ha le uscite da {first} a {last}, non {number}</translation>
+    </message>
+    <message>
+        <source>give a steeper slope</source>
+        <translation>dai una pendenza maggiore</translation>
+    </message>
+    <message>
+        <source>give a tilted direction</source>
+        <translation>indica una direzione inclinata</translation>
+    </message>
+    <message>
+        <source>give it as a skin, or use it for settings</source>
+        <translation>dalla come pelle, o usala per impostazioni</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
+        <translation>dai alla cella un punto di spurgo (`purgeMm`) o una posizione di riposo accanto al piatto, o sposta il pezzo sul piatto</translation>
+    </message>
+    <message>
+        <source>give the lower height first</source>
+        <translation>dai prima l&apos;altezza minore</translation>
+    </message>
+    <message>
+        <source>give the number of the layer</source>
+        <translation>indica il numero dello strato</translation>
+    </message>
+    <message>
+        <source>give {field} from {least} to {most}</source>
+        <translation>dai {field} da {least} a {most}</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>indica, per esempio, 12 pause; 20 pause Inserisci il dado; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript RIGA</translation>
+    </message>
+    <message>
+        <source>height {height}</source>
+        <translation>altezza {height}</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>non è un oggetto JSON</translation>
+    </message>
+    <message>
+        <source>layers of region {region} turn to a vertical direction</source>
+        <translation>gli strati della regione {region} ruotano verso una direzione verticale</translation>
+    </message>
+    <message>
+        <source>layers that turn by {angle} within the region are {thin:.2f} to {thick:.2f} thick, outside the limits</source>
+        <translation>strati che girano di {angle} entro la regione sono spessi da {thin:.2f} a {thick:.2f}, fuori dai limiti</translation>
+    </message>
+    <message>
+        <source>line {line}: the print pauses before bead {bead} in layer {layer}: {text} ({command})</source>
+        <translation>riga {line}: la stampa fa una pausa prima del cordone {bead} nello strato {layer}: {text} ({command})</translation>
+    </message>
+    <message>
+        <source>make it deeper, or use a process with lower layers</source>
+        <translation>rendila più profonda, o usa un processo con strati più bassi</translation>
+    </message>
+    <message>
+        <source>make the region higher or narrower, or turn by less</source>
+        <translation>rendi la regione più alta o più stretta, o gira di meno</translation>
+    </message>
+    <message>
+        <source>make the region smaller</source>
+        <translation>rimpicciolisci la regione</translation>
+    </message>
+    <message>
+        <source>make the region smaller, or move it</source>
+        <translation>rimpicciolisci la regione, o spostala</translation>
+    </message>
+    <message>
+        <source>make the regions smaller, or move them up</source>
+        <translation>rimpicciolisci le regioni, o spostale verso l&apos;alto</translation>
+    </message>
+    <message>
+        <source>mode {mode} prints on the part: it has no regions</source>
+        <translation>la modalità {mode} stampa sul pezzo: non ha regioni</translation>
+    </message>
+    <message>
+        <source>move it into the part, or remove it</source>
+        <translation>spostala dentro il pezzo, o rimuovila</translation>
+    </message>
+    <message>
+        <source>move the plane further into the part</source>
+        <translation>sposta il piano più all&apos;interno del pezzo</translation>
+    </message>
+    <message>
+        <source>move the plane into a body, or split the part into its bodies</source>
+        <translation>sposta il piano dentro un corpo, o separa il pezzo nei suoi corpi</translation>
+    </message>
+    <message>
+        <source>no change of the tool before layer {layer}: the part has {layers} layers</source>
+        <translation>nessun cambio utensile prima dello strato {layer}: il pezzo ha {layers} strati</translation>
+    </message>
+    <message>
+        <source>no {what} before {place} of part {part}: the part has {layers} layers</source>
+        <translation>{what} impossibile prima di {place} del pezzo {part}: il pezzo ha {layers} strati</translation>
+    </message>
+    <message>
+        <source>no {what} before {place}: the print ends with layer {layers}</source>
+        <translation>{what} impossibile prima di {place}: la stampa finisce con lo strato {layers}</translation>
+    </message>
+    <message>
+        <source>nobody but you knows what the statement is for</source>
+        <translation>solo tu sai a che cosa serve l&apos;istruzione</translation>
+    </message>
+    <message>
+        <source>not used, as they are damaged: {what} (&apos;{member}&apos;): {why}</source>
+        <translation>non usati perché danneggiati: {what} (&apos;{member}&apos;): {why}</translation>
+    </message>
+    <message>
+        <source>not used: invalid settings of region &apos;{region}&apos; from the file: {settings}</source>
+        <translation>non usate: impostazioni non valide della regione &apos;{region}&apos; del file: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file, which has no settings</source>
+        <translation>non usata: la regione &apos;{region}&apos; del file, che non ha impostazioni</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file: its mesh is not closed</source>
+        <translation>non usata: la regione &apos;{region}&apos; del file: la sua mesh non è chiusa</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height (&apos;{member}&apos;)</source>
+        <translation>non usate: impostazioni di intervalli di altezza (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height of object {number}, which does not exist (&apos;{member}&apos;)</source>
+        <translation>non usate: impostazioni di intervalli di altezza dell&apos;oggetto {number}, che non esiste (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height: the objects of the file are one part</source>
+        <translation>non usate: impostazioni di intervalli di altezza: gli oggetti del file sono un solo pezzo</translation>
+    </message>
+    <message>
+        <source>not used: settings of region &apos;{region}&apos; from the file without a counterpart: {settings}</source>
+        <translation>non usate: impostazioni della regione &apos;{region}&apos; del file senza corrispondenza: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: the range of heights from {from} to {to} in the file, which is empty</source>
+        <translation>non usato: l&apos;intervallo di altezze da {from} a {to} del file, che è vuoto</translation>
+    </message>
+    <message>
+        <source>not used: tool {tool} of region &apos;{region}&apos; from the file: the job has {tools}</source>
+        <translation>non usato: utensile {tool} della regione &apos;{region}&apos; del file: il lavoro ne ha {tools}</translation>
+    </message>
+    <message>
+        <source>not used: {count} further events at heights (&apos;{member}&apos;)</source>
+        <translation>non usati: altri {count} eventi ad altezze (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} further regions of the file</source>
+        <translation>
+            <numerusform>non usata: {count} altra regione del file</numerusform>
+            <numerusform>non usate: altre {count} regioni del file</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops before the first bead, since programs begin with a question</source>
+        <translation>
+            <numerusform>non usato: {count} arresto prima del primo cordone, poiché i programmi iniziano con una domanda</numerusform>
+            <numerusform>non usati: {count} arresti prima del primo cordone, poiché i programmi iniziano con una domanda</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} (&apos;{member}&apos;)</source>
+        <translation>non usato: {event} a un&apos;altezza di {height} (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, from line {line} of {where})</source>
+        <translation>
+            <numerusform>non usato: {paint} su {count} triangolo di &apos;{object}&apos; ({attribute}, dalla riga {line} di {where})</numerusform>
+            <numerusform>non usato: {paint} su {count} triangoli di &apos;{object}&apos; ({attribute}, dalla riga {line} di {where})</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>output {number} is used by the program itself</source>
+        <translation>l&apos;uscita {number} è usata dal programma stesso</translation>
+    </message>
+    <message>
+        <source>paint it in the window, or give a body</source>
+        <translation>dipingila nella finestra, o dai un corpo</translation>
+    </message>
+    <message>
+        <source>painted colours</source>
+        <translation>colori dipinti</translation>
+    </message>
+    <message>
+        <source>painted supports</source>
+        <translation>supporti dipinti</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>pausa</translation>
+    </message>
+    <message>
+        <source>presets hold settings of layers, beads, tool-paths, cooling and quality</source>
+        <translation>i preset contengono impostazioni di strati, cordoni, percorsi, raffreddamento e qualità</translation>
+    </message>
+    <message>
+        <source>process {process} corrects sizes: layers of regions have no corrections</source>
+        <translation>il processo {process} corregge le misure: gli strati delle regioni non hanno correzioni</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>regione</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: its mesh is open, and was closed</source>
+        <translation>regione &apos;{region}&apos; del file: la sua mesh è aperta ed è stata chiusa</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: the skin is as thick as the larger one of top and bottom</source>
+        <translation>regione &apos;{region}&apos; del file: la pelle ha lo spessore maggiore tra sopra e sotto</translation>
+    </message>
+    <message numerus="yes">
+        <source>region &apos;{region}&apos; from the file: {count} settings</source>
+        <translation>
+            <numerusform>regione &apos;{region}&apos; del file: {count} impostazione</numerusform>
+            <numerusform>regione &apos;{region}&apos; del file: {count} impostazioni</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos; has no painted surface</source>
+        <translation>la regione &apos;{text}&apos; non ha una superficie dipinta</translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos;: &apos;{setting}&apos; is no setting</source>
+        <translation>regione &apos;{text}&apos;: &apos;{setting}&apos; non è un&apos;impostazione</translation>
+    </message>
+    <message>
+        <source>region {region} cannot be separated from the part: one of them is not closed or intersects itself</source>
+        <translation>la regione {region} non può essere separata dal pezzo: uno dei due non è chiuso o si autointerseca</translation>
+    </message>
+    <message>
+        <source>region {region} contains the whole part: nothing carries its layers</source>
+        <translation>la regione {region} contiene tutto il pezzo: nulla ne porta gli strati</translation>
+    </message>
+    <message>
+        <source>region {region} cuts away the whole part</source>
+        <translation>la regione {region} asporta tutto il pezzo</translation>
+    </message>
+    <message>
+        <source>region {region} follows no surface: it has no layers of its own</source>
+        <translation>la regione {region} non segue alcuna superficie: non ha strati propri</translation>
+    </message>
+    <message>
+        <source>region {region} has no mesh</source>
+        <translation>la regione {region} non ha una mesh</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
+        <translation>la regione {region} è fuori dal pezzo, o dietro regioni successive: non ha effetto</translation>
+    </message>
+    <message>
+        <source>region {region} is thinner than the lowest layer ({least})</source>
+        <translation>la regione {region} è più sottile dello strato più basso ({least})</translation>
+    </message>
+    <message>
+        <source>region {region}: no face of the part is as flat as that</source>
+        <translation>regione {region}: nessuna faccia del pezzo è così piana</translation>
+    </message>
+    <message>
+        <source>regions take away what the part stands on: the rest of it begins {gap:.3g} above its place</source>
+        <translation>le regioni tolgono ciò su cui poggia il pezzo: il resto comincia {gap:.3g} sopra il suo posto</translation>
+    </message>
+    <message>
+        <source>remove the regions, or choose another mode</source>
+        <translation>togli le regioni, o scegli un&apos;altra modalità</translation>
+    </message>
+    <message>
+        <source>remove the regions, or plan layers of the part (`givenToolPaths=false`)</source>
+        <translation>togli le regioni, o pianifica strati del pezzo (`givenToolPaths=false`)</translation>
+    </message>
+    <message>
+        <source>remove the regions, or set spiral to false</source>
+        <translation>togli le regioni, oppure imposta spiral su false</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the region a little</source>
+        <translation>ripara il pezzo, o sposta un poco la regione</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>l&apos;impostazione di un&apos;uscita</translation>
+    </message>
+    <message>
+        <source>settings of a region: {keys}</source>
+        <translation>impostazioni di una regione: {keys}</translation>
+    </message>
+    <message>
+        <source>template G-code</source>
+        <translation>G-code modello</translation>
+    </message>
+    <message>
+        <source>the body of a region is not closed</source>
+        <translation>il corpo di una regione non è chiuso</translation>
+    </message>
+    <message>
+        <source>the plane leaves a slab of {thickness} at {place}, thinner than a layer</source>
+        <translation>il piano lascia una lastra di {thickness} in {place}, più sottile di uno strato</translation>
+    </message>
+    <message>
+        <source>the plane passes between the bodies of the part and cuts none</source>
+        <translation>il piano passa tra i corpi del pezzo e non ne taglia nessuno</translation>
+    </message>
+    <message>
+        <source>the range of heights from {from} to {to} is empty</source>
+        <translation>l&apos;intervallo di altezze da {from} a {to} è vuoto</translation>
+    </message>
+    <message>
+        <source>the statement &apos;{text}&apos; is one of format {wanted}, not of {format}</source>
+        <translation>l&apos;istruzione &apos;{text}&apos; è del formato {wanted}, non di {format}</translation>
+    </message>
+    <message>
+        <source>the tool-paths of a file have no regions</source>
+        <translation>i percorsi di un file non hanno regioni</translation>
+    </message>
+    <message>
+        <source>the tools of a file&apos;s tool-paths are its own: none changes before a layer</source>
+        <translation>gli utensili dei percorsi di un file sono i suoi: nessuno cambia prima di uno strato</translation>
+    </message>
+    <message>
+        <source>unknown parameter {key}</source>
+        <translation>parametro {key} sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown parent &apos;{id}&apos;</source>
+        <translation>genitore &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown region &apos;{name}&apos;</source>
+        <translation>regione &apos;{name}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>unknown use &apos;{name}&apos; of a region</source>
+        <translation>uso &apos;{name}&apos; di una regione sconosciuto</translation>
+    </message>
+    <message>
+        <source>unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them</source>
+        <translation>voxel non sostenuti in strati piani: {missed} di {voxels} ({share:.1f}); nessuno strato sottostante li porta</translation>
+    </message>
+    <message>
+        <source>use &apos;{text}&apos; of a region has no direction</source>
+        <translation>l&apos;uso &apos;{text}&apos; di una regione non ha direzione</translation>
+    </message>
+    <message>
+        <source>use another output</source>
+        <translation>usa un&apos;altra uscita</translation>
+    </message>
+    <message>
+        <source>write {form}, lengths in mm</source>
+        <translation>scrivi {form}, lunghezze in mm</translation>
+    </message>
+    <message>
+        <source>your own statement, which nothing checks: {statement}</source>
+        <translation>istruzione propria, che nulla controlla: {statement}</translation>
+    </message>
+    <message>
+        <source>{key} is a setting of the part, not of a region</source>
+        <translation>{key} è un&apos;impostazione del pezzo, non di una regione</translation>
+    </message>
+    <message>
+        <source>{name}; changed: {settings}</source>
+        <translation>{name}; modificate: {settings}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pausa o attesa sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, e sul pezzo può gocciolare materiale</numerusform>
+            <numerusform>{waits} pause e attese sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, e sul pezzo può gocciolare materiale</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13506,8 +14047,8 @@ circa %6, stimato da misure, pareti e riempimento senza supporti</translation>
         <translation>Rimuovi la pausa prima dello strato %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
-        <translation>Pausa prima dello strato %1: il braccio va in posizione di riposo e attende, per esempio per inserire un elemento</translation>
+        <source>Pause before layer %1: the arm goes beside the part and waits, for example to put in an insert</source>
+        <translation>Pausa prima dello strato %1: il braccio va accanto al pezzo e attende, per esempio per inserire un elemento</translation>
     </message>
 </context>
 <context>
@@ -14510,6 +15051,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>The printed part is not checked yet.</source>
         <translation>Il pezzo stampato non è ancora controllato.</translation>
     </message>
+    <message>
+        <source>Checking the pose…</source>
+        <translation>Controllo della posa…</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::JoinedMachines</name>
@@ -14737,6 +15282,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Meshes (%1);;All files (*)</source>
         <translation>Mesh (%1);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Your own. It follows %1 in all fields that are not marked.</source>
+        <translation>Proprio. Segue %1 in tutti i campi non segnati.</translation>
     </message>
 </context>
 <context>
@@ -15560,10 +16109,6 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Preventivo</translation>
     </message>
     <message>
-        <source>Price of an hour of the machine, with power and operator</source>
-        <translation>Prezzo di un&apos;ora di macchina, con energia e operatore</translation>
-    </message>
-    <message>
         <source>Price of each print, whatever its size</source>
         <translation>Prezzo di ogni stampa, qualunque sia la dimensione</translation>
     </message>
@@ -15650,6 +16195,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Saved as %1.</source>
         <translation>Salvato come %1.</translation>
+    </message>
+    <message>
+        <source>Price of an hour of the machine, with power and operator; each cell has its own</source>
+        <translation>Prezzo di un&apos;ora di macchina, con energia e operatore; ogni cella ha il suo</translation>
     </message>
 </context>
 <context>

@@ -715,6 +715,14 @@
         <source>Loo&amp;k</source>
         <translation>U&amp;tseende</translation>
     </message>
+    <message>
+        <source>Darken cor&amp;ners</source>
+        <translation>Gjør &amp;hjørner mørkere</translation>
+    </message>
+    <message>
+        <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
+        <translation>Gjør hjørner og mellomrom mørkere, så formene blir tydeligere; tregt uten grafikkort</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9929,21 +9937,6 @@ flater %</translation>
         <source>to press with the force, use {formats}, or add the statements to the process (beadWords)</source>
         <translation>for å presse med kraften, bruk {formats}, eller legg setningene til prosessen (beadWords)</translation>
     </message>
-    <message>
-        <source>line {line} ({command})</source>
-        <translation>linje {line} ({command})</translation>
-    </message>
-    <message>
-        <source>line {line} in layer {layer} ({command})</source>
-        <translation>linje {line} i lag {layer} ({command})</translation>
-    </message>
-    <message numerus="yes">
-        <source>not used: {count} stops of the file, the robot does not wait there: {stops}</source>
-        <translation>
-            <numerusform>ikke brukt: {count} stopp i filen, roboten venter ikke der: {stops}</numerusform>
-            <numerusform>ikke brukt: {count} stopp i filen, roboten venter ikke der: {stops}</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>not used: {command} in {count} lines, the first is line {line}</source>
         <translation>
@@ -10143,10 +10136,6 @@ flater %</translation>
     <message>
         <source>this text does not go to the extruder as those before it</source>
         <translation>denne teksten går ikke til ekstruderen slik de før den gjør</translation>
-    </message>
-    <message>
-        <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
-        <translation>Ved en stopp viser håndterminalen ingen tekst: verktøyet som skal monteres, er bare navngitt i programmets kommentarer.</translation>
     </message>
     <message>
         <source>the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its nozzle seems to point away from the part</source>
@@ -11020,28 +11009,580 @@ uten utskrift</translation>
         <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
         <translation>x,y,z i delens fil, for eksempel 1,0,0: oppgir styrken for en last i denne retningen. Tomt: ingen last.</translation>
     </message>
-    <message numerus="yes">
-        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
-        <translation>
-            <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
-            <numerusform>{share:.1f} av delen ville blitt skrevet ut i luften i flate lag: {missed} av {voxels} voksler</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
-        <translation>Lagnumre atskilt med komma: før hvert av dem går armen til hvilestilling og venter til operatøren fortsetter, for eksempel for å legge inn en innsats. Ingenting spyles ut.</translation>
-    </message>
     <message>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>filmen kan ikke skrives: FFmpeg har ingen koder for VP9</translation>
     </message>
     <message>
-        <source>correct `pauseLayers`; layers are counted through the whole print</source>
-        <translation>rett `pauseLayers`; lagene telles gjennom hele utskriften</translation>
+        <source>&apos;{id}&apos; inherits from &apos;{parent}&apos;, which does not exist</source>
+        <translation>&apos;{id}&apos; arver fra &apos;{parent}&apos;, som ikke finnes</translation>
     </message>
     <message>
-        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
-        <translation>ingen pause før lag {layer}: utskriften slutter med lag {layers}</translation>
+        <source>&apos;{id}&apos; inherits from itself, through its parents</source>
+        <translation>&apos;{id}&apos; arver fra seg selv, gjennom foreldrene</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is incomplete</source>
+        <translation>&apos;{text}&apos; er ufullstendig</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not an event of a layer</source>
+        <translation>&apos;{text}&apos; er ingen hendelse for et lag</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} {number} is out of range</source>
+        <translation>&apos;{text}&apos;: {field} {number} er utenfor området</translation>
+    </message>
+    <message>
+        <source>At a stop the pendant shows no text: the controller sends it to the sender of the frames, which has to show it.</source>
+        <translation>Ved en stopp viser håndterminalen ingen tekst: styringen sender den til avsenderen av rammene, som må vise den.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boks</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Skjær bort</translation>
+    </message>
+    <message>
+        <source>Cylinder along Z</source>
+        <translation>Sylinder langs Z</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Dybde</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Retning X</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Retning Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Retning Z</translation>
+    </message>
+    <message>
+        <source>Flat layers along a direction</source>
+        <translation>Flate lag langs en retning</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>Height (Z)</source>
+        <translation>Høyde (Z)</translation>
+    </message>
+    <message>
+        <source>Layers along the surface</source>
+        <translation>Lag langs overflaten</translation>
+    </message>
+    <message>
+        <source>Layers around the rest</source>
+        <translation>Lag rundt resten</translation>
+    </message>
+    <message>
+        <source>Layers that turn to a direction</source>
+        <translation>Lag som dreier mot en retning</translation>
+    </message>
+    <message>
+        <source>Middle X</source>
+        <translation>Midtpunkt X</translation>
+    </message>
+    <message>
+        <source>Middle Y</source>
+        <translation>Midtpunkt Y</translation>
+    </message>
+    <message>
+        <source>Middle Z</source>
+        <translation>Midtpunkt Z</translation>
+    </message>
+    <message>
+        <source>Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there.</source>
+        <translation>Delens lagnumre atskilt med komma: før hvert av dem går armen til siden for delen og venter til operatøren fortsetter, for eksempel for å legge inn en innsats. Deretter primer den dysen der.</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>Egne innstillinger</translation>
+    </message>
+    <message>
+        <source>Painted surface</source>
+        <translation>Malt overflate</translation>
+    </message>
+    <message>
+        <source>Pauses before layers</source>
+        <translation>Pauser før lag</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Forhåndsinnstilling</translation>
+    </message>
+    <message>
+        <source>Range of heights over the plate</source>
+        <translation>Høydeområde over byggeplaten</translation>
+    </message>
+    <message>
+        <source>Skin below the upper surface</source>
+        <translation>Hud under den øvre overflaten</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kule</translation>
+    </message>
+    <message>
+        <source>Steepest slope (degrees)</source>
+        <translation>Bratteste helling (grader)</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Det som skjer før lag i delen, atskilt med semikolon. Hvert begynner med et lag (12) eller en høyde i mm (z5.5): 12 pause TEKST; 20 wait SEKUNDER; 30 output NUMMER on; 40 tool NUMMER; 50 statement FORMAT LINJE.</translation>
+    </message>
+    <message>
+        <source>a change of colour</source>
+        <translation>et fargebytte</translation>
+    </message>
+    <message>
+        <source>a change to extruder {number}</source>
+        <translation>et bytte til ekstruder {number}</translation>
+    </message>
+    <message>
+        <source>a painted fuzzy skin</source>
+        <translation>en malt ru overflate</translation>
+    </message>
+    <message>
+        <source>a painted seam</source>
+        <translation>en malt søm</translation>
+    </message>
+    <message>
+        <source>a pause</source>
+        <translation>en pause</translation>
+    </message>
+    <message>
+        <source>a spiral has no regions</source>
+        <translation>en spiral har ingen regioner</translation>
+    </message>
+    <message>
+        <source>a statement of your own</source>
+        <translation>en egen setning</translation>
+    </message>
+    <message>
+        <source>a tool changes before a layer, not at a height</source>
+        <translation>et verktøy byttes før et lag, ikke ved en høyde</translation>
+    </message>
+    <message>
+        <source>add it from its file again</source>
+        <translation>legg den til fra filen på nytt</translation>
+    </message>
+    <message>
+        <source>change the tool where the file was made</source>
+        <translation>bytt verktøyet der filen ble laget</translation>
+    </message>
+    <message>
+        <source>check what it does on the controller; leave it out of `layerEvents` if you do not need it</source>
+        <translation>kontroller hva den gjør på styringen; utelat den fra `layerEvents` hvis den ikke trengs</translation>
+    </message>
+    <message>
+        <source>choose a process without corrections, or remove the regions</source>
+        <translation>velg en prosess uten korreksjoner, eller fjern regionene</translation>
+    </message>
+    <message>
+        <source>correct the setting; layers are counted for each part</source>
+        <translation>rett innstillingen; lagene telles for hver del</translation>
+    </message>
+    <message>
+        <source>custom G-code</source>
+        <translation>egen G-kode</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>hendelse</translation>
+    </message>
+    <message>
+        <source>events before layers</source>
+        <translation>hendelser før lag</translation>
+    </message>
+    <message>
+        <source>format {format} has outputs {first} to {last}, not {number}</source>
+        <translation>formatet {format} har utgangene {first} til {last}, ikke {number}</translation>
+    </message>
+    <message>
+        <source>give a steeper slope</source>
+        <translation>oppgi en brattere helling</translation>
+    </message>
+    <message>
+        <source>give a tilted direction</source>
+        <translation>oppgi en skrå retning</translation>
+    </message>
+    <message>
+        <source>give it as a skin, or use it for settings</source>
+        <translation>oppgi den som hud, eller bruk den til innstillinger</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
+        <translation>gi cellen en spyleplass (`purgeMm`) eller en hvilestilling ved siden av byggeplaten, eller flytt delen på byggeplaten</translation>
+    </message>
+    <message>
+        <source>give the lower height first</source>
+        <translation>oppgi den laveste høyden først</translation>
+    </message>
+    <message>
+        <source>give the number of the layer</source>
+        <translation>oppgi nummeret på laget</translation>
+    </message>
+    <message>
+        <source>give {field} from {least} to {most}</source>
+        <translation>oppgi {field} fra {least} til {most}</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>oppgi for eksempel 12 pause; 20 pause Legg inn mutteren; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINJE</translation>
+    </message>
+    <message>
+        <source>height {height}</source>
+        <translation>høyde {height}</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>er ikke et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>layers of region {region} turn to a vertical direction</source>
+        <translation>lagene i region {region} dreier mot en loddrett retning</translation>
+    </message>
+    <message>
+        <source>layers that turn by {angle} within the region are {thin:.2f} to {thick:.2f} thick, outside the limits</source>
+        <translation>lag som dreier {angle} innenfor regionen, er {thin:.2f} til {thick:.2f} tykke, utenfor grensene</translation>
+    </message>
+    <message>
+        <source>line {line}: the print pauses before bead {bead} in layer {layer}: {text} ({command})</source>
+        <translation>linje {line}: utskriften tar pause før streng {bead} i lag {layer}: {text} ({command})</translation>
+    </message>
+    <message>
+        <source>make it deeper, or use a process with lower layers</source>
+        <translation>gjør den dypere, eller bruk en prosess med lavere lag</translation>
+    </message>
+    <message>
+        <source>make the region higher or narrower, or turn by less</source>
+        <translation>gjør regionen høyere eller smalere, eller drei mindre</translation>
+    </message>
+    <message>
+        <source>make the region smaller</source>
+        <translation>gjør regionen mindre</translation>
+    </message>
+    <message>
+        <source>make the region smaller, or move it</source>
+        <translation>gjør regionen mindre, eller flytt den</translation>
+    </message>
+    <message>
+        <source>make the regions smaller, or move them up</source>
+        <translation>gjør regionene mindre, eller flytt dem opp</translation>
+    </message>
+    <message>
+        <source>mode {mode} prints on the part: it has no regions</source>
+        <translation>modus {mode} skriver ut på delen: den har ingen regioner</translation>
+    </message>
+    <message>
+        <source>move it into the part, or remove it</source>
+        <translation>flytt den inn i delen, eller fjern den</translation>
+    </message>
+    <message>
+        <source>move the plane further into the part</source>
+        <translation>flytt planet lenger inn i delen</translation>
+    </message>
+    <message>
+        <source>move the plane into a body, or split the part into its bodies</source>
+        <translation>flytt planet inn i et legeme, eller del delen opp i legemene</translation>
+    </message>
+    <message>
+        <source>no change of the tool before layer {layer}: the part has {layers} layers</source>
+        <translation>intet verktøybytte før lag {layer}: delen har {layers} lag</translation>
+    </message>
+    <message>
+        <source>no {what} before {place} of part {part}: the part has {layers} layers</source>
+        <translation>ingen {what} før {place} i del {part}: delen har {layers} lag</translation>
+    </message>
+    <message>
+        <source>no {what} before {place}: the print ends with layer {layers}</source>
+        <translation>ingen {what} før {place}: utskriften slutter med lag {layers}</translation>
+    </message>
+    <message>
+        <source>nobody but you knows what the statement is for</source>
+        <translation>bare du vet hva setningen er til</translation>
+    </message>
+    <message>
+        <source>not used, as they are damaged: {what} (&apos;{member}&apos;): {why}</source>
+        <translation>ikke brukt fordi de er skadet: {what} (&apos;{member}&apos;): {why}</translation>
+    </message>
+    <message>
+        <source>not used: invalid settings of region &apos;{region}&apos; from the file: {settings}</source>
+        <translation>ikke brukt: ugyldige innstillinger for region &apos;{region}&apos; fra filen: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file, which has no settings</source>
+        <translation>ikke brukt: region &apos;{region}&apos; fra filen, som ikke har innstillinger</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file: its mesh is not closed</source>
+        <translation>ikke brukt: region &apos;{region}&apos; fra filen: nettet er ikke lukket</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height (&apos;{member}&apos;)</source>
+        <translation>ikke brukt: innstillinger for høydeområder (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height of object {number}, which does not exist (&apos;{member}&apos;)</source>
+        <translation>ikke brukt: innstillinger for høydeområder for objekt {number}, som ikke finnes (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height: the objects of the file are one part</source>
+        <translation>ikke brukt: innstillinger for høydeområder: objektene i filen er én del</translation>
+    </message>
+    <message>
+        <source>not used: settings of region &apos;{region}&apos; from the file without a counterpart: {settings}</source>
+        <translation>ikke brukt: innstillinger for region &apos;{region}&apos; fra filen uten motstykke: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: the range of heights from {from} to {to} in the file, which is empty</source>
+        <translation>ikke brukt: høydeområdet fra {from} til {to} i filen, som er tomt</translation>
+    </message>
+    <message>
+        <source>not used: tool {tool} of region &apos;{region}&apos; from the file: the job has {tools}</source>
+        <translation>ikke brukt: verktøy {tool} for region &apos;{region}&apos; fra filen: jobben har {tools}</translation>
+    </message>
+    <message>
+        <source>not used: {count} further events at heights (&apos;{member}&apos;)</source>
+        <translation>ikke brukt: {count} hendelser til ved høyder (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} further regions of the file</source>
+        <translation>
+            <numerusform>ikke brukt: {count} region til fra filen</numerusform>
+            <numerusform>ikke brukt: {count} regioner til fra filen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops before the first bead, since programs begin with a question</source>
+        <translation>
+            <numerusform>ikke brukt: {count} stopp før den første strengen, siden programmer begynner med et spørsmål</numerusform>
+            <numerusform>ikke brukt: {count} stopp før den første strengen, siden programmer begynner med et spørsmål</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} (&apos;{member}&apos;)</source>
+        <translation>ikke brukt: {event} i en høyde på {height} (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, from line {line} of {where})</source>
+        <translation>
+            <numerusform>ikke brukt: {paint} på {count} trekant i &apos;{object}&apos; ({attribute}, fra linje {line} i {where})</numerusform>
+            <numerusform>ikke brukt: {paint} på {count} trekanter i &apos;{object}&apos; ({attribute}, fra linje {line} i {where})</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>output {number} is used by the program itself</source>
+        <translation>utgang {number} brukes av selve programmet</translation>
+    </message>
+    <message>
+        <source>paint it in the window, or give a body</source>
+        <translation>mal den i vinduet, eller oppgi et legeme</translation>
+    </message>
+    <message>
+        <source>painted colours</source>
+        <translation>malte farger</translation>
+    </message>
+    <message>
+        <source>painted supports</source>
+        <translation>malt støtte</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>pause</translation>
+    </message>
+    <message>
+        <source>presets hold settings of layers, beads, tool-paths, cooling and quality</source>
+        <translation>forhåndsinnstillinger inneholder innstillinger for lag, strenger, verktøybaner, kjøling og kvalitet</translation>
+    </message>
+    <message>
+        <source>process {process} corrects sizes: layers of regions have no corrections</source>
+        <translation>prosess {process} korrigerer mål: lag i regioner har ingen korreksjoner</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>region</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: its mesh is open, and was closed</source>
+        <translation>region &apos;{region}&apos; fra filen: nettet er åpent og ble lukket</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: the skin is as thick as the larger one of top and bottom</source>
+        <translation>region &apos;{region}&apos; fra filen: huden er så tykk som den største av topp og bunn</translation>
+    </message>
+    <message numerus="yes">
+        <source>region &apos;{region}&apos; from the file: {count} settings</source>
+        <translation>
+            <numerusform>region &apos;{region}&apos; fra filen: {count} innstilling</numerusform>
+            <numerusform>region &apos;{region}&apos; fra filen: {count} innstillinger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos; has no painted surface</source>
+        <translation>regionen &apos;{text}&apos; har ingen malt overflate</translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos;: &apos;{setting}&apos; is no setting</source>
+        <translation>region &apos;{text}&apos;: &apos;{setting}&apos; er ingen innstilling</translation>
+    </message>
+    <message>
+        <source>region {region} cannot be separated from the part: one of them is not closed or intersects itself</source>
+        <translation>region {region} kan ikke skilles fra delen: en av dem er ikke lukket eller skjærer seg selv</translation>
+    </message>
+    <message>
+        <source>region {region} contains the whole part: nothing carries its layers</source>
+        <translation>region {region} inneholder hele delen: ingenting bærer lagene</translation>
+    </message>
+    <message>
+        <source>region {region} cuts away the whole part</source>
+        <translation>region {region} skjærer bort hele delen</translation>
+    </message>
+    <message>
+        <source>region {region} follows no surface: it has no layers of its own</source>
+        <translation>region {region} følger ingen overflate: den har ingen egne lag</translation>
+    </message>
+    <message>
+        <source>region {region} has no mesh</source>
+        <translation>region {region} har ikke noe nett</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
+        <translation>region {region} ligger utenfor delen, eller bak senere regioner: den har ingen virkning</translation>
+    </message>
+    <message>
+        <source>region {region} is thinner than the lowest layer ({least})</source>
+        <translation>region {region} er tynnere enn det laveste laget ({least})</translation>
+    </message>
+    <message>
+        <source>region {region}: no face of the part is as flat as that</source>
+        <translation>region {region}: ingen flate på delen er så flat</translation>
+    </message>
+    <message>
+        <source>regions take away what the part stands on: the rest of it begins {gap:.3g} above its place</source>
+        <translation>regioner fjerner det delen står på: resten begynner {gap:.3g} over plassen sin</translation>
+    </message>
+    <message>
+        <source>remove the regions, or choose another mode</source>
+        <translation>fjern regionene, eller velg en annen modus</translation>
+    </message>
+    <message>
+        <source>remove the regions, or plan layers of the part (`givenToolPaths=false`)</source>
+        <translation>fjern regionene, eller planlegg lag for delen (`givenToolPaths=false`)</translation>
+    </message>
+    <message>
+        <source>remove the regions, or set spiral to false</source>
+        <translation>fjern regionene, eller sett spiral til false</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the region a little</source>
+        <translation>reparer delen, eller flytt regionen litt</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>setting av en utgang</translation>
+    </message>
+    <message>
+        <source>settings of a region: {keys}</source>
+        <translation>innstillinger for en region: {keys}</translation>
+    </message>
+    <message>
+        <source>template G-code</source>
+        <translation>G-kode fra mal</translation>
+    </message>
+    <message>
+        <source>the body of a region is not closed</source>
+        <translation>legemet til en region er ikke lukket</translation>
+    </message>
+    <message>
+        <source>the plane leaves a slab of {thickness} at {place}, thinner than a layer</source>
+        <translation>planet etterlater en skive på {thickness} ved {place}, tynnere enn et lag</translation>
+    </message>
+    <message>
+        <source>the plane passes between the bodies of the part and cuts none</source>
+        <translation>planet går mellom legemene i delen og skjærer ingen av dem</translation>
+    </message>
+    <message>
+        <source>the range of heights from {from} to {to} is empty</source>
+        <translation>høydeområdet fra {from} til {to} er tomt</translation>
+    </message>
+    <message>
+        <source>the statement &apos;{text}&apos; is one of format {wanted}, not of {format}</source>
+        <translation>setningen &apos;{text}&apos; hører til formatet {wanted}, ikke {format}</translation>
+    </message>
+    <message>
+        <source>the tool-paths of a file have no regions</source>
+        <translation>verktøybanene i en fil har ingen regioner</translation>
+    </message>
+    <message>
+        <source>the tools of a file&apos;s tool-paths are its own: none changes before a layer</source>
+        <translation>verktøyene til verktøybanene i en fil er filens egne: ingen byttes før et lag</translation>
+    </message>
+    <message>
+        <source>unknown parameter {key}</source>
+        <translation>ukjent parameter {key}</translation>
+    </message>
+    <message>
+        <source>unknown parent &apos;{id}&apos;</source>
+        <translation>ukjent forelder &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>unknown region &apos;{name}&apos;</source>
+        <translation>ukjent region &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>unknown use &apos;{name}&apos; of a region</source>
+        <translation>ukjent bruk &apos;{name}&apos; av en region</translation>
+    </message>
+    <message>
+        <source>unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them</source>
+        <translation>voksler uten støtte i flate lag: {missed} av {voxels} ({share:.1f}); ingen lag under bærer dem</translation>
+    </message>
+    <message>
+        <source>use &apos;{text}&apos; of a region has no direction</source>
+        <translation>bruken &apos;{text}&apos; av en region har ingen retning</translation>
+    </message>
+    <message>
+        <source>use another output</source>
+        <translation>bruk en annen utgang</translation>
+    </message>
+    <message>
+        <source>write {form}, lengths in mm</source>
+        <translation>skriv {form}, lengder i mm</translation>
+    </message>
+    <message>
+        <source>your own statement, which nothing checks: {statement}</source>
+        <translation>egen setning, som ingenting kontrollerer: {statement}</translation>
+    </message>
+    <message>
+        <source>{key} is a setting of the part, not of a region</source>
+        <translation>{key} er en innstilling for delen, ikke for en region</translation>
+    </message>
+    <message>
+        <source>{name}; changed: {settings}</source>
+        <translation>{name}; endret: {settings}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pause eller venting over delen: armen når ingen plass ved siden av den, og materiale kan dryppe på delen</numerusform>
+            <numerusform>{waits} pauser og ventinger over delen: armen når ingen plass ved siden av den, og materiale kan dryppe på delen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13506,8 +14047,8 @@ ca. %6, anslått ut fra størrelse, vegger og fyll uten støtter</translation>
         <translation>Fjern pausen før lag %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
-        <translation>Pause før lag %1: armen går til hvilestilling og venter, for eksempel for å legge inn en innsats</translation>
+        <source>Pause before layer %1: the arm goes beside the part and waits, for example to put in an insert</source>
+        <translation>Pause før lag %1: armen går til siden for delen og venter, for eksempel for å legge inn en innsats</translation>
     </message>
 </context>
 <context>
@@ -14510,6 +15051,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <source>The printed part is not checked yet.</source>
         <translation>Den utskrevne delen er ikke kontrollert ennå.</translation>
     </message>
+    <message>
+        <source>Checking the pose…</source>
+        <translation>Kontrollerer stillingen…</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::JoinedMachines</name>
@@ -14737,6 +15282,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>Meshes (%1);;All files (*)</source>
         <translation>Mesher (%1);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Your own. It follows %1 in all fields that are not marked.</source>
+        <translation>Egen. Følger %1 i alle felter som ikke er merket.</translation>
     </message>
 </context>
 <context>
@@ -15560,10 +16109,6 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <translation>Tilbud</translation>
     </message>
     <message>
-        <source>Price of an hour of the machine, with power and operator</source>
-        <translation>Pris for en maskintime, med strøm og operatør</translation>
-    </message>
-    <message>
         <source>Price of each print, whatever its size</source>
         <translation>Pris for hver utskrift, uansett størrelse</translation>
     </message>
@@ -15650,6 +16195,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>Saved as %1.</source>
         <translation>Lagret som %1.</translation>
+    </message>
+    <message>
+        <source>Price of an hour of the machine, with power and operator; each cell has its own</source>
+        <translation>Pris for en maskintime, med strøm og operatør; hver celle har sin egen</translation>
     </message>
 </context>
 <context>

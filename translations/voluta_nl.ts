@@ -715,6 +715,14 @@
         <source>Loo&amp;k</source>
         <translation>&amp;Uiterlijk</translation>
     </message>
+    <message>
+        <source>Darken cor&amp;ners</source>
+        <translation>&amp;Hoeken donkerder maken</translation>
+    </message>
+    <message>
+        <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
+        <translation>Maakt hoeken en spleten donkerder, zodat vormen duidelijker zijn; traag zonder grafische kaart</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9929,21 +9937,6 @@ vlakken %</translation>
         <source>to press with the force, use {formats}, or add the statements to the process (beadWords)</source>
         <translation>gebruik {formats} om met de kracht te drukken, of voeg de instructies aan het proces toe (beadWords)</translation>
     </message>
-    <message>
-        <source>line {line} ({command})</source>
-        <translation>regel {line} ({command})</translation>
-    </message>
-    <message>
-        <source>line {line} in layer {layer} ({command})</source>
-        <translation>regel {line} in laag {layer} ({command})</translation>
-    </message>
-    <message numerus="yes">
-        <source>not used: {count} stops of the file, the robot does not wait there: {stops}</source>
-        <translation>
-            <numerusform>niet gebruikt: {count} stop van het bestand, de robot wacht daar niet: {stops}</numerusform>
-            <numerusform>niet gebruikt: {count} stops van het bestand, de robot wacht daar niet: {stops}</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>not used: {command} in {count} lines, the first is line {line}</source>
         <translation>
@@ -10143,10 +10136,6 @@ vlakken %</translation>
     <message>
         <source>this text does not go to the extruder as those before it</source>
         <translation>deze tekst gaat niet naar de extruder zoals die ervoor</translation>
-    </message>
-    <message>
-        <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
-        <translation>Bij een stop toont het handbedieningspaneel geen tekst: het te plaatsen gereedschap staat alleen in de opmerkingen van het programma.</translation>
     </message>
     <message>
         <source>the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its nozzle seems to point away from the part</source>
@@ -11020,28 +11009,580 @@ voxels</translation>
         <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
         <translation>x,y,z in het bestand van het onderdeel, bijvoorbeeld 1,0,0: vermeldt de sterkte voor een belasting in deze richting. Leeg: geen belasting.</translation>
     </message>
-    <message numerus="yes">
-        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
-        <translation>
-            <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
-            <numerusform>{share:.1f} van het onderdeel zou in vlakke lagen in de lucht worden geprint: {missed} van {voxels} voxels</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
-        <translation>Nummers van lagen, gescheiden door komma&apos;s: vóór elk daarvan gaat de arm naar de rustpositie en wacht tot de operator verdergaat, bijvoorbeeld om een inzetstuk te plaatsen. Er wordt niets gespoeld.</translation>
-    </message>
     <message>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>de film kan niet worden geschreven: FFmpeg heeft geen encoder voor VP9</translation>
     </message>
     <message>
-        <source>correct `pauseLayers`; layers are counted through the whole print</source>
-        <translation>corrigeer `pauseLayers`; lagen worden door de hele print geteld</translation>
+        <source>&apos;{id}&apos; inherits from &apos;{parent}&apos;, which does not exist</source>
+        <translation>&apos;{id}&apos; erft van &apos;{parent}&apos;, die niet bestaat</translation>
     </message>
     <message>
-        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
-        <translation>geen pauze vóór laag {layer}: de print eindigt met laag {layers}</translation>
+        <source>&apos;{id}&apos; inherits from itself, through its parents</source>
+        <translation>&apos;{id}&apos; erft via zijn ouders van zichzelf</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is incomplete</source>
+        <translation>&apos;{text}&apos; is onvolledig</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not an event of a layer</source>
+        <translation>&apos;{text}&apos; is geen gebeurtenis van een laag</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} {number} is out of range</source>
+        <translation>&apos;{text}&apos;: {field} {number} valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>At a stop the pendant shows no text: the controller sends it to the sender of the frames, which has to show it.</source>
+        <translation>Bij een stop toont het handbedieningspaneel geen tekst: de besturing stuurt die naar de zender van de frames, die hem moet tonen.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Blok</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Wegsnijden</translation>
+    </message>
+    <message>
+        <source>Cylinder along Z</source>
+        <translation>Cilinder langs Z</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Diepte</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Richting X</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Richting Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Richting Z</translation>
+    </message>
+    <message>
+        <source>Flat layers along a direction</source>
+        <translation>Vlakke lagen langs een richting</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Van</translation>
+    </message>
+    <message>
+        <source>Height (Z)</source>
+        <translation>Hoogte (Z)</translation>
+    </message>
+    <message>
+        <source>Layers along the surface</source>
+        <translation>Lagen langs het oppervlak</translation>
+    </message>
+    <message>
+        <source>Layers around the rest</source>
+        <translation>Lagen rondom de rest</translation>
+    </message>
+    <message>
+        <source>Layers that turn to a direction</source>
+        <translation>Lagen die naar een richting draaien</translation>
+    </message>
+    <message>
+        <source>Middle X</source>
+        <translation>Midden X</translation>
+    </message>
+    <message>
+        <source>Middle Y</source>
+        <translation>Midden Y</translation>
+    </message>
+    <message>
+        <source>Middle Z</source>
+        <translation>Midden Z</translation>
+    </message>
+    <message>
+        <source>Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there.</source>
+        <translation>Nummers van lagen van het onderdeel, gescheiden door komma&apos;s: vóór elk daarvan gaat de arm naast het onderdeel staan en wacht tot de operator verdergaat, bijvoorbeeld om een inzetstuk te plaatsen. Daarna primet hij daar de spuitmond.</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>Eigen instellingen</translation>
+    </message>
+    <message>
+        <source>Painted surface</source>
+        <translation>Beschilderd oppervlak</translation>
+    </message>
+    <message>
+        <source>Pauses before layers</source>
+        <translation>Pauzes vóór lagen</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Range of heights over the plate</source>
+        <translation>Hoogtebereik boven de plaat</translation>
+    </message>
+    <message>
+        <source>Skin below the upper surface</source>
+        <translation>Huid onder het bovenvlak</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Bol</translation>
+    </message>
+    <message>
+        <source>Steepest slope (degrees)</source>
+        <translation>Steilste helling (graden)</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Tot</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Wat er vóór lagen van het onderdeel gebeurt, gescheiden door puntkomma&apos;s. Elk begint met een laag (12) of een hoogte in mm (z5.5): 12 pause TEKST; 20 wait SECONDEN; 30 output NUMMER on; 40 tool NUMMER; 50 statement FORMAAT REGEL.</translation>
+    </message>
+    <message>
+        <source>a change of colour</source>
+        <translation>een kleurwissel</translation>
+    </message>
+    <message>
+        <source>a change to extruder {number}</source>
+        <translation>een wissel naar extruder {number}</translation>
+    </message>
+    <message>
+        <source>a painted fuzzy skin</source>
+        <translation>een geschilderd ruw oppervlak</translation>
+    </message>
+    <message>
+        <source>a painted seam</source>
+        <translation>een geschilderde naad</translation>
+    </message>
+    <message>
+        <source>a pause</source>
+        <translation>een pauze</translation>
+    </message>
+    <message>
+        <source>a spiral has no regions</source>
+        <translation>een spiraal heeft geen gebieden</translation>
+    </message>
+    <message>
+        <source>a statement of your own</source>
+        <translation>een eigen instructie</translation>
+    </message>
+    <message>
+        <source>a tool changes before a layer, not at a height</source>
+        <translation>een gereedschap wisselt vóór een laag, niet op een hoogte</translation>
+    </message>
+    <message>
+        <source>add it from its file again</source>
+        <translation>voeg het opnieuw toe vanuit zijn bestand</translation>
+    </message>
+    <message>
+        <source>change the tool where the file was made</source>
+        <translation>wissel het gereedschap waar het bestand is gemaakt</translation>
+    </message>
+    <message>
+        <source>check what it does on the controller; leave it out of `layerEvents` if you do not need it</source>
+        <translation>controleer wat hij op de besturing doet; laat hem weg uit `layerEvents` als je hem niet nodig hebt</translation>
+    </message>
+    <message>
+        <source>choose a process without corrections, or remove the regions</source>
+        <translation>kies een proces zonder correcties, of verwijder de gebieden</translation>
+    </message>
+    <message>
+        <source>correct the setting; layers are counted for each part</source>
+        <translation>corrigeer de instelling; lagen worden per onderdeel geteld</translation>
+    </message>
+    <message>
+        <source>custom G-code</source>
+        <translation>eigen G-code</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>gebeurtenis</translation>
+    </message>
+    <message>
+        <source>events before layers</source>
+        <translation>gebeurtenissen vóór lagen</translation>
+    </message>
+    <message>
+        <source>format {format} has outputs {first} to {last}, not {number}</source>
+        <translation>formaat {format} heeft uitgangen {first} tot en met {last}, niet {number}</translation>
+    </message>
+    <message>
+        <source>give a steeper slope</source>
+        <translation>geef een steilere helling op</translation>
+    </message>
+    <message>
+        <source>give a tilted direction</source>
+        <translation>geef een schuine richting op</translation>
+    </message>
+    <message>
+        <source>give it as a skin, or use it for settings</source>
+        <translation>geef het op als huid, of gebruik het voor instellingen</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
+        <translation>geef de cel een spoelplaats (`purgeMm`) of een rustpositie naast de plaat, of verplaats het onderdeel op de plaat</translation>
+    </message>
+    <message>
+        <source>give the lower height first</source>
+        <translation>geef eerst de laagste hoogte op</translation>
+    </message>
+    <message>
+        <source>give the number of the layer</source>
+        <translation>geef het nummer van de laag op</translation>
+    </message>
+    <message>
+        <source>give {field} from {least} to {most}</source>
+        <translation>geef {field} op van {least} tot {most}</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>geef bijvoorbeeld 12 pause; 20 pause Plaats de moer; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript REGEL op</translation>
+    </message>
+    <message>
+        <source>height {height}</source>
+        <translation>hoogte {height}</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>is geen JSON-object</translation>
+    </message>
+    <message>
+        <source>layers of region {region} turn to a vertical direction</source>
+        <translation>de lagen van gebied {region} draaien naar een verticale richting</translation>
+    </message>
+    <message>
+        <source>layers that turn by {angle} within the region are {thin:.2f} to {thick:.2f} thick, outside the limits</source>
+        <translation>lagen die binnen het gebied {angle} draaien, zijn {thin:.2f} tot {thick:.2f} dik, buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>line {line}: the print pauses before bead {bead} in layer {layer}: {text} ({command})</source>
+        <translation>regel {line}: de print pauzeert vóór rups {bead} in laag {layer}: {text} ({command})</translation>
+    </message>
+    <message>
+        <source>make it deeper, or use a process with lower layers</source>
+        <translation>maak het dieper, of gebruik een proces met lagere lagen</translation>
+    </message>
+    <message>
+        <source>make the region higher or narrower, or turn by less</source>
+        <translation>maak het gebied hoger of smaller, of draai minder</translation>
+    </message>
+    <message>
+        <source>make the region smaller</source>
+        <translation>maak het gebied kleiner</translation>
+    </message>
+    <message>
+        <source>make the region smaller, or move it</source>
+        <translation>maak het gebied kleiner, of verplaats het</translation>
+    </message>
+    <message>
+        <source>make the regions smaller, or move them up</source>
+        <translation>maak de gebieden kleiner, of verplaats ze omhoog</translation>
+    </message>
+    <message>
+        <source>mode {mode} prints on the part: it has no regions</source>
+        <translation>modus {mode} print op het onderdeel: die heeft geen gebieden</translation>
+    </message>
+    <message>
+        <source>move it into the part, or remove it</source>
+        <translation>verplaats het in het onderdeel, of verwijder het</translation>
+    </message>
+    <message>
+        <source>move the plane further into the part</source>
+        <translation>verplaats het vlak verder het onderdeel in</translation>
+    </message>
+    <message>
+        <source>move the plane into a body, or split the part into its bodies</source>
+        <translation>verplaats het vlak in een lichaam, of splits het onderdeel in zijn lichamen</translation>
+    </message>
+    <message>
+        <source>no change of the tool before layer {layer}: the part has {layers} layers</source>
+        <translation>geen gereedschapswissel vóór laag {layer}: het onderdeel heeft {layers} lagen</translation>
+    </message>
+    <message>
+        <source>no {what} before {place} of part {part}: the part has {layers} layers</source>
+        <translation>geen {what} vóór {place} van onderdeel {part}: het onderdeel heeft {layers} lagen</translation>
+    </message>
+    <message>
+        <source>no {what} before {place}: the print ends with layer {layers}</source>
+        <translation>geen {what} vóór {place}: de print eindigt met laag {layers}</translation>
+    </message>
+    <message>
+        <source>nobody but you knows what the statement is for</source>
+        <translation>alleen jij weet waar de instructie voor dient</translation>
+    </message>
+    <message>
+        <source>not used, as they are damaged: {what} (&apos;{member}&apos;): {why}</source>
+        <translation>niet gebruikt, want beschadigd: {what} (&apos;{member}&apos;): {why}</translation>
+    </message>
+    <message>
+        <source>not used: invalid settings of region &apos;{region}&apos; from the file: {settings}</source>
+        <translation>niet gebruikt: ongeldige instellingen van gebied &apos;{region}&apos; uit het bestand: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file, which has no settings</source>
+        <translation>niet gebruikt: gebied &apos;{region}&apos; uit het bestand, dat geen instellingen heeft</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file: its mesh is not closed</source>
+        <translation>niet gebruikt: gebied &apos;{region}&apos; uit het bestand: zijn mesh is niet gesloten</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height (&apos;{member}&apos;)</source>
+        <translation>niet gebruikt: instellingen van hoogtebereiken (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height of object {number}, which does not exist (&apos;{member}&apos;)</source>
+        <translation>niet gebruikt: instellingen van hoogtebereiken van object {number}, dat niet bestaat (&apos;{member}&apos;)</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height: the objects of the file are one part</source>
+        <translation>niet gebruikt: instellingen van hoogtebereiken: de objecten van het bestand zijn één onderdeel</translation>
+    </message>
+    <message>
+        <source>not used: settings of region &apos;{region}&apos; from the file without a counterpart: {settings}</source>
+        <translation>niet gebruikt: instellingen van gebied &apos;{region}&apos; uit het bestand zonder tegenhanger: {settings}</translation>
+    </message>
+    <message>
+        <source>not used: the range of heights from {from} to {to} in the file, which is empty</source>
+        <translation>niet gebruikt: het hoogtebereik van {from} tot {to} in het bestand, dat leeg is</translation>
+    </message>
+    <message>
+        <source>not used: tool {tool} of region &apos;{region}&apos; from the file: the job has {tools}</source>
+        <translation>niet gebruikt: gereedschap {tool} van gebied &apos;{region}&apos; uit het bestand: de taak heeft er {tools}</translation>
+    </message>
+    <message>
+        <source>not used: {count} further events at heights (&apos;{member}&apos;)</source>
+        <translation>niet gebruikt: nog {count} gebeurtenissen op hoogten (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} further regions of the file</source>
+        <translation>
+            <numerusform>niet gebruikt: nog {count} gebied van het bestand</numerusform>
+            <numerusform>niet gebruikt: nog {count} gebieden van het bestand</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops before the first bead, since programs begin with a question</source>
+        <translation>
+            <numerusform>niet gebruikt: {count} stop vóór de eerste rups, omdat programma&apos;s met een vraag beginnen</numerusform>
+            <numerusform>niet gebruikt: {count} stops vóór de eerste rups, omdat programma&apos;s met een vraag beginnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} (&apos;{member}&apos;)</source>
+        <translation>niet gebruikt: {event} op een hoogte van {height} (&apos;{member}&apos;)</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, from line {line} of {where})</source>
+        <translation>
+            <numerusform>niet gebruikt: {paint} op {count} driehoek van &apos;{object}&apos; ({attribute}, vanaf regel {line} van {where})</numerusform>
+            <numerusform>niet gebruikt: {paint} op {count} driehoeken van &apos;{object}&apos; ({attribute}, vanaf regel {line} van {where})</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>output {number} is used by the program itself</source>
+        <translation>uitgang {number} wordt door het programma zelf gebruikt</translation>
+    </message>
+    <message>
+        <source>paint it in the window, or give a body</source>
+        <translation>beschilder het in het venster, of geef een lichaam op</translation>
+    </message>
+    <message>
+        <source>painted colours</source>
+        <translation>geschilderde kleuren</translation>
+    </message>
+    <message>
+        <source>painted supports</source>
+        <translation>geschilderde ondersteuning</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>pauze</translation>
+    </message>
+    <message>
+        <source>presets hold settings of layers, beads, tool-paths, cooling and quality</source>
+        <translation>presets bevatten instellingen van lagen, rupsen, gereedschapsbanen, koeling en kwaliteit</translation>
+    </message>
+    <message>
+        <source>process {process} corrects sizes: layers of regions have no corrections</source>
+        <translation>proces {process} corrigeert maten: lagen van gebieden hebben geen correcties</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>gebied</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: its mesh is open, and was closed</source>
+        <translation>gebied &apos;{region}&apos; uit het bestand: zijn mesh is open en werd gesloten</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: the skin is as thick as the larger one of top and bottom</source>
+        <translation>gebied &apos;{region}&apos; uit het bestand: de huid is zo dik als de grootste van boven en onder</translation>
+    </message>
+    <message numerus="yes">
+        <source>region &apos;{region}&apos; from the file: {count} settings</source>
+        <translation>
+            <numerusform>gebied &apos;{region}&apos; uit het bestand: {count} instelling</numerusform>
+            <numerusform>gebied &apos;{region}&apos; uit het bestand: {count} instellingen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos; has no painted surface</source>
+        <translation>gebied &apos;{text}&apos; heeft geen beschilderd oppervlak</translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos;: &apos;{setting}&apos; is no setting</source>
+        <translation>gebied &apos;{text}&apos;: &apos;{setting}&apos; is geen instelling</translation>
+    </message>
+    <message>
+        <source>region {region} cannot be separated from the part: one of them is not closed or intersects itself</source>
+        <translation>gebied {region} kan niet van het onderdeel worden gescheiden: een van beide is niet gesloten of doorsnijdt zichzelf</translation>
+    </message>
+    <message>
+        <source>region {region} contains the whole part: nothing carries its layers</source>
+        <translation>gebied {region} bevat het hele onderdeel: niets draagt zijn lagen</translation>
+    </message>
+    <message>
+        <source>region {region} cuts away the whole part</source>
+        <translation>gebied {region} snijdt het hele onderdeel weg</translation>
+    </message>
+    <message>
+        <source>region {region} follows no surface: it has no layers of its own</source>
+        <translation>gebied {region} volgt geen oppervlak: het heeft geen eigen lagen</translation>
+    </message>
+    <message>
+        <source>region {region} has no mesh</source>
+        <translation>gebied {region} heeft geen net</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
+        <translation>gebied {region} ligt buiten het onderdeel, of achter latere gebieden: het heeft geen effect</translation>
+    </message>
+    <message>
+        <source>region {region} is thinner than the lowest layer ({least})</source>
+        <translation>gebied {region} is dunner dan de laagste laag ({least})</translation>
+    </message>
+    <message>
+        <source>region {region}: no face of the part is as flat as that</source>
+        <translation>gebied {region}: geen vlak van het onderdeel is zo vlak</translation>
+    </message>
+    <message>
+        <source>regions take away what the part stands on: the rest of it begins {gap:.3g} above its place</source>
+        <translation>gebieden nemen weg waarop het onderdeel staat: de rest begint {gap:.3g} boven zijn plaats</translation>
+    </message>
+    <message>
+        <source>remove the regions, or choose another mode</source>
+        <translation>verwijder de gebieden, of kies een andere modus</translation>
+    </message>
+    <message>
+        <source>remove the regions, or plan layers of the part (`givenToolPaths=false`)</source>
+        <translation>verwijder de gebieden, of plan lagen van het onderdeel (`givenToolPaths=false`)</translation>
+    </message>
+    <message>
+        <source>remove the regions, or set spiral to false</source>
+        <translation>verwijder de gebieden, of zet spiral op false</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the region a little</source>
+        <translation>repareer het onderdeel, of verplaats het gebied een beetje</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>het instellen van een uitgang</translation>
+    </message>
+    <message>
+        <source>settings of a region: {keys}</source>
+        <translation>instellingen van een gebied: {keys}</translation>
+    </message>
+    <message>
+        <source>template G-code</source>
+        <translation>sjabloon-G-code</translation>
+    </message>
+    <message>
+        <source>the body of a region is not closed</source>
+        <translation>het lichaam van een gebied is niet gesloten</translation>
+    </message>
+    <message>
+        <source>the plane leaves a slab of {thickness} at {place}, thinner than a layer</source>
+        <translation>het vlak laat bij {place} een plak van {thickness} over, dunner dan een laag</translation>
+    </message>
+    <message>
+        <source>the plane passes between the bodies of the part and cuts none</source>
+        <translation>het vlak gaat tussen de lichamen van het onderdeel door en snijdt er geen</translation>
+    </message>
+    <message>
+        <source>the range of heights from {from} to {to} is empty</source>
+        <translation>het hoogtebereik van {from} tot {to} is leeg</translation>
+    </message>
+    <message>
+        <source>the statement &apos;{text}&apos; is one of format {wanted}, not of {format}</source>
+        <translation>de instructie &apos;{text}&apos; hoort bij formaat {wanted}, niet bij {format}</translation>
+    </message>
+    <message>
+        <source>the tool-paths of a file have no regions</source>
+        <translation>de gereedschapsbanen van een bestand hebben geen gebieden</translation>
+    </message>
+    <message>
+        <source>the tools of a file&apos;s tool-paths are its own: none changes before a layer</source>
+        <translation>de gereedschappen van de gereedschapsbanen van een bestand zijn die van het bestand: geen ervan wisselt vóór een laag</translation>
+    </message>
+    <message>
+        <source>unknown parameter {key}</source>
+        <translation>onbekende parameter {key}</translation>
+    </message>
+    <message>
+        <source>unknown parent &apos;{id}&apos;</source>
+        <translation>onbekende ouder &apos;{id}&apos;</translation>
+    </message>
+    <message>
+        <source>unknown region &apos;{name}&apos;</source>
+        <translation>onbekend gebied &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>unknown use &apos;{name}&apos; of a region</source>
+        <translation>onbekend gebruik &apos;{name}&apos; van een gebied</translation>
+    </message>
+    <message>
+        <source>unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them</source>
+        <translation>niet ondersteunde voxels in vlakke lagen: {missed} van {voxels} ({share:.1f}); geen laag eronder draagt ze</translation>
+    </message>
+    <message>
+        <source>use &apos;{text}&apos; of a region has no direction</source>
+        <translation>gebruik &apos;{text}&apos; van een gebied heeft geen richting</translation>
+    </message>
+    <message>
+        <source>use another output</source>
+        <translation>gebruik een andere uitgang</translation>
+    </message>
+    <message>
+        <source>write {form}, lengths in mm</source>
+        <translation>schrijf {form}, lengten in mm</translation>
+    </message>
+    <message>
+        <source>your own statement, which nothing checks: {statement}</source>
+        <translation>eigen instructie, die door niets wordt gecontroleerd: {statement}</translation>
+    </message>
+    <message>
+        <source>{key} is a setting of the part, not of a region</source>
+        <translation>{key} is een instelling van het onderdeel, niet van een gebied</translation>
+    </message>
+    <message>
+        <source>{name}; changed: {settings}</source>
+        <translation>{name}; gewijzigd: {settings}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pauze of wachttijd boven het onderdeel: de arm bereikt geen plaats ernaast, en er kan materiaal op het onderdeel druppelen</numerusform>
+            <numerusform>{waits} pauzes en wachttijden boven het onderdeel: de arm bereikt geen plaats ernaast, en er kan materiaal op het onderdeel druppelen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13506,8 +14047,8 @@ ongeveer %6, geschat uit maat, wanden en vulling zonder ondersteuning</translati
         <translation>Verwijder de pauze vóór laag %1</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
-        <translation>Pauze vóór laag %1: de arm gaat naar de rustpositie en wacht, bijvoorbeeld om een inzetstuk te plaatsen</translation>
+        <source>Pause before layer %1: the arm goes beside the part and waits, for example to put in an insert</source>
+        <translation>Pauze vóór laag %1: de arm gaat naast het onderdeel staan en wacht, bijvoorbeeld om een inzetstuk te plaatsen</translation>
     </message>
 </context>
 <context>
@@ -14510,6 +15051,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <source>The printed part is not checked yet.</source>
         <translation>Het geprinte onderdeel is nog niet gecontroleerd.</translation>
     </message>
+    <message>
+        <source>Checking the pose…</source>
+        <translation>Pose controleren…</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::JoinedMachines</name>
@@ -14737,6 +15282,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>Meshes (%1);;All files (*)</source>
         <translation>Meshes (%1);;Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Your own. It follows %1 in all fields that are not marked.</source>
+        <translation>Eigen. Volgt %1 in alle velden die niet zijn gemarkeerd.</translation>
     </message>
 </context>
 <context>
@@ -15560,10 +16109,6 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <translation>Offerte</translation>
     </message>
     <message>
-        <source>Price of an hour of the machine, with power and operator</source>
-        <translation>Prijs van een machine-uur, met stroom en bediening</translation>
-    </message>
-    <message>
         <source>Price of each print, whatever its size</source>
         <translation>Prijs van elke print, ongeacht de grootte</translation>
     </message>
@@ -15650,6 +16195,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>Saved as %1.</source>
         <translation>Opgeslagen als %1.</translation>
+    </message>
+    <message>
+        <source>Price of an hour of the machine, with power and operator; each cell has its own</source>
+        <translation>Prijs van een machine-uur, met stroom en bediening; elke cel heeft een eigen prijs</translation>
     </message>
 </context>
 <context>

@@ -715,6 +715,14 @@
         <source>Loo&amp;k</source>
         <translation>外观(&amp;K)</translation>
     </message>
+    <message>
+        <source>Darken cor&amp;ners</source>
+        <translation>使角落变暗(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
+        <translation>使角落和缝隙变暗，让形状更清晰；没有显卡时较慢</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9858,20 +9866,6 @@ faces %</source>
         <source>to press with the force, use {formats}, or add the statements to the process (beadWords)</source>
         <translation>要以该力施压，使用 {formats}，或为工艺添加语句 (beadWords)</translation>
     </message>
-    <message>
-        <source>line {line} ({command})</source>
-        <translation>第 {line} 行（{command}）</translation>
-    </message>
-    <message>
-        <source>line {line} in layer {layer} ({command})</source>
-        <translation>层 {layer} 中第 {line} 行（{command}）</translation>
-    </message>
-    <message numerus="yes">
-        <source>not used: {count} stops of the file, the robot does not wait there: {stops}</source>
-        <translation>
-            <numerusform>未使用：文件的 {count} 个停止，机器人不在该处等待：{stops}</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>not used: {command} in {count} lines, the first is line {line}</source>
         <translation>
@@ -10067,10 +10061,6 @@ faces %</source>
     <message>
         <source>this text does not go to the extruder as those before it</source>
         <translation>此文本未像之前那样发送到挤出机</translation>
-    </message>
-    <message>
-        <source>At a stop the pendant shows no text: the tool to fit is named in the program&apos;s remarks only.</source>
-        <translation>停止时示教器不显示文本：要安装的工具仅在程序注释中说明。</translation>
     </message>
     <message>
         <source>the head is {tip:.3g} wide at its tip and {end:.3g} at its other end: its nozzle seems to point away from the part</source>
@@ -10936,27 +10926,575 @@ voxels</source>
         <source>x,y,z in the part&apos;s file, for example 1,0,0: reports the strength for a load in this direction. Empty: no load.</source>
         <translation>零件文件中的 x,y,z，例如 1,0,0：报告该方向载荷下的强度。留空：无载荷。</translation>
     </message>
-    <message numerus="yes">
-        <source>{share:.1f} of the part would be printed in the air in flat layers: {missed} of {voxels} voxels</source>
-        <translation>
-            <numerusform>若用平面层，零件的 {share:.1f} 会悬空打印：{voxels} 个体素中的 {missed} 个</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Numbers of layers, separated by commas: before each of them the arm goes home and waits until the operator continues, for example to put in an insert. Nothing is purged.</source>
-        <translation>层号，用逗号分隔：在每个层之前机械臂回到原位并等待操作员继续，例如放入嵌件。不进行清料。</translation>
-    </message>
     <message>
         <source>the film cannot be written: FFmpeg has no encoder for VP9</source>
         <translation>无法写入影片：FFmpeg 没有 VP9 编码器</translation>
     </message>
     <message>
-        <source>correct `pauseLayers`; layers are counted through the whole print</source>
-        <translation>更正 `pauseLayers`；层号在整个打印中连续计数</translation>
+        <source>&apos;{id}&apos; inherits from &apos;{parent}&apos;, which does not exist</source>
+        <translation>“{id}”继承自“{parent}”，但后者不存在</translation>
     </message>
     <message>
-        <source>no pause before layer {layer}: the print ends with layer {layers}</source>
-        <translation>第 {layer} 层前没有暂停：打印到第 {layers} 层为止</translation>
+        <source>&apos;{id}&apos; inherits from itself, through its parents</source>
+        <translation>“{id}”经其父项继承自自身</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is incomplete</source>
+        <translation>“{text}”不完整</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not an event of a layer</source>
+        <translation>“{text}”不是层事件</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} {number} is out of range</source>
+        <translation>“{text}”：{field} {number} 超出范围</translation>
+    </message>
+    <message>
+        <source>At a stop the pendant shows no text: the controller sends it to the sender of the frames, which has to show it.</source>
+        <translation>停止时示教器不显示文本：控制器将其发给帧的发送程序，由后者显示。</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>切除</translation>
+    </message>
+    <message>
+        <source>Cylinder along Z</source>
+        <translation>沿 Z 的圆柱</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>方向 X</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>方向 Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>方向 Z</translation>
+    </message>
+    <message>
+        <source>Flat layers along a direction</source>
+        <translation>沿某一方向的平面层</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Height (Z)</source>
+        <translation>高度 (Z)</translation>
+    </message>
+    <message>
+        <source>Layers along the surface</source>
+        <translation>沿表面的层</translation>
+    </message>
+    <message>
+        <source>Layers around the rest</source>
+        <translation>环绕其余部分的层</translation>
+    </message>
+    <message>
+        <source>Layers that turn to a direction</source>
+        <translation>转向某一方向的层</translation>
+    </message>
+    <message>
+        <source>Middle X</source>
+        <translation>中心 X</translation>
+    </message>
+    <message>
+        <source>Middle Y</source>
+        <translation>中心 Y</translation>
+    </message>
+    <message>
+        <source>Middle Z</source>
+        <translation>中心 Z</translation>
+    </message>
+    <message>
+        <source>Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there.</source>
+        <translation>零件的层号，用逗号分隔：在每个层之前机械臂移到零件旁并等待操作员继续，例如放入嵌件。然后在该处进行喷嘴预挤出。</translation>
+    </message>
+    <message>
+        <source>Own settings</source>
+        <translation>自定义设置</translation>
+    </message>
+    <message>
+        <source>Painted surface</source>
+        <translation>涂绘表面</translation>
+    </message>
+    <message>
+        <source>Pauses before layers</source>
+        <translation>层前暂停</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Range of heights over the plate</source>
+        <translation>打印板上方的高度范围</translation>
+    </message>
+    <message>
+        <source>Skin below the upper surface</source>
+        <translation>上表面之下的表皮</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Steepest slope (degrees)</source>
+        <translation>最大坡度（度）</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>零件的层之前发生的事件，用分号分隔。每项以层号 (12) 或以 mm 为单位的高度 (z5.5) 开头：12 pause 文本; 20 wait 秒数; 30 output 编号 on; 40 tool 编号; 50 statement 格式 语句行。</translation>
+    </message>
+    <message>
+        <source>a change of colour</source>
+        <translation>换色</translation>
+    </message>
+    <message>
+        <source>a change to extruder {number}</source>
+        <translation>切换到挤出机 {number}</translation>
+    </message>
+    <message>
+        <source>a painted fuzzy skin</source>
+        <translation>涂绘的绒毛表面</translation>
+    </message>
+    <message>
+        <source>a painted seam</source>
+        <translation>涂绘的接缝</translation>
+    </message>
+    <message>
+        <source>a pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>a spiral has no regions</source>
+        <translation>螺旋没有区域</translation>
+    </message>
+    <message>
+        <source>a statement of your own</source>
+        <translation>自定义语句</translation>
+    </message>
+    <message>
+        <source>a tool changes before a layer, not at a height</source>
+        <translation>工具在层之前更换，而不是在某个高度</translation>
+    </message>
+    <message>
+        <source>add it from its file again</source>
+        <translation>从其文件重新添加</translation>
+    </message>
+    <message>
+        <source>change the tool where the file was made</source>
+        <translation>在生成该文件的程序中更换工具</translation>
+    </message>
+    <message>
+        <source>check what it does on the controller; leave it out of `layerEvents` if you do not need it</source>
+        <translation>检查其在控制器上的作用；若不需要，将其从 `layerEvents` 中移除</translation>
+    </message>
+    <message>
+        <source>choose a process without corrections, or remove the regions</source>
+        <translation>选择没有修正的工艺，或移除区域</translation>
+    </message>
+    <message>
+        <source>correct the setting; layers are counted for each part</source>
+        <translation>更正该设置；层号按每个零件分别计数</translation>
+    </message>
+    <message>
+        <source>custom G-code</source>
+        <translation>自定义 G 代码</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>events before layers</source>
+        <translation>层前事件</translation>
+    </message>
+    <message>
+        <source>format {format} has outputs {first} to {last}, not {number}</source>
+        <translation>格式 {format} 的输出为 {first} 至 {last}，没有 {number}</translation>
+    </message>
+    <message>
+        <source>give a steeper slope</source>
+        <translation>给出更大的坡度</translation>
+    </message>
+    <message>
+        <source>give a tilted direction</source>
+        <translation>请给出倾斜的方向</translation>
+    </message>
+    <message>
+        <source>give it as a skin, or use it for settings</source>
+        <translation>将其指定为表皮，或用于设置</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
+        <translation>为工作单元指定清料处 (`purgeMm`) 或打印板旁的原位，或在打印板上移动零件</translation>
+    </message>
+    <message>
+        <source>give the lower height first</source>
+        <translation>先给出较低的高度</translation>
+    </message>
+    <message>
+        <source>give the number of the layer</source>
+        <translation>给出层号</translation>
+    </message>
+    <message>
+        <source>give {field} from {least} to {most}</source>
+        <translation>给出 {field}，{least} 至 {most}</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>例如给出 12 pause; 20 pause 放入螺母; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript 语句行</translation>
+    </message>
+    <message>
+        <source>height {height}</source>
+        <translation>高度 {height}</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>不是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>layers of region {region} turn to a vertical direction</source>
+        <translation>区域 {region} 的层转向竖直方向</translation>
+    </message>
+    <message>
+        <source>layers that turn by {angle} within the region are {thin:.2f} to {thick:.2f} thick, outside the limits</source>
+        <translation>在区域内转动 {angle} 的层厚 {thin:.2f} 至 {thick:.2f}，超出限制</translation>
+    </message>
+    <message>
+        <source>line {line}: the print pauses before bead {bead} in layer {layer}: {text} ({command})</source>
+        <translation>第 {line} 行：打印在层 {layer} 的焊道 {bead} 之前暂停：{text}（{command}）</translation>
+    </message>
+    <message>
+        <source>make it deeper, or use a process with lower layers</source>
+        <translation>加大深度，或使用层更薄的工艺</translation>
+    </message>
+    <message>
+        <source>make the region higher or narrower, or turn by less</source>
+        <translation>使区域更高或更窄，或减小转动角度</translation>
+    </message>
+    <message>
+        <source>make the region smaller</source>
+        <translation>缩小该区域</translation>
+    </message>
+    <message>
+        <source>make the region smaller, or move it</source>
+        <translation>缩小该区域，或移动它</translation>
+    </message>
+    <message>
+        <source>make the regions smaller, or move them up</source>
+        <translation>缩小区域，或将其上移</translation>
+    </message>
+    <message>
+        <source>mode {mode} prints on the part: it has no regions</source>
+        <translation>{mode} 模式在零件上打印：没有区域</translation>
+    </message>
+    <message>
+        <source>move it into the part, or remove it</source>
+        <translation>将其移入零件，或移除</translation>
+    </message>
+    <message>
+        <source>move the plane further into the part</source>
+        <translation>将平面进一步移入零件</translation>
+    </message>
+    <message>
+        <source>move the plane into a body, or split the part into its bodies</source>
+        <translation>将平面移入某个实体，或将零件拆分为各个实体</translation>
+    </message>
+    <message>
+        <source>no change of the tool before layer {layer}: the part has {layers} layers</source>
+        <translation>第 {layer} 层前不换工具：零件共 {layers} 层</translation>
+    </message>
+    <message>
+        <source>no {what} before {place} of part {part}: the part has {layers} layers</source>
+        <translation>零件 {part} 的{place}之前没有{what}：该零件共 {layers} 层</translation>
+    </message>
+    <message>
+        <source>no {what} before {place}: the print ends with layer {layers}</source>
+        <translation>{place}之前没有{what}：打印到第 {layers} 层为止</translation>
+    </message>
+    <message>
+        <source>nobody but you knows what the statement is for</source>
+        <translation>只有编写者知道该语句的用途</translation>
+    </message>
+    <message>
+        <source>not used, as they are damaged: {what} (&apos;{member}&apos;): {why}</source>
+        <translation>因损坏而未使用：{what}（&apos;{member}&apos;）：{why}</translation>
+    </message>
+    <message>
+        <source>not used: invalid settings of region &apos;{region}&apos; from the file: {settings}</source>
+        <translation>未使用：文件中区域 &apos;{region}&apos; 的无效设置：{settings}</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file, which has no settings</source>
+        <translation>未使用：文件中没有设置的区域 &apos;{region}&apos;</translation>
+    </message>
+    <message>
+        <source>not used: region &apos;{region}&apos; from the file: its mesh is not closed</source>
+        <translation>未使用：文件中的区域 &apos;{region}&apos;：其网格未封闭</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height (&apos;{member}&apos;)</source>
+        <translation>未使用：高度范围的设置（&apos;{member}&apos;）</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height of object {number}, which does not exist (&apos;{member}&apos;)</source>
+        <translation>未使用：不存在的对象 {number} 的高度范围设置（&apos;{member}&apos;）</translation>
+    </message>
+    <message>
+        <source>not used: settings of ranges of height: the objects of the file are one part</source>
+        <translation>未使用：高度范围的设置：文件中的对象是一个零件</translation>
+    </message>
+    <message>
+        <source>not used: settings of region &apos;{region}&apos; from the file without a counterpart: {settings}</source>
+        <translation>未使用：文件中区域 &apos;{region}&apos; 没有对应项的设置：{settings}</translation>
+    </message>
+    <message>
+        <source>not used: the range of heights from {from} to {to} in the file, which is empty</source>
+        <translation>未使用：文件中从 {from} 到 {to} 的空高度范围</translation>
+    </message>
+    <message>
+        <source>not used: tool {tool} of region &apos;{region}&apos; from the file: the job has {tools}</source>
+        <translation>未使用：文件中区域 &apos;{region}&apos; 的工具 {tool}：任务有 {tools} 个</translation>
+    </message>
+    <message>
+        <source>not used: {count} further events at heights (&apos;{member}&apos;)</source>
+        <translation>未使用：另外 {count} 个按高度的事件（&apos;{member}&apos;）</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} further regions of the file</source>
+        <translation>
+            <numerusform>未使用：文件中另外 {count} 个区域</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops before the first bead, since programs begin with a question</source>
+        <translation>
+            <numerusform>未使用：第一条焊道之前的 {count} 个停止，因为程序以询问开始</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} (&apos;{member}&apos;)</source>
+        <translation>未使用：高度 {height} 处的{event}（&apos;{member}&apos;）</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, from line {line} of {where})</source>
+        <translation>
+            <numerusform>未使用：&apos;{object}&apos; 的 {count} 个三角形上的{paint}（{attribute}，从 {where} 的第 {line} 行起）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>output {number} is used by the program itself</source>
+        <translation>输出 {number} 由程序自身使用</translation>
+    </message>
+    <message>
+        <source>paint it in the window, or give a body</source>
+        <translation>在窗口中涂绘，或给出一个实体</translation>
+    </message>
+    <message>
+        <source>painted colours</source>
+        <translation>涂绘的颜色</translation>
+    </message>
+    <message>
+        <source>painted supports</source>
+        <translation>涂绘的支撑</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>presets hold settings of layers, beads, tool-paths, cooling and quality</source>
+        <translation>预设包含层、焊道、工具路径、冷却和质量等级的设置</translation>
+    </message>
+    <message>
+        <source>process {process} corrects sizes: layers of regions have no corrections</source>
+        <translation>工艺 {process} 修正尺寸：区域的层没有修正</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: its mesh is open, and was closed</source>
+        <translation>文件中的区域 &apos;{region}&apos;：其网格未封闭，已将其封闭</translation>
+    </message>
+    <message>
+        <source>region &apos;{region}&apos; from the file: the skin is as thick as the larger one of top and bottom</source>
+        <translation>文件中的区域 &apos;{region}&apos;：表层厚度取顶部和底部中的较大者</translation>
+    </message>
+    <message numerus="yes">
+        <source>region &apos;{region}&apos; from the file: {count} settings</source>
+        <translation>
+            <numerusform>文件中的区域 &apos;{region}&apos;：{count} 个设置</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos; has no painted surface</source>
+        <translation>区域“{text}”没有涂绘表面</translation>
+    </message>
+    <message>
+        <source>region &apos;{text}&apos;: &apos;{setting}&apos; is no setting</source>
+        <translation>区域“{text}”：“{setting}”不是设置项</translation>
+    </message>
+    <message>
+        <source>region {region} cannot be separated from the part: one of them is not closed or intersects itself</source>
+        <translation>区域 {region} 无法从零件中分离：二者之一未封闭或自相交</translation>
+    </message>
+    <message>
+        <source>region {region} contains the whole part: nothing carries its layers</source>
+        <translation>区域 {region} 包含整个零件：没有东西承载其层</translation>
+    </message>
+    <message>
+        <source>region {region} cuts away the whole part</source>
+        <translation>区域 {region} 切除了整个零件</translation>
+    </message>
+    <message>
+        <source>region {region} follows no surface: it has no layers of its own</source>
+        <translation>区域 {region} 不跟随任何表面：没有自己的层</translation>
+    </message>
+    <message>
+        <source>region {region} has no mesh</source>
+        <translation>区域 {region} 没有网格</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
+        <translation>区域 {region} 在零件之外，或被后面的区域覆盖：它不起作用</translation>
+    </message>
+    <message>
+        <source>region {region} is thinner than the lowest layer ({least})</source>
+        <translation>区域 {region} 比最低的层更薄（{least}）</translation>
+    </message>
+    <message>
+        <source>region {region}: no face of the part is as flat as that</source>
+        <translation>区域 {region}：零件没有如此平缓的面</translation>
+    </message>
+    <message>
+        <source>regions take away what the part stands on: the rest of it begins {gap:.3g} above its place</source>
+        <translation>区域去掉了零件站立的部分：其余部分从其位置上方 {gap:.3g} 处开始</translation>
+    </message>
+    <message>
+        <source>remove the regions, or choose another mode</source>
+        <translation>移除区域，或选择其他模式</translation>
+    </message>
+    <message>
+        <source>remove the regions, or plan layers of the part (`givenToolPaths=false`)</source>
+        <translation>移除区域，或规划零件的层 (`givenToolPaths=false`)</translation>
+    </message>
+    <message>
+        <source>remove the regions, or set spiral to false</source>
+        <translation>移除区域，或将 spiral 设为 false</translation>
+    </message>
+    <message>
+        <source>repair the part, or move the region a little</source>
+        <translation>修复零件，或稍微移动该区域</translation>
+    </message>
+    <message>
+        <source>setting an output</source>
+        <translation>设置输出</translation>
+    </message>
+    <message>
+        <source>settings of a region: {keys}</source>
+        <translation>区域的设置：{keys}</translation>
+    </message>
+    <message>
+        <source>template G-code</source>
+        <translation>模板 G 代码</translation>
+    </message>
+    <message>
+        <source>the body of a region is not closed</source>
+        <translation>区域的实体未封闭</translation>
+    </message>
+    <message>
+        <source>the plane leaves a slab of {thickness} at {place}, thinner than a layer</source>
+        <translation>平面在 {place} 处留下厚 {thickness} 的薄片，比一层还薄</translation>
+    </message>
+    <message>
+        <source>the plane passes between the bodies of the part and cuts none</source>
+        <translation>平面从零件的各实体之间穿过，未切到任何一个</translation>
+    </message>
+    <message>
+        <source>the range of heights from {from} to {to} is empty</source>
+        <translation>从 {from} 到 {to} 的高度范围为空</translation>
+    </message>
+    <message>
+        <source>the statement &apos;{text}&apos; is one of format {wanted}, not of {format}</source>
+        <translation>语句“{text}”属于格式 {wanted}，而非 {format}</translation>
+    </message>
+    <message>
+        <source>the tool-paths of a file have no regions</source>
+        <translation>文件的工具路径没有区域</translation>
+    </message>
+    <message>
+        <source>the tools of a file&apos;s tool-paths are its own: none changes before a layer</source>
+        <translation>文件的工具路径使用文件自身的工具：不在层前更换</translation>
+    </message>
+    <message>
+        <source>unknown parameter {key}</source>
+        <translation>未知参数 {key}</translation>
+    </message>
+    <message>
+        <source>unknown parent &apos;{id}&apos;</source>
+        <translation>未知父项“{id}”</translation>
+    </message>
+    <message>
+        <source>unknown region &apos;{name}&apos;</source>
+        <translation>未知区域“{name}”</translation>
+    </message>
+    <message>
+        <source>unknown use &apos;{name}&apos; of a region</source>
+        <translation>未知的区域用途“{name}”</translation>
+    </message>
+    <message>
+        <source>unsupported voxels in flat layers: {missed} of {voxels} ({share:.1f}); no layer below carries them</source>
+        <translation>平面层中无支承的体素：{voxels} 个中的 {missed} 个（{share:.1f}）；下方没有层承载它们</translation>
+    </message>
+    <message>
+        <source>use &apos;{text}&apos; of a region has no direction</source>
+        <translation>区域用途“{text}”没有方向</translation>
+    </message>
+    <message>
+        <source>use another output</source>
+        <translation>使用其他输出</translation>
+    </message>
+    <message>
+        <source>write {form}, lengths in mm</source>
+        <translation>写 {form}，长度单位 mm</translation>
+    </message>
+    <message>
+        <source>your own statement, which nothing checks: {statement}</source>
+        <translation>自定义语句，未经任何检查：{statement}</translation>
+    </message>
+    <message>
+        <source>{key} is a setting of the part, not of a region</source>
+        <translation>{key} 是零件的设置，不是区域的设置</translation>
+    </message>
+    <message>
+        <source>{name}; changed: {settings}</source>
+        <translation>{name}；已更改：{settings}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
+        <translation>
+            <numerusform>在零件上方有 {waits} 次暂停或等待：机械臂到不了零件旁的位置，材料可能滴落到零件上</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13420,8 +13958,8 @@ about %6, estimated from size, walls and infill without supports</source>
         <translation>移除第 %1 层前的暂停</translation>
     </message>
     <message>
-        <source>Pause before layer %1: the arm goes home and waits, for example to put in an insert</source>
-        <translation>第 %1 层前暂停：机械臂回到原位并等待，例如放入嵌件</translation>
+        <source>Pause before layer %1: the arm goes beside the part and waits, for example to put in an insert</source>
+        <translation>第 %1 层前暂停：机械臂移到零件旁并等待，例如放入嵌件</translation>
     </message>
 </context>
 <context>
@@ -14423,6 +14961,10 @@ Tick the ways to compare at the right, then press Compare.</source>
         <source>The printed part is not checked yet.</source>
         <translation>尚未检查已打印的零件。</translation>
     </message>
+    <message>
+        <source>Checking the pose…</source>
+        <translation>正在检查位姿…</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::JoinedMachines</name>
@@ -14650,6 +15192,10 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>Meshes (%1);;All files (*)</source>
         <translation>网格 (%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Your own. It follows %1 in all fields that are not marked.</source>
+        <translation>自定义。所有未标出的字段均跟随 %1。</translation>
     </message>
 </context>
 <context>
@@ -15471,10 +16017,6 @@ Tick the ways to compare at the right, then press Compare.</source>
         <translation>报价</translation>
     </message>
     <message>
-        <source>Price of an hour of the machine, with power and operator</source>
-        <translation>机器每小时价格，含电费和人工</translation>
-    </message>
-    <message>
         <source>Price of each print, whatever its size</source>
         <translation>每次打印的价格，与大小无关</translation>
     </message>
@@ -15561,6 +16103,10 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>Saved as %1.</source>
         <translation>已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>Price of an hour of the machine, with power and operator; each cell has its own</source>
+        <translation>机器每小时价格，含电费和人工；每个工作单元各有其价格</translation>
     </message>
 </context>
 <context>
