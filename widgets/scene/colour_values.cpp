@@ -30,6 +30,8 @@ const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by
     return &v.item;
   case ColourBy::Tool:
     return &v.tool;
+  case ColourBy::Region:
+    return &v.region;
   default:
     return nullptr;
   }
@@ -174,7 +176,9 @@ Legend legendOf(const ColourValues& values, ColourBy colourBy) {
         {double(v),
          colourBy == ColourBy::Kind
              ? base::Value(kKindNames[static_cast<std::size_t>(v) % kKindNames.size()])
-             : base::Value(v + 1),
+         : colourBy != ColourBy::Region ? base::Value(v + 1)
+         : v == 0                       ? base::Value("Part"_text)
+                                        : base::Value(v),
          categoricalColour(v)});
   return legend;
 }

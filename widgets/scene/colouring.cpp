@@ -25,6 +25,7 @@ const std::vector<ColourByRow>& colourByTable() {
       {ColourBy::Peeling, "peeling", "Peeling rank"_text, "", false},
       {ColourBy::Tool, "tool", "Tool"_text, "", true},
       {ColourBy::Part, "part", "Part"_text, "", true},
+      {ColourBy::Region, "region", "Region"_text, "", true},
   };
   return table;
 }

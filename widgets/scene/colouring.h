@@ -25,9 +25,10 @@ enum class ColourBy {
   GrowthStep, // voxels: step in which they are printed
   Peeling,    // voxels: round of the published peeling that removes them
   Tool,       // paths: number of the tool in a job of several
-  Part        // index of the part in a job of several
+  Part,       // index of the part in a job of several
+  Region      // layers: 0 for the part's own patches, otherwise the region's number
 };
-inline constexpr int kColourByCount = 14;
+inline constexpr int kColourByCount = 15;
 
 struct ColourByRow {
   ColourBy colourBy;

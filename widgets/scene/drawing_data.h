@@ -66,7 +66,7 @@ Legend reachLegend();
 
 // Values of the colourings, one per item.
 struct ColourValues {
-  std::vector<std::int32_t> layer, group, kind, item, tool; // empty: no such colouring
+  std::vector<std::int32_t> layer, group, kind, item, tool, region; // empty: no such colouring
   std::vector<float> height, width, speed, minutes, layerTimeS, tiltDeg;
   HeightLimits heights; // if known, height is offered as spacing too
 };
@@ -107,6 +107,14 @@ struct PiecesDrawing {
   std::vector<PieceShape> pieces;
   bool anyRisky = false;
   Eigen::AlignedBox3d box;
+};
+
+struct RegionsDrawing {
+  struct One {
+    vtkSmartPointer<vtkPolyData> surface, edges;
+    RegionLook look = RegionLook::Settings;
+  };
+  std::vector<One> regions;
 };
 
 // Where a segment of a bead ends up: beside air that reaches the outside, beside air inside the

@@ -44,6 +44,7 @@ struct VoxelDrawing;
 struct LayersDrawing;
 struct PathsDrawing;
 struct PiecesDrawing;
+struct RegionsDrawing;
 struct CellDrawing;
 struct FrontDrawing;
 struct ReachDrawing;
@@ -123,6 +124,19 @@ Eigen::Matrix3d baseAxes(const Eigen::Vector3d& normal);
 std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm);
 // Returns that of its base plane, which stays on the piece that is cut.
 Eigen::Vector3d basePlaneOffset(const PiecesDrawing& drawing, std::size_t piece, double explodeMm);
+
+// Use of a region, from which its colour follows.
+enum class RegionLook { Settings, Layers, Cut };
+struct RegionBody {
+  std::shared_ptr<const geometry::TriangleMesh> body; // null: not shown
+  RegionLook look = RegionLook::Settings;
+};
+// Draws the bodies of a part's regions as glass, with their edges.
+std::shared_ptr<const RegionsDrawing> drawRegions(const std::vector<RegionBody>& bodies);
+// Returns the drawing with another body of one region. Precondition: it has that region.
+std::shared_ptr<const RegionsDrawing> withRegion(const RegionsDrawing& drawing, std::size_t region,
+                                                 const RegionBody& body);
+Colour colourOf(RegionLook look, const Theme& theme);
 
 // Reached share of the poses over a point of the plate, in [0, 1].
 struct ReachPoint {

@@ -1,5 +1,7 @@
 #include "scene/drawn.h"
 
+#include "scene/colour_values.h"
+#include "scene/piece_actors.h"
 #include "scene/visible_beads.h"
 
 #include <algorithm>
@@ -110,6 +112,24 @@ Between Drawn::between(const Ray& ray, double lengthMm, bool printed) const {
       between.roles[role] = isBetween(pickBody(*cell, body, work_T_frame, ray));
   }
   return between;
+}
+
+Legend Drawn::legend(const Theme& theme) const {
+  if (const VoxelDrawing* drawing = shownVoxels()) {
+    Legend legend = voxelLegend(*drawing, theme);
+    if (drawing->bySteps && view.front)
+      legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front"_text, theme.front});
+    return legend;
+  }
+  if (shows(view.pieces, pieces.get()))
+    return pieceLegend(*pieces, theme, !view.pieceNumbers);
+  if (shows(view.layers, layers.get()))
+    return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
+  if (shows(view.paths, paths.get()) && !view.materialColour)
+    return legendOf(paths->values, shownColouring(paths->values, view.colourBy));
+  if (shows(view.reach, reach.get()))
+    return reachLegend();
+  return {};
 }
 
 } // namespace voluta::scene

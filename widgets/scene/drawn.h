@@ -5,6 +5,7 @@
 #include "scene/drawings.h"
 #include "scene/hit.h"
 #include "scene/pick.h"
+#include "scene/theme.h"
 #include "scene/view_state.h"
 
 #include <Eigen/Geometry>
@@ -26,6 +27,7 @@ struct Drawn {
   std::shared_ptr<const LayersDrawing> layers;
   std::shared_ptr<const PathsDrawing> paths;
   std::shared_ptr<const PiecesDrawing> pieces;
+  std::shared_ptr<const RegionsDrawing> regions;
   std::shared_ptr<const ReachDrawing> reach;
   std::shared_ptr<const CellDrawing> cell;
   Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
@@ -38,6 +40,9 @@ struct Drawn {
   bool isBodyShown(std::size_t body) const;
   // Precondition: layers are shown. `undersides`: also the faces that face down.
   std::vector<Stretch> layerStretches(bool undersides) const;
+
+  // Returns the legend of the drawing that has one: voxels before pieces, layers and paths.
+  Legend legend(const Theme& theme) const;
 
   // Returns the nearest visible hit. Rays are in the work frame.
   std::optional<RayHit> nearest(const Ray& ray) const;

@@ -234,6 +234,7 @@ private:
     values.layer.push_back(patch.layer);
     values.group.push_back(patch.group);
     values.item.push_back(patch.item);
+    values.region.push_back(patch.region);
     values.height.push_back(static_cast<float>(patch.thicknessMm[vertex]));
     values.tiltDeg.push_back(static_cast<float>(
         base::radiansToDegrees(std::acos(std::clamp(patch.direction[vertex].z(), -1.0, 1.0)))));

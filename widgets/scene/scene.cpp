@@ -17,6 +17,7 @@
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
 #include "scene/platform_actors.h"
+#include "scene/region_actors.h"
 #include "scene/size_marks.h"
 #include "scene/visible_beads.h"
 #include "scene/voxel_actors.h"
@@ -71,6 +72,7 @@ struct Scene::Impl : Drawn {
   std::unique_ptr<CellActors> cellActors;
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
+  std::unique_ptr<RegionActors> regionActors;
   std::unique_ptr<PieceLabels> pieceLabels;
   std::unique_ptr<LineGroups> trace;
   RangeActor slabs, beads, travels, markerRim, marker;
@@ -94,6 +96,7 @@ struct Scene::Impl : Drawn {
     byLayer = std::make_unique<VoxelActors>(renderer);
     bySteps = std::make_unique<VoxelActors>(renderer);
     pieceActors = std::make_unique<PieceActors>(renderer);
+    regionActors = std::make_unique<RegionActors>(renderer);
     slabs = RangeActor::make(renderer);
     beads = RangeActor::make(renderer);
     drawAsBeads(beads.actor, beads.mapper);
@@ -147,7 +150,9 @@ struct Scene::Impl : Drawn {
     bySteps->setTheme(theme);
     pieceActors->setTheme(theme);
     pieceLabels->setTheme(theme);
+    regionActors->setTheme(theme);
     showPieces();
+    showRegions();
     setColour(frontSurface, theme.front);
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
@@ -301,6 +306,13 @@ struct Scene::Impl : Drawn {
       pieceActors->hide();
   }
 
+  void showRegions() {
+    if (shows(view.regions, regions.get()))
+      regionActors->show(view, world_T_work);
+    else
+      regionActors->hide();
+  }
+
   void cut() {
     if (view.sectionOn) {
       const Eigen::Vector3d origin = world_T_work * view.sectionOrigin;
@@ -310,7 +322,7 @@ struct Scene::Impl : Drawn {
     }
     std::vector<vtkActor*> actors = cutActors();
     actors.insert(actors.end(), {partSurface.Get(), partEdges.Get()});
-    for (const auto& more : {pieceActors->actors(), otherParts->actors()})
+    for (const auto& more : {pieceActors->actors(), otherParts->actors(), regionActors->actors()})
       actors.insert(actors.end(), more.begin(), more.end());
     cutBy(view.sectionOn ? section.Get() : nullptr, actors);
   }
@@ -321,6 +333,7 @@ struct Scene::Impl : Drawn {
     platformActors->show(view, shows(view.cell, cell.get()));
     showVoxels();
     showPieces();
+    showRegions();
     showLayers();
     showPaths();
     // The drawing of a rod shows its profile and its rotation; the cell's body is a plain cylinder.
@@ -330,27 +343,9 @@ struct Scene::Impl : Drawn {
     cut();
     showSizes();
     overlay->showTriad(view.axes);
-    overlay->setLegend(view.legend ? legend() : Legend{});
+    overlay->setLegend(view.legend ? legend(theme) : Legend{});
     renderer->SetUseFXAA(!view.dragging);
     occlusion->show(view.ambientOcclusion);
-  }
-
-  Legend legend() const {
-    if (const VoxelDrawing* drawing = shownVoxels()) {
-      Legend legend = voxelLegend(*drawing, theme);
-      if (drawing->bySteps && view.front)
-        legend.marks.insert(legend.marks.begin() + 1, {0.0, "Convex front"_text, theme.front});
-      return legend;
-    }
-    if (shows(view.pieces, pieces.get()))
-      return pieceLegend(*pieces, theme, !view.pieceNumbers);
-    if (shows(view.layers, layers.get()))
-      return legendOf(layers->values, shownColouring(layers->values, view.colourBy));
-    if (shows(view.paths, paths.get()) && !view.materialColour)
-      return legendOf(paths->values, shownColouring(paths->values, view.colourBy));
-    if (shows(view.reach, reach.get()))
-      return reachLegend();
-    return {};
   }
 
   void prepareFrame() {
@@ -489,6 +484,12 @@ void Scene::setPieces(std::shared_ptr<const PiecesDrawing> pieces) {
   impl_->applyView();
 }
 
+void Scene::setRegions(std::shared_ptr<const RegionsDrawing> regions) {
+  impl_->regionActors->setDrawing(regions.get());
+  impl_->regions = std::move(regions);
+  impl_->applyView();
+}
+
 void Scene::setPaths(std::shared_ptr<const PathsDrawing> paths) {
   impl_->beads.setData(paths ? paths->beads.Get() : nullptr);
   impl_->travels.setData(paths ? paths->travels.Get() : nullptr);
@@ -532,7 +533,7 @@ void Scene::setPixelRatio(double ratio) {
 }
 
 Legend Scene::legend() const {
-  return impl_->legend();
+  return impl_->legend(impl_->theme);
 }
 
 void Scene::setCovered(std::vector<Eigen::AlignedBox2d> covered) {

@@ -47,6 +47,8 @@ public:
   void setFront(std::shared_ptr<const FrontDrawing> front);
   void setLayers(std::shared_ptr<const LayersDrawing> layers);
   void setPieces(std::shared_ptr<const PiecesDrawing> pieces);
+  // Of the active part.
+  void setRegions(std::shared_ptr<const RegionsDrawing> regions);
   void setPaths(std::shared_ptr<const PathsDrawing> paths);
   void setReach(std::shared_ptr<const ReachDrawing> reach);
   void setCell(std::shared_ptr<const CellDrawing> cell);

@@ -74,6 +74,11 @@ struct ViewState {
   std::optional<std::size_t> piece; // highlighted
   std::optional<Eigen::Isometry3d> moved_T_base; // its base plane while it is dragged
 
+  bool regions = false;                                    // of the active part
+  bool regionOutlines = false;                             // draws only their edges
+  std::optional<std::size_t> region;                       // highlighted
+  Eigen::Vector3d regionMovedMm = Eigen::Vector3d::Zero(); // the highlighted one, while dragged
+
   std::optional<std::size_t> path; // of the paths shown: draws a line along it
 
   std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
