@@ -72,10 +72,11 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
   };
   switch (tool_) {
   case Tool::Move:
+  case Tool::MoveRegion:
   case Tool::Scale:
     for (int k = 0; k < 3; ++k)
       arrow(k);
-    if (tool_ == Tool::Move) {
+    if (tool_ != Tool::Scale) {
       const double near = 0.22 * length, far = 0.45 * length;
       QPolygonF square;
       for (const auto& [x, y] :
@@ -103,6 +104,8 @@ std::vector<Gizmo::Handle> Gizmo::handles(const Projection& project, double mmPe
   case Tool::LayFlat:
   case Tool::PickPoint:
   case Tool::Measure:
+  case Tool::Regions:
+  case Tool::Paint:
     break;
   }
   return found;

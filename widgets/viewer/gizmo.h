@@ -20,14 +20,29 @@ class QPalette;
 namespace voluta::viewer {
 
 // CutPlane: a plane moved along its normal and tilted about the two other axes of its frame. Frame:
-// moved along its axes and rotated about them. PickPoint, Measure: no handles; a click selects a
+// moved along its axes and rotated about them. MoveRegion: as Move, for a region. Regions: regions
+// without handles. PickPoint, Measure: no handles; a click selects a
 // point.
-enum class Tool { None, Move, Rotate, Scale, LayFlat, CutPlane, Frame, PickPoint, Measure };
+enum class Tool {
+  None,
+  Move,
+  Rotate,
+  Scale,
+  LayFlat,
+  CutPlane,
+  Frame,
+  PickPoint,
+  Measure,
+  Regions,
+  MoveRegion,
+  Paint
+};
 inline bool takesClicks(Tool tool) {
-  return tool == Tool::LayFlat || tool == Tool::PickPoint || tool == Tool::Measure;
+  return tool == Tool::LayFlat || tool == Tool::PickPoint || tool == Tool::Measure ||
+         tool == Tool::Paint;
 }
 inline bool hasHandles(Tool tool) {
-  return tool != Tool::None && !takesClicks(tool);
+  return tool != Tool::None && tool != Tool::Regions && !takesClicks(tool);
 }
 
 // The total effect of a drag since its start.

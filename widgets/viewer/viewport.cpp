@@ -339,6 +339,27 @@ Ray Viewport::rayAt(const QPointF& place) const {
   return camera_.rayThrough(display.x(), display.y());
 }
 
+// A stroke begins on the part; beside it the buttons move the camera.
+bool Viewport::paint(const QMouseEvent& event) {
+  if (!painting_ && (event.type() != QEvent::MouseButtonPress || tool() != Tool::Paint ||
+                     event.button() == Qt::MiddleButton))
+    return false;
+  const bool isLast = event.type() == QEvent::MouseButtonRelease;
+  auto hit = hitAt(event.position());
+  if (hit && hit->what != scene::Hit::What::Part)
+    hit = std::nullopt;
+  if (!painting_) {
+    if (!hit)
+      return false;
+    painting_ = true;
+    erasing_ = event.button() == Qt::RightButton || event.modifiers() & Qt::ShiftModifier;
+  }
+  if (isLast)
+    painting_ = false;
+  emit painted(hit, erasing_, isLast);
+  return true;
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
   if (button_ != Qt::NoButton)
     return;
@@ -346,6 +367,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   button_ = event->button();
   pressedAt_ = last_ = event->position();
   dragged_ = false;
+  if (paint(*event))
+    return;
   const auto project = [this](const Eigen::Vector3d& p) { return projected(p); };
   if (button_ == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier) &&
       gizmo_.hover(last_, project, gizmoMmPerPixel())) {
@@ -357,6 +380,10 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const QPointF d = event->position() - last_;
   last_ = event->position();
+  if (painting_) {
+    paint(*event);
+    return;
+  }
   if (gizmo_.dragging()) {
     const GizmoChange change =
         gizmo_.drag(last_, rayAt(last_), event->modifiers() & Qt::ControlModifier);
@@ -400,6 +427,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_)
     return;
   button_ = Qt::NoButton;
+  if (paint(*event))
+    return;
   if (gizmo_.dragging()) {
     const GizmoChange change = gizmo_.drag(event->position(), rayAt(event->position()),
                                            event->modifiers() & Qt::ControlModifier);

@@ -74,6 +74,9 @@ signals:
   void gizmoStarted();
   // A click without a drag.
   void clicked(const std::optional<voluta::scene::Hit>& hit);
+  // With Tool::Paint: a stroke over the part is at this place; none: beside the part. Shift, or the
+  // right button, erases. Once more with finished = true.
+  void painted(const std::optional<voluta::scene::Hit>& hit, bool erases, bool finished);
   // A click with the right button, without a drag.
   void menuAsked(const std::optional<voluta::scene::Hit>& hit, const QPoint& global);
   // The cursor rests on something.
@@ -107,6 +110,7 @@ private:
   void setDetail(scene::ViewState& view) const;
   std::optional<scene::Hit> hitAt(const QPointF& place) const;
   std::optional<scene::Hit> clickedAt(const QPointF& place) const;
+  bool paint(const QMouseEvent& event); // begins, continues or ends a stroke
   QPointF projected(const Eigen::Vector3d& world) const;
   double gizmoMmPerPixel() const;
   Ray rayAt(const QPointF& place) const;
@@ -128,6 +132,7 @@ private:
   Qt::MouseButton button_ = Qt::NoButton;
   bool turning_ = false, moving_ = false, dragged_ = false, heldByOthers_ = false;
   bool usersCamera_ = false, ambientOcclusion_ = false;
+  bool painting_ = false, erasing_ = false;
 };
 
 } // namespace voluta::viewer

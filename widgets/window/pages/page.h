@@ -97,6 +97,7 @@ public:
   virtual ~ViewportInput() = default;
   virtual void clicked(const std::optional<scene::Hit>&) {}
   virtual void hovered(const std::optional<scene::Hit>&) {}
+  virtual void painted(const std::optional<scene::Hit>&, bool /*erases*/, bool /*finished*/) {}
   virtual void gizmoStarted() {}
   virtual void gizmoDragged(const viewer::GizmoChange&, bool /*finished*/) {}
 };

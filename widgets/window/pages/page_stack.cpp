@@ -77,6 +77,10 @@ void PageStack::listenToViewport() {
     forInputs([&](ViewportInput& input) { input.clicked(hit); });
     showView();
   });
+  connect(viewport, &Viewport::painted, this,
+          [this](const std::optional<scene::Hit>& hit, bool erases, bool finished) {
+            forInputs([&](ViewportInput& input) { input.painted(hit, erases, finished); });
+          });
   connect(viewport, &Viewport::hovered, this, [this](const std::optional<scene::Hit>& hit) {
     forInputs([&](ViewportInput& input) { input.hovered(hit); });
   });
