@@ -1,0 +1,41 @@
+// How the surface of a part is painted: with a brush, or face by face.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace voluta::forms {
+class NumberBox;
+}
+
+namespace voluta::panels {
+
+struct PaintChoices {
+  bool faces = false; // those that continue from the clicked one; false: with a brush
+  double radiusMm = 3.0;
+  double angleDeg = 20.0; // of the edges at which faces end
+};
+
+class PaintForm : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PaintForm(QWidget* parent = nullptr);
+
+  const PaintChoices& choices() const { return choices_; }
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void showChoices();
+
+  PaintChoices choices_;
+  QComboBox* with_;
+  QLabel *withLabel_, *sizeLabel_, *hint_;
+  forms::NumberBox* size_;
+};
+
+} // namespace voluta::panels
