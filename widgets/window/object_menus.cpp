@@ -80,7 +80,7 @@ void ObjectMenus::addItem(QMenu& menu, SceneItem item) {
   } else if (item == SceneItem::Part) {
     menu.addAction(tr("Settings"), this, [this] { on_.pages.show(*on_.pages.find("prepare")); });
     for (const char* id : {"renamePart", "framePart", "duplicatePart", "copiesOfPart", "toolCut",
-                           "splitPart", "removePart"})
+                           "splitPart", "addRegion", "removePart"})
       addCommand(menu, id);
     menu.addSeparator();
     addMesh(menu);

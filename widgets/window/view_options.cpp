@@ -42,6 +42,7 @@ bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   case ColourBy::Part:
     return subject != LayerSubject::Voxels;
   case ColourBy::Spacing:
+  case ColourBy::Region:
     return subject == LayerSubject::Layers;
   case ColourBy::GrowthStep:
   case ColourBy::Peeling:
@@ -108,7 +109,8 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
   colourBy_ = forms::makeCombo(this); // Its entries may be wider than the panel
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
-    if (entry.colourBy != scene::ColourBy::Part && entry.colourBy != scene::ColourBy::Tool)
+    if (entry.colourBy != scene::ColourBy::Part && entry.colourBy != scene::ColourBy::Tool &&
+        entry.colourBy != scene::ColourBy::Region)
       colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
   grid.addWidget(subjectLabel_, 0, 0, 1, 2);
   grid.addLayout(pairs, 1, 0, 1, 2);
@@ -218,9 +220,10 @@ void ViewOptions::setAvailable(bool voxels, bool pieces, bool layers, bool paths
   subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
 }
 
-void ViewOptions::setSeveral(bool parts, bool tools) {
+void ViewOptions::setSeveral(bool parts, bool tools, bool regions) {
   offer(scene::ColourBy::Tool, tools);
   offer(scene::ColourBy::Part, parts);
+  offer(scene::ColourBy::Region, regions);
 }
 
 void ViewOptions::offer(scene::ColourBy colourBy, bool offered) {

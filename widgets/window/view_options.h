@@ -40,7 +40,7 @@ public:
   // A mode has either voxels or pieces; only one of them is offered.
   void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
   // Several: offers the colouring by part. Without it, a choice of it emits changed().
-  void setSeveral(bool parts, bool tools);
+  void setSeveral(bool parts, bool tools, bool regions);
   // `subject`: the content shown, never Furthest. Only its colourings are offered.
   void setShown(LayerSubject subject);
 

@@ -324,7 +324,10 @@ void LayersPage::showCount() {
   const auto facts = this->facts();
   const int count = layerCount();
   spacing_->setSpacing(facts ? facts->spacing : LayerSpacing{});
-  options_->setSeveral(work().document.partCount() > 1, work().document.choices().tools.size() > 1);
+  const document::Document& document = work().document;
+  const bool regions = std::ranges::any_of(document.jobChoices().items,
+                                           [](const auto& item) { return !item.regions.empty(); });
+  options_->setSeveral(document.partCount() > 1, document.choices().tools.size() > 1, regions);
   options_->setAvailable(presenter.hasVoxels(), presenter.hasPieces(), presenter.hasLayers(),
                          presenter.hasPaths());
   const bool known = facts && static_cast<int>(facts->topsMm.size()) == count;

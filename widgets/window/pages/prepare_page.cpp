@@ -27,6 +27,7 @@
 #include "window/pages/measure_tool.h"
 #include "window/pages/parts_view.h"
 #include "window/pages/reach_view.h"
+#include "window/pages/regions_tool.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenters/presenter.h"
 #include "window/presets/preset_editor.h"
@@ -54,8 +55,8 @@ std::string problemText(const base::Error& error) {
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
       handles_(workspace, *this), measure_(new MeasureTool(workspace, *this, this)),
-      cut_(new CutTool(workspace, *this, this)), parts_(new PartsView(work(), *this)),
-      stands_(new StandChooser(work(), handles_, this)),
+      cut_(new CutTool(workspace, *this, this)), regions_(new RegionsTool(workspace, *this, this)),
+      parts_(new PartsView(work(), *this)), stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)),
       presets_(new PresetEditor(workspace.document, this)) {
@@ -100,14 +101,19 @@ void PreparePage::build() {
   both->setSpacing(0);
   both->addWidget(parts_->list());
   both->addWidget(tabs_, 1);
-  QScrollArea* cut = scrolled(cut_->panel());
-  cut->hide();
-  both->addWidget(cut, 1);
-  connect(cut_, &CutTool::opened, this, [this, cut](bool open) {
-    cut->setVisible(open);
-    tabs_->setVisible(!open);
-    work().shell.showStates();
-  });
+  // The panel of a tool takes the place of the settings while the tool is open.
+  const auto place = [this, both](QWidget* panel) {
+    QScrollArea* area = scrolled(panel);
+    area->hide();
+    both->addWidget(area, 1);
+    return [this, area](bool open) {
+      area->setVisible(open);
+      tabs_->setVisible(!cut_->isOpen() && !regions_->isOpen());
+      work().shell.showStates();
+    };
+  };
+  connect(cut_, &CutTool::opened, this, place(cut_->panel()));
+  connect(regions_, &RegionsTool::opened, this, place(regions_->panel()));
 }
 
 void PreparePage::listen() {
@@ -145,7 +151,7 @@ QWidget* PreparePage::side() {
 }
 
 std::vector<ViewportInput*> PreparePage::inputs() {
-  return {&handles_, measure_, cut_, reach_};
+  return {&handles_, measure_, cut_, regions_, reach_};
 }
 
 std::vector<Command> PreparePage::commands() {
@@ -153,6 +159,8 @@ std::vector<Command> PreparePage::commands() {
   for (Command& command : measure_->commands())
     commands.push_back(std::move(command));
   for (Command& command : cut_->commands())
+    commands.push_back(std::move(command));
+  for (Command& command : regions_->commands())
     commands.push_back(std::move(command));
   for (Command& command : parts_->commands())
     commands.push_back(std::move(command));
@@ -257,6 +265,7 @@ void PreparePage::draw(scene::ViewState& view) {
   drawCellAtRest(view, work());
   reach_->draw(view);
   cut_->draw(view);
+  regions_->draw(view);
 }
 
 int PreparePage::interest(const plan::Finding& finding) const {

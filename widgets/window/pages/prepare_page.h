@@ -22,6 +22,7 @@ class MeasureTool;
 class PartsView;
 class PresetEditor;
 class ReachView;
+class RegionsTool;
 class StandChooser;
 
 class PreparePage : public Page {
@@ -58,6 +59,7 @@ private:
   PartHandles handles_;
   MeasureTool* measure_;
   CutTool* cut_;
+  RegionsTool* regions_;
   PartsView* parts_;
   StandChooser* stands_;
   ReachView* reach_;

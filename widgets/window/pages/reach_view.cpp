@@ -158,7 +158,7 @@ void ReachView::draw(scene::ViewState& view) const {
 }
 
 void ReachView::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
-  if (!map_ || !standing_ || finished)
+  if (!map_ || !standing_ || finished || work_.viewport.tool() == viewer::Tool::MoveRegion)
     return;
   setBeyond(!cells::placeAt(*map_, *standing_, middle_ + change.moveMm.head<2>()).good());
 }
