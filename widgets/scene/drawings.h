@@ -133,7 +133,7 @@ struct RegionBody {
 };
 // Draws the bodies of a part's regions as glass, with their edges.
 std::shared_ptr<const RegionsDrawing> drawRegions(const std::vector<RegionBody>& bodies);
-// Returns the drawing with another body of one region. Precondition: it has that region.
+// Returns the drawing with another body of one region.
 std::shared_ptr<const RegionsDrawing> withRegion(const RegionsDrawing& drawing, std::size_t region,
                                                  const RegionBody& body);
 Colour colourOf(RegionLook look, const Theme& theme);

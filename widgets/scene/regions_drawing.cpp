@@ -34,7 +34,9 @@ std::shared_ptr<const RegionsDrawing> drawRegions(const std::vector<RegionBody>&
 std::shared_ptr<const RegionsDrawing> withRegion(const RegionsDrawing& drawing, std::size_t region,
                                                  const RegionBody& body) {
   auto other = std::make_shared<RegionsDrawing>(drawing);
-  other->regions.at(region) = draw(body);
+  while (other->regions.size() <= region)
+    other->regions.push_back(draw({}));
+  other->regions[region] = draw(body);
   return other;
 }
 

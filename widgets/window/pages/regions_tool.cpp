@@ -192,6 +192,7 @@ void RegionsTool::changeTool(Tool tool) {
   if (!open_ || tool == Tool::Regions || tool == Tool::MoveRegion || tool == Tool::Paint)
     return;
   open_ = dragging_ = false;
+  dropStroke();
   movedMm_.setZero();
   if (!work_.presenter.partBox().isEmpty())
     work_.viewport.setGizmoCentre(work_.presenter.partBox().center());
@@ -458,6 +459,10 @@ void RegionsTool::painted(const std::optional<scene::Hit>& hit, bool erases, boo
 }
 
 void RegionsTool::paintDabs() {
+  if (strokeOf_ >= panel_->regions().size()) { // undone meanwhile
+    dropStroke();
+    return;
+  }
   if (dabs_.empty() || !bodies_) {
     if (strokeEnds_)
       endStroke();
@@ -492,8 +497,10 @@ void RegionsTool::paintDabs() {
       },
       [this, part](const base::Outcome<Painted>& outcome) {
         const auto* made = std::get_if<Painted>(&outcome);
-        if (!made || !isStroke_)
+        if (!made || !isStroke_) {
+          dropStroke();
           return;
+        }
         surface_ = made->surface;
         surfaceOf_ = part;
         stroke_ = made->mesh;
@@ -503,6 +510,12 @@ void RegionsTool::paintDabs() {
         paintDabs();
       },
       1);
+}
+
+void RegionsTool::dropStroke() {
+  isStroke_ = strokeEnds_ = false;
+  stroke_ = nullptr;
+  dabs_.clear();
 }
 
 // One edit for the whole stroke.

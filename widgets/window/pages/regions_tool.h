@@ -75,6 +75,7 @@ private:
   void showHandles();
   void paintDabs();
   void endStroke();
+  void dropStroke();
   void add(const QString& kind);
   void addFromFile();
   void append(project::Region region);
