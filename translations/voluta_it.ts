@@ -723,6 +723,22 @@
         <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
         <translation>Scurisce angoli e fessure, così le forme si vedono meglio; lento senza scheda grafica</translation>
     </message>
+    <message>
+        <source>Re&amp;gions…</source>
+        <translation>Re&amp;gioni…</translation>
+    </message>
+    <message>
+        <source>Places in the part with settings, or layers, of their own</source>
+        <translation>Punti del pezzo con impostazioni, o strati, propri</translation>
+    </message>
+    <message>
+        <source>Add &amp;region…</source>
+        <translation>Aggiungi &amp;regione…</translation>
+    </message>
+    <message>
+        <source>Adds a place with settings, or layers, of its own</source>
+        <translation>Aggiunge un punto con impostazioni, o strati, propri</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -11584,6 +11600,18 @@ non stampati</translation>
             <numerusform>{waits} pause e attese sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, e sul pezzo può gocciolare materiale</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Region</source>
+        <translation>Regione</translation>
+    </message>
+    <message>
+        <source>nothing is painted for region {region}</source>
+        <translation>per la regione {region} non è dipinto nulla</translation>
+    </message>
+    <message>
+        <source>paint on the part, or delete the region</source>
+        <translation>dipingi sul pezzo, o elimina la regione</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13406,6 +13434,33 @@ Fai clic per sceglierne un altro</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::PaintForm</name>
+    <message>
+        <source>Paint with</source>
+        <translation>Dipingi con</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pennello</translation>
+    </message>
+    <message>
+        <source>Whole faces</source>
+        <translation>Facce intere</translation>
+    </message>
+    <message>
+        <source>Up to edges of</source>
+        <translation>Fino a spigoli di</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raggio</translation>
+    </message>
+    <message>
+        <source>Paint on the part. Shift or the right button erases.</source>
+        <translation>Dipingi sul pezzo. Maiusc o il tasto destro cancella.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::PartList</name>
     <message>
         <source>Part</source>
@@ -13762,6 +13817,89 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Move to best place</source>
         <translation>Sposta al posto migliore</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::RegionsPanel</name>
+    <message>
+        <source>Regions</source>
+        <translation>Regioni</translation>
+    </message>
+    <message>
+        <source>Regions of %1</source>
+        <translation>Regioni di %1</translation>
+    </message>
+    <message>
+        <source>Only a skin follows the surface</source>
+        <translation>Solo una pelle segue la superficie</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Rinomina regione</translation>
+    </message>
+    <message>
+        <source>Use of a region</source>
+        <translation>Uso di una regione</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Modifica regione</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifica %1</translation>
+    </message>
+    <message>
+        <source>Delete region</source>
+        <translation>Elimina regione</translation>
+    </message>
+    <message>
+        <source>Order of regions</source>
+        <translation>Ordine delle regioni</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Regione</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Where regions overlap, the lower one in the list holds. Double-click renames.</source>
+        <translation>Dove le regioni si sovrappongono, vale quella più in basso nell&apos;elenco. Il doppio clic rinomina.</translation>
+    </message>
+    <message>
+        <source>A region is printed by settings, or in layers, of its own.</source>
+        <translation>Una regione è stampata con impostazioni, o in strati, propri.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Sposta su</translation>
+    </message>
+    <message>
+        <source>Move down: where regions overlap, the lower one holds</source>
+        <translation>Sposta giù: dove le regioni si sovrappongono, vale quella più in basso</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Sposta giù</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
     </message>
 </context>
 <context>
@@ -16206,6 +16344,33 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>move to best place</source>
         <translation>sposta al posto migliore</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::RegionsTool</name>
+    <message>
+        <source>Move region</source>
+        <translation>Sposta regione</translation>
+    </message>
+    <message>
+        <source>Paint region</source>
+        <translation>Dipingi regione</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Aggiungi regione</translation>
+    </message>
+    <message>
+        <source>Body of a region</source>
+        <translation>Corpo di una regione</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Mesh (%1);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lettura di %1…</translation>
     </message>
 </context>
 <context>

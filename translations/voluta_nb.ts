@@ -723,6 +723,22 @@
         <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
         <translation>Gjør hjørner og mellomrom mørkere, så formene blir tydeligere; tregt uten grafikkort</translation>
     </message>
+    <message>
+        <source>Re&amp;gions…</source>
+        <translation>Re&amp;gioner…</translation>
+    </message>
+    <message>
+        <source>Places in the part with settings, or layers, of their own</source>
+        <translation>Steder i delen med egne innstillinger eller egne lag</translation>
+    </message>
+    <message>
+        <source>Add &amp;region…</source>
+        <translation>Legg til &amp;region…</translation>
+    </message>
+    <message>
+        <source>Adds a place with settings, or layers, of its own</source>
+        <translation>Legger til et sted med egne innstillinger eller egne lag</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -11584,6 +11600,18 @@ uten utskrift</translation>
             <numerusform>{waits} pauser og ventinger over delen: armen når ingen plass ved siden av den, og materiale kan dryppe på delen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>nothing is painted for region {region}</source>
+        <translation>ingenting er malt for region {region}</translation>
+    </message>
+    <message>
+        <source>paint on the part, or delete the region</source>
+        <translation>mal på delen, eller slett regionen</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13406,6 +13434,33 @@ Klikk for å velge en annen</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::PaintForm</name>
+    <message>
+        <source>Paint with</source>
+        <translation>Mal med</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pensel</translation>
+    </message>
+    <message>
+        <source>Whole faces</source>
+        <translation>Hele flater</translation>
+    </message>
+    <message>
+        <source>Up to edges of</source>
+        <translation>Inntil kanter på</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Paint on the part. Shift or the right button erases.</source>
+        <translation>Mal på delen. Shift eller høyre knapp visker ut.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::PartList</name>
     <message>
         <source>Part</source>
@@ -13762,6 +13817,89 @@ Klikk for å velge en annen</translation>
     <message>
         <source>Move to best place</source>
         <translation>Flytt til beste sted</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::RegionsPanel</name>
+    <message>
+        <source>Regions</source>
+        <translation>Regioner</translation>
+    </message>
+    <message>
+        <source>Regions of %1</source>
+        <translation>Regioner i %1</translation>
+    </message>
+    <message>
+        <source>Only a skin follows the surface</source>
+        <translation>Bare en hud følger overflaten</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Gi region nytt navn</translation>
+    </message>
+    <message>
+        <source>Use of a region</source>
+        <translation>Bruk av en region</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Endre region</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Endre %1</translation>
+    </message>
+    <message>
+        <source>Delete region</source>
+        <translation>Slett region</translation>
+    </message>
+    <message>
+        <source>Order of regions</source>
+        <translation>Rekkefølge på regioner</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Bruk</translation>
+    </message>
+    <message>
+        <source>Where regions overlap, the lower one in the list holds. Double-click renames.</source>
+        <translation>Der regioner overlapper, gjelder den nederste i listen. Dobbeltklikk gir nytt navn.</translation>
+    </message>
+    <message>
+        <source>A region is printed by settings, or in layers, of its own.</source>
+        <translation>En region skrives ut med egne innstillinger eller i egne lag.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Legg til</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slett</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Flytt opp</translation>
+    </message>
+    <message>
+        <source>Move down: where regions overlap, the lower one holds</source>
+        <translation>Flytt ned: der regioner overlapper, gjelder den nederste</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Flytt ned</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Innstillinger</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
     </message>
 </context>
 <context>
@@ -16206,6 +16344,33 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>move to best place</source>
         <translation>flytting til beste sted</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::RegionsTool</name>
+    <message>
+        <source>Move region</source>
+        <translation>Flytt region</translation>
+    </message>
+    <message>
+        <source>Paint region</source>
+        <translation>Mal region</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Legg til region</translation>
+    </message>
+    <message>
+        <source>Body of a region</source>
+        <translation>Legeme for en region</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Nett (%1);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Leser %1…</translation>
     </message>
 </context>
 <context>

@@ -723,6 +723,22 @@
         <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
         <translation>Maakt hoeken en spleten donkerder, zodat vormen duidelijker zijn; traag zonder grafische kaart</translation>
     </message>
+    <message>
+        <source>Re&amp;gions…</source>
+        <translation>&amp;Gebieden…</translation>
+    </message>
+    <message>
+        <source>Places in the part with settings, or layers, of their own</source>
+        <translation>Plaatsen in het onderdeel met eigen instellingen of lagen</translation>
+    </message>
+    <message>
+        <source>Add &amp;region…</source>
+        <translation>Gebied &amp;toevoegen…</translation>
+    </message>
+    <message>
+        <source>Adds a place with settings, or layers, of its own</source>
+        <translation>Voegt een plaats met eigen instellingen of lagen toe</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -11584,6 +11600,18 @@ voxels</translation>
             <numerusform>{waits} pauzes en wachttijden boven het onderdeel: de arm bereikt geen plaats ernaast, en er kan materiaal op het onderdeel druppelen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebied</translation>
+    </message>
+    <message>
+        <source>nothing is painted for region {region}</source>
+        <translation>er is niets geschilderd voor gebied {region}</translation>
+    </message>
+    <message>
+        <source>paint on the part, or delete the region</source>
+        <translation>schilder op het onderdeel, of verwijder het gebied</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13406,6 +13434,33 @@ Klik om een ander te kiezen</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::PaintForm</name>
+    <message>
+        <source>Paint with</source>
+        <translation>Schilderen met</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Kwast</translation>
+    </message>
+    <message>
+        <source>Whole faces</source>
+        <translation>Hele vlakken</translation>
+    </message>
+    <message>
+        <source>Up to edges of</source>
+        <translation>Tot randen van</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Straal</translation>
+    </message>
+    <message>
+        <source>Paint on the part. Shift or the right button erases.</source>
+        <translation>Schilder op het onderdeel. Shift of de rechterknop wist.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::PartList</name>
     <message>
         <source>Part</source>
@@ -13762,6 +13817,89 @@ Klik om een ander te kiezen</translation>
     <message>
         <source>Move to best place</source>
         <translation>Naar beste plaats verplaatsen</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::RegionsPanel</name>
+    <message>
+        <source>Regions</source>
+        <translation>Gebieden</translation>
+    </message>
+    <message>
+        <source>Regions of %1</source>
+        <translation>Gebieden van %1</translation>
+    </message>
+    <message>
+        <source>Only a skin follows the surface</source>
+        <translation>Alleen een huid volgt het oppervlak</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>Gebied hernoemen</translation>
+    </message>
+    <message>
+        <source>Use of a region</source>
+        <translation>Gebruik van een gebied</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>Gebied wijzigen</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 wijzigen</translation>
+    </message>
+    <message>
+        <source>Delete region</source>
+        <translation>Gebied verwijderen</translation>
+    </message>
+    <message>
+        <source>Order of regions</source>
+        <translation>Volgorde van gebieden</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebied</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Gebruik</translation>
+    </message>
+    <message>
+        <source>Where regions overlap, the lower one in the list holds. Double-click renames.</source>
+        <translation>Waar gebieden overlappen, geldt het onderste in de lijst. Dubbelklikken hernoemt.</translation>
+    </message>
+    <message>
+        <source>A region is printed by settings, or in layers, of its own.</source>
+        <translation>Een gebied wordt met eigen instellingen of in eigen lagen geprint.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Toevoegen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Omhoog</translation>
+    </message>
+    <message>
+        <source>Move down: where regions overlap, the lower one holds</source>
+        <translation>Omlaag: waar gebieden overlappen, geldt het onderste</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Omlaag</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Instellingen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
     </message>
 </context>
 <context>
@@ -16206,6 +16344,33 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>move to best place</source>
         <translation>naar beste plaats verplaatsen</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::RegionsTool</name>
+    <message>
+        <source>Move region</source>
+        <translation>Gebied verplaatsen</translation>
+    </message>
+    <message>
+        <source>Paint region</source>
+        <translation>Gebied schilderen</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Gebied toevoegen</translation>
+    </message>
+    <message>
+        <source>Body of a region</source>
+        <translation>Lichaam van een gebied</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Meshes (%1);;Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 lezen…</translation>
     </message>
 </context>
 <context>

@@ -723,6 +723,22 @@
         <source>Darkens corners and gaps, so that shapes are clearer; slow without a graphics card</source>
         <translation>使角落和缝隙变暗，让形状更清晰；没有显卡时较慢</translation>
     </message>
+    <message>
+        <source>Re&amp;gions…</source>
+        <translation>区域(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Places in the part with settings, or layers, of their own</source>
+        <translation>零件中具有自己的设置或层的位置</translation>
+    </message>
+    <message>
+        <source>Add &amp;region…</source>
+        <translation>添加区域(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Adds a place with settings, or layers, of its own</source>
+        <translation>添加具有自己的设置或层的位置</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -11496,6 +11512,18 @@ voxels</source>
             <numerusform>在零件上方有 {waits} 次暂停或等待：机械臂到不了零件旁的位置，材料可能滴落到零件上</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>nothing is painted for region {region}</source>
+        <translation>区域 {region} 没有涂绘任何内容</translation>
+    </message>
+    <message>
+        <source>paint on the part, or delete the region</source>
+        <translation>在零件上涂绘，或删除该区域</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -13317,6 +13345,33 @@ Click to choose another one</source>
     </message>
 </context>
 <context>
+    <name>voluta::panels::PaintForm</name>
+    <message>
+        <source>Paint with</source>
+        <translation>涂绘方式</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Whole faces</source>
+        <translation>整个面</translation>
+    </message>
+    <message>
+        <source>Up to edges of</source>
+        <translation>直到棱边角度</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Paint on the part. Shift or the right button erases.</source>
+        <translation>在零件上涂绘。按住 Shift 或用右键擦除。</translation>
+    </message>
+</context>
+<context>
     <name>voluta::panels::PartList</name>
     <message>
         <source>Part</source>
@@ -13673,6 +13728,89 @@ Click to choose another one</source>
     <message>
         <source>Move to best place</source>
         <translation>移到最佳位置</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::RegionsPanel</name>
+    <message>
+        <source>Regions</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Regions of %1</source>
+        <translation>%1 的区域</translation>
+    </message>
+    <message>
+        <source>Only a skin follows the surface</source>
+        <translation>只有表层沿着表面</translation>
+    </message>
+    <message>
+        <source>Rename region</source>
+        <translation>重命名区域</translation>
+    </message>
+    <message>
+        <source>Use of a region</source>
+        <translation>区域的用途</translation>
+    </message>
+    <message>
+        <source>Change region</source>
+        <translation>更改区域</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Delete region</source>
+        <translation>删除区域</translation>
+    </message>
+    <message>
+        <source>Order of regions</source>
+        <translation>区域顺序</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>用途</translation>
+    </message>
+    <message>
+        <source>Where regions overlap, the lower one in the list holds. Double-click renames.</source>
+        <translation>区域重叠处以列表中靠下的为准。双击可重命名。</translation>
+    </message>
+    <message>
+        <source>A region is printed by settings, or in layers, of its own.</source>
+        <translation>区域按自己的设置或层打印。</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down: where regions overlap, the lower one holds</source>
+        <translation>下移：区域重叠处以靠下的为准</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -16114,6 +16252,33 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>move to best place</source>
         <translation>移到最佳位置</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::RegionsTool</name>
+    <message>
+        <source>Move region</source>
+        <translation>移动区域</translation>
+    </message>
+    <message>
+        <source>Paint region</source>
+        <translation>涂绘区域</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>添加区域</translation>
+    </message>
+    <message>
+        <source>Body of a region</source>
+        <translation>区域的实体</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>网格 (%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>正在读取 %1…</translation>
     </message>
 </context>
 <context>

@@ -249,7 +249,8 @@ void RegionsPanel::buildSettings(QVBoxLayout& column) {
   rows->setSpacing(2);
   settings_ = new forms::Fold(content, this);
   settings_->setObjectName(QStringLiteral("regionSettings"));
-  for (const base::ParameterSpec& spec : pipeline::allParameters().specs()) {
+  const base::ParameterTable parameters = pipeline::allParameters();
+  for (const base::ParameterSpec& spec : parameters.specs()) {
     if (spec.scope != base::ParameterScope::Region)
       continue;
     auto* row = new forms::ParameterRow(spec, content);
