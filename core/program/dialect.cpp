@@ -570,12 +570,13 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!reportNoTexts(files, program.defects, dialect.isBinary)) {
-    ReadOwnLines own = takeOwnLines(files, dialect.remark);
+    ReadOwnLines own = takeOwnLines(files, id, dialect.remark);
     const std::vector<plan::ProgramFile>& others = own.files.empty() ? files : own.files;
     ReadBeadWords words = takeBeadWords(others, id, dialect.remark, tooling);
     program = readWithStream(dialect, words.files.empty() ? others : words.files, tooling, ctx);
     addBeadWords(std::move(words.facts), program);
     addBeadWords(std::move(own.facts), program);
+    std::ranges::move(own.defects, std::back_inserter(program.defects));
     if (program.defects.empty())
       reportMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())

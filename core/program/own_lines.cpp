@@ -25,7 +25,12 @@ std::string numbered(std::string_view words, int number) {
 }
 
 constexpr OutputWords kGcodeOutputs{
-    .on = "M42 P{} S255", .off = "M42 P{} S0", .first = 0, .last = 999};
+    .on = "M42 P{} S255",
+    .off = "M42 P{} S0",
+    .name = "M42 P{} ",
+    .first = 0,
+    .last = 999,
+    .settles = kGcodeSettles};
 struct OutputRow {
   std::string_view dialect;
   OutputWords words;
@@ -47,7 +52,8 @@ constexpr OutputRow kOutputs[] = {
       .off = "$OUT[{}]=FALSE",
       .name = "$OUT[{}]",
       .first = 1,
-      .last = 4095}},
+      .last = 4095,
+      .settles = kKrlSettles}},
     {"spel", {.on = "On {}", .off = "Off {}", .first = 12, .last = 511}},
     {"melfa", {.on = "M_Out({})=1", .off = "M_Out({})=0", .first = 32, .last = 255}},
     {"tmscript",
@@ -55,7 +61,8 @@ constexpr OutputRow kOutputs[] = {
       .off = "IO[\"ControlBox\"].DO[{}]=0",
       .name = ".DO[{}]",
       .first = 0,
-      .last = 15}}};
+      .last = 15,
+      .settles = kTmSettles}}};
 
 bool isOwnLine(const TrajectoryEvent& event) {
   return event.kind == EventKind::Output || event.kind == EventKind::Statement;
@@ -81,6 +88,13 @@ std::optional<std::string_view> remarkIn(std::string_view line, std::string_view
 struct Covered {
   std::string line, code;
 };
+// Returns the code of a line; of a frame, its script.
+std::string codeIn(std::string_view line) {
+  const std::string_view code = codeOfLine(line);
+  if (!code.starts_with(kFrame))
+    return std::string(code);
+  return std::string(takeTmFrame(line.substr(static_cast<std::size_t>(code.data() - line.data()))).script);
+}
 Covered covered(std::string_view line, std::string_view remark) {
   const std::string_view code = codeOfLine(line);
   const auto at = static_cast<std::size_t>(code.data() - line.data());
@@ -160,27 +174,37 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dia
   }
 }
 
-ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view remark) {
+ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view dialect,
+                          std::string_view remark) {
   ReadOwnLines read;
   if (std::ranges::none_of(files, [](const plan::ProgramFile& file) {
         return file.text.find(kOwnLineMark) != std::string::npos;
       }))
     return read;
   read.files = files;
+  const std::string_view settles = outputWords(dialect).settles;
   for (std::size_t f = 0; f < files.size(); ++f) {
     std::string text;
     text.reserve(files[f].text.size());
     std::uint32_t number = 0;
     bool isMarked = false;
+    std::string_view before; // the line before
     for (std::string_view rest = files[f].text; !rest.empty();) {
       const std::string_view line = takeLine(rest);
       ++number;
       if (!isMarked || codeOfLine(line).empty()) {
         text.append(line);
         isMarked = remarkIn(line, remark) == kOwnLineMark;
+        if (isMarked && !settles.empty() && codeIn(before) != settles)
+          read.defects.push_back(
+              {f, number,
+               base::message("'{code}' is missing before the line: it would run ahead of the arm"_text,
+                             settles)});
+        before = line;
         continue;
       }
       isMarked = false;
+      before = line;
       Covered own = covered(line, remark);
       text.append(own.line);
       plan::StatedFact fact;

@@ -19,7 +19,13 @@ struct OutputWords {
   std::string_view name =
       {};                   // occurs in every line that uses the output; empty: no other line does
   int first = 0, last = -1; // numbers of outputs; none if last < first
+  // A line of its own before the mark, without which the controller runs ahead of the arm; empty:
+  // it does not.
+  std::string_view settles = {};
 };
+
+inline constexpr std::string_view kGcodeSettles = "M400", kKrlSettles = "WAIT SEC 0",
+                                  kTmSettles = "QueueTag(1,1)";
 
 // Returns those of a dialect; without numbers if it sets none.
 OutputWords outputWords(std::string_view dialect);
@@ -42,7 +48,10 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dia
 struct ReadOwnLines {
   std::vector<plan::ProgramFile> files; // empty if there are none
   std::vector<plan::StatedFact> facts;  // OwnStatement; without the next motion
+  // Lines that run ahead of the arm (OutputWords::settles).
+  std::vector<plan::ProgramDefect> defects;
 };
-ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view remark);
+ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::string_view dialect,
+                          std::string_view remark);
 
 } // namespace voluta::program

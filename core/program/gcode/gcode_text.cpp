@@ -8,6 +8,7 @@
 #include "program/common/tape_cut.h"
 #include "program/common/walk.h"
 #include "program/job_head.h"
+#include "program/own_lines.h"
 #include "program/stream/joint_pieces.h"
 
 #include <algorithm>
@@ -56,6 +57,11 @@ private:
     text_.wait(kCutPulseS);
     text_.line("M400");
     text_.line(pin + "0");
+  }
+  // As M42 of the cutter; a statement of the user's own may act at once, too.
+  void ownLine(std::string_view code) override {
+    text_.line(kGcodeSettles);
+    ProgramEmitter::ownLine(code);
   }
   void wait(double seconds) override { text_.wait(seconds); }
   void remark(std::string_view text) override { text_.remark(text); }

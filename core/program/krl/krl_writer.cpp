@@ -16,6 +16,7 @@
 #include "program/krl/krl_motions.h"
 #include "program/krl/krl_text.h"
 #include "program/krl/krl_values.h"
+#include "program/own_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -252,6 +253,11 @@ private:
         joined({"PULSE(", kKrlCutOutput, ",TRUE,", fixedText(kCutPulseS, 1), ") ; cuts the tape"}));
   }
   void prompt() override { pause(startQuestion(in_)); }
+  // The advance run takes it while the arm still moves.
+  void ownLine(std::string_view code) override {
+    line(kKrlSettles);
+    ProgramEmitter::ownLine(code);
+  }
   void remark(std::string_view text) override { line(joined({"; ", text})); }
   void flow(std::string_view share) override {
     line(joined({stands_ ? "" : "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "$ANOUT[1]=", share}));

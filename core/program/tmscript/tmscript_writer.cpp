@@ -133,6 +133,7 @@ private:
   void show(std::string_view message) { frame(joined({"ListenSend(90,\"", message, "\")"})); }
   void ownLine(std::string_view code) override {
     leave();
+    frame(kTmSettles); // the queue has to be done
     remark(kOwnLineMark);
     frame(code);
   }
