@@ -11,10 +11,10 @@
 #include "motion/sequence.h"
 #include "motion/timed_points.h"
 #include "motion/transfers/transfer.h"
+#include "plan/output_states.h"
 #include "plan/waypoints.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 namespace voluta::motion {
@@ -86,18 +86,6 @@ void purgeBeside(plan::Trajectory& to, const MotionScene& scene, const RobotStat
   const RobotState at = trip->there.empty() ? home : trip->there.back().at;
   go(at, trip->wipe);
   go(trip->wipe.empty() ? at : trip->wipe.back().at, trip->back);
-}
-
-// Sets the user's outputs as the print has set them by that point.
-void setOutputs(plan::Trajectory& to, const plan::Trajectory& t, std::size_t point) {
-  std::map<int, plan::TrajectoryEvent> outputs;
-  for (const plan::TrajectoryEvent& event : t.events)
-    if (event.kind == plan::EventKind::Output && event.point <= point)
-      outputs.insert_or_assign(event.tool, event);
-  for (auto& [number, event] : outputs) {
-    event.point = to.pointCount();
-    to.events.push_back(event);
-  }
 }
 
 // Returns the times [s] from `point` for each point up to the end of its run, which starts from
@@ -177,6 +165,9 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
   part.waypoint = span(t.waypoint);
   part.extrudedMm3 = span(t.extrudedMm3);
   part.move.front() = MoveKind::Joint;
+  for (const auto& [output, on] : plan::outputStates(t, first))
+    part.events.push_back(
+        {.point = 0, .kind = plan::EventKind::Output, .tool = output, .on = on});
   for (plan::TrajectoryEvent event : t.events)
     // A mark may stand behind the last point.
     if (event.point > first && (event.point < last || event.point == t.pointCount())) {
@@ -229,7 +220,6 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
     all.events.push_back(
         {.point = resumed.firstPoint, .kind = plan::EventKind::ToolChange, .tool = tool});
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
-  setOutputs(all, t, point);
   if (!tooling.isOne() || (options.purge.primesBeside && dropsOnPart(scene, home.q)))
     purgeBeside(all, scene, home, tooling.of(plan.paths[path]).process, !tooling.isOne(),
                 waypoint + 1, limits, ctx);

@@ -141,7 +141,7 @@ private:
                 compareFan(in_.program, in_.plan, in_.trajectory, alignment_, in_.tooling));
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment_, in_.tooling, in_.cell,
                                 in_.firstPoint));
-    addFindings(verdict, ownStatements(in_.program, in_.trajectory, alignment_));
+    addFindings(verdict, ownStatements(in_.program, in_.trajectory, alignment_, in_.firstPoint));
     addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
     stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
     addDrops();

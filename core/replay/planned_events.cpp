@@ -3,10 +3,12 @@
 #include "base/lower_case.h"
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
+#include "plan/output_states.h"
 #include "program/dialect.h"
 #include "program/job_head.h"
 #include "program/own_lines.h"
 #include "replay/change_order.h"
+#include "replay/event_sequence.h"
 #include "replay/start_lock.h"
 #include "replay/wait_tolerance.h"
 #include "robot/tool_changer.h"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -61,12 +64,12 @@ public:
       const bool selects = kind == EventKind::ToolChange;
       if (fact.kind == FactKind::OperatorStop && fact.number <= 0.0 && isBetweenMotions(fact))
         endsByItself(fact);
+      if (kind == EventKind::Statement && isOfStates(fact))
+        continue;
       if (kind && isBetweenMotions(fact) && !(selects && fact.tool == selected))
         stated(fact, *kind);
       if (kind == EventKind::Release && hasLock_ && !isBetweenMotions(fact))
         unplanned(fact, EventKind::Release);
-      if (kind == EventKind::Statement && !isBetweenMotions(fact))
-        unplanned(fact, EventKind::Statement);
       if (!selects)
         continue;
       selected = fact.tool;
@@ -74,6 +77,7 @@ public:
         begin = &fact;
     }
     compareBegin(begin);
+    compareStates();
     const PlannedStops planned = plannedStops(program_, trajectory_, alignment_);
     compareWaits(planned.seconds);
     comparePurges(planned);
@@ -92,6 +96,49 @@ private:
                     {{"statement", program::nameOf(EventKind::Pause)},
                      {"found", base::Message("a stop that ends by itself or is skipped"_text)},
                      {"planned", base::Message("a stop that the operator ends"_text)}}));
+  }
+
+  // Returns whether it is one of the lines that set all outputs of the user's own: before the first
+  // motion, at the beginning of a further file, and behind the last motion.
+  bool isOfStates(const StatedFact& fact) {
+    const std::size_t last = program_.motions.size(), m = fact.before;
+    const bool isInside = isBetweenMotions(fact);
+    if (isInside && program_.motions[m].file == program_.motions[m - 1].file)
+      return false;
+    std::vector<const StatedFact*>& of = states_[isInside ? m : m < last ? 0 : last];
+    if (isInside && of.size() == plan::outputStates(trajectory_, 0).size())
+      return false;
+    of.push_back(&fact);
+    return true;
+  }
+  void compareStates() {
+    const std::size_t last = program_.motions.size();
+    compareStates(program_.firstMotion, 0, plan::outputStates(trajectory_, firstPoint_));
+    for (std::size_t m = program_.firstMotion + 1; m < last; ++m)
+      if (const std::size_t point = alignment_.pointAhead(m);
+          program_.motions[m].file != program_.motions[m - 1].file && point != kUnmatched)
+        compareStates(m, m, plan::outputStates(trajectory_, point - 1));
+    std::map<int, bool> off = plan::outputStates(trajectory_, 0);
+    for (auto& [output, on] : off)
+      on = false;
+    compareStates(last, last, off);
+  }
+  void compareStates(std::size_t motion, std::size_t key, const std::map<int, bool>& planned) {
+    const std::vector<const StatedFact*>& stated = states_[key];
+    std::size_t k = 0;
+    for (const auto& [output, on] : planned) {
+      TrajectoryEvent event;
+      event.kind = EventKind::Output;
+      event.tool = output;
+      event.on = on;
+      if (k == stated.size()) {
+        missingAt(motion, EventKind::Output);
+        return;
+      }
+      compareText(*stated[k++], event);
+    }
+    for (; k < stated.size(); ++k)
+      unplanned(*stated[k], EventKind::Statement);
   }
 
   // The tool of the first motion.
@@ -302,6 +349,8 @@ private:
   const bool hasLock_; // there is a tool changer's output
   const std::size_t firstPoint_;
   std::vector<bool> found_;                      // per event of the trajectory
+  // Lines that set the states of outputs, by the next motion; 0: before the first one.
+  std::map<std::size_t, std::vector<const StatedFact*>> states_;
   bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
   std::vector<TextFinding> findings_;
 };
@@ -329,8 +378,16 @@ PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajecto
 
 std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
-                                       const Alignment& alignment) {
+                                       const Alignment& alignment, std::size_t firstPoint) {
   std::vector<TextFinding> found;
+  for (const TrajectoryEvent& event : trajectory.events)
+    if (event.kind == EventKind::Statement && event.point <= firstPoint &&
+        program.firstMotion < program.motions.size())
+      found.push_back(textFinding(
+          program, OwnStatement, placeOf(program, program.firstMotion),
+          {{"statement",
+            base::message("{statement} (before the rest, which does not run it)"_text,
+                          event.text)}}));
   for (const StatedFact& fact : program.facts) {
     if (fact.kind != FactKind::OwnStatement || fact.before >= program.motions.size())
       continue;
@@ -353,6 +410,13 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
           .compare();
   std::ranges::move(compareChangeOrder(program, trajectory, alignment, tooling, firstPoint),
                     std::back_inserter(found));
+  // A line is told once.
+  for (TextFinding& other : compareSequences(program, trajectory, alignment))
+    if (std::ranges::none_of(found, [&](const TextFinding& told) {
+          return std::pair(told.place.file, told.place.line) ==
+                 std::pair(other.place.file, other.place.line);
+        }))
+      found.push_back(std::move(other));
   return found;
 }
 

@@ -31,10 +31,11 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const Alignment& alignment, const process::Tooling& tooling,
                                        const robot::Cell& cell, std::size_t firstPoint = 0);
 
-// Returns a finding for each planned statement of the user's own: nothing judges what it does.
+// Returns a finding for each planned statement of the user's own: nothing judges what it does. So
+// does each before `firstPoint`, which the program does not run.
 std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
-                                       const Alignment& alignment);
+                                       const Alignment& alignment, std::size_t firstPoint = 0);
 
 // What is planned while the arm is at rest before each motion; empty: nothing.
 struct PlannedStops {

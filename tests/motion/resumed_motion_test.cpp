@@ -253,7 +253,7 @@ TEST_F(ResumeMotion, TheWayThereIsClear) {
   }
 }
 
-// Whatever the print has switched on by then is on in its rest.
+// Whatever the print has switched on by then is on before the rest moves, all others are off.
 TEST_F(ResumeMotion, OutputsAreSetAgain) {
   const auto set = [](std::size_t point, int output, bool on) {
     return plan::TrajectoryEvent{
@@ -263,14 +263,17 @@ TEST_F(ResumeMotion, OutputsAreSetAgain) {
   t_.events = {set(2, 3, true), set(3, 4, true), set(4, 4, false), set(point + 1, 5, true)};
   const motion::Resumed r = resumed(point);
   std::vector<plan::TrajectoryEvent> own;
-  for (const plan::TrajectoryEvent& event : r.trajectory.events)
-    if (event.point > r.firstPoint)
+  for (const plan::TrajectoryEvent& event :
+       motion::partOf(r.trajectory, r.firstPoint, r.trajectory.pointCount()).events)
+    if (event.kind == plan::EventKind::Output)
       own.push_back(event);
-  ASSERT_EQ(own.size(), 3u);
-  EXPECT_EQ(own[0].tool, 3);
-  EXPECT_TRUE(own[0].on);
-  EXPECT_EQ(own[1].tool, 4);
-  EXPECT_FALSE(own[1].on);
-  EXPECT_EQ(own[2].tool, 5);
-  EXPECT_LE(own[0].point, own[2].point);
+  ASSERT_EQ(own.size(), 4u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(own[k].point, 0u) << "before the first motion";
+    EXPECT_EQ(own[k].tool, 3 + static_cast<int>(k));
+    EXPECT_EQ(own[k].on, k == 0);
+  }
+  EXPECT_EQ(own[3].tool, 5);
+  EXPECT_TRUE(own[3].on);
+  EXPECT_GT(own[3].point, 0u);
 }

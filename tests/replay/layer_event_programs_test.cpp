@@ -7,6 +7,7 @@
 #include "program/own_lines.h"
 #include "replay/changer_cell.h"
 #include "replay/event_programs.h"
+#include "replay/planned_events.h"
 #include "replay/told.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ protected:
     std::size_t end = 0; // the line, from 1
     for (const plan::StatedFact& fact : program.facts)
       if (kind != EventKind::Wait && fact.before > program.firstMotion &&
+          fact.before < program.motions.size() &&
           (fact.kind == plan::FactKind::OperatorStop || fact.kind == plan::FactKind::OwnStatement))
         end = fact.line;
     for (const plan::ProgramPause& pause : program.pauses)
@@ -69,7 +71,8 @@ protected:
     if (end == 0 || kind == EventKind::Wait)
       return {end - 1, end};
     if (kind != EventKind::Pause)
-      return {end - 2, end}; // with its mark
+      // With its mark, and the line that waits for the arm.
+      return {end - (program::outputWords(format).settles.empty() ? 2 : 3), end};
     std::size_t first = end - 1;
     while (lines[first].find("Paused before") == std::string::npos)
       --first;
@@ -217,6 +220,150 @@ TEST_F(LayerEventPrograms, APauseMayPrecedeAChangeThatNeedsNoOperator) {
     refused += isToldOf(reversed) ? 1U : 0U;
   }
   EXPECT_EQ(refused, formats().size());
+}
+
+// With the output on, the operator would reach in.
+TEST_F(LayerEventPrograms, NeighboursInAnotherOrderAreRefused) {
+  test::moveSideways(scene_.trajectory, scene_.cell, point_ - 1);
+  for (const std::string_view format : formats()) {
+    const std::string id(format);
+    const int output = program::outputWords(format).first + 3;
+    const std::vector<TrajectoryEvent> kinds = {
+        {.kind = EventKind::Output, .tool = output, .on = false},
+        {.kind = EventKind::Statement, .text = "own_call(1)", .format = id},
+        {.kind = EventKind::Pause, .text = "Put in the nut"},
+        {.kind = EventKind::Wait, .seconds = 60.0},
+        {.kind = EventKind::Purge, .seconds = 4.0, .volumeMm3 = 50.0}};
+    for (std::size_t a = 0; a < kinds.size(); ++a)
+      for (std::size_t b = 0; b < kinds.size(); ++b) {
+        // The nozzle is filled again behind the pause.
+        if (a == b || (kinds[a].kind == EventKind::Purge && kinds[b].kind == EventKind::Pause))
+          continue;
+        SCOPED_TRACE(id + ": " + std::string(program::nameOf(kinds[a].kind).english()) + ", " +
+                     std::string(program::nameOf(kinds[b].kind).english()));
+        linesWith(format, {kinds[a], kinds[b]});
+        const plan::ReadProgram whole = read(test::textOf(programFor(format)));
+        EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
+        std::swap(scene_.trajectory.events[0], scene_.trajectory.events[1]);
+        EXPECT_FALSE(verify(whole).passed);
+      }
+  }
+}
+
+// Controllers take the line while motions are queued, unless a line before makes them wait.
+TEST_F(LayerEventPrograms, ALineAheadOfTheArmIsRefused) {
+  std::size_t settled = 0;
+  for (const std::string_view format : formats())
+    for (const auto& [event, other] : eventsFor(format)) {
+      const std::string_view settles = program::outputWords(format).settles;
+      if (settles.empty() || event.kind == EventKind::Pause || event.kind == EventKind::Wait)
+        continue;
+      SCOPED_TRACE(std::string(format) + ": " + std::string(program::nameOf(event.kind).english()));
+      std::vector<std::string> lines = linesWith(format, {event});
+      const auto mark = std::ranges::find_if(lines, [](const std::string& line) {
+        return line.find(program::kOwnLineMark) != std::string::npos;
+      });
+      ASSERT_NE(mark, lines.end());
+      ASSERT_NE((mark - 1)->find(settles), std::string::npos) << *(mark - 1);
+      lines.erase(mark - 1);
+      const plan::ReadProgram program = read({std::string(format), "box", lines});
+      EXPECT_TRUE(std::ranges::any_of(program.defects, [](const plan::ProgramDefect& defect) {
+        return base::english(defect.reason).find("ahead of the arm") != std::string::npos;
+      }));
+      EXPECT_FALSE(verify(program).passed);
+      ++settled;
+    }
+  EXPECT_EQ(settled, 9u) << "extended G-code, KRL and TMscript, each with three lines";
+}
+
+// Whatever ran before may have left the outputs in any state.
+TEST_F(LayerEventPrograms, OutputsAreOffBeforeAndBehindThePrint) {
+  for (const std::string_view format : formats()) {
+    SCOPED_TRACE(format);
+    const int output = program::outputWords(format).first + 3;
+    const std::vector<std::string> lines =
+        linesWith(format, {{.kind = EventKind::Output, .tool = output, .on = true}});
+    const plan::ReadProgram whole = read({std::string(format), "box", lines});
+    std::vector<const plan::StatedFact*> own;
+    for (const plan::StatedFact& fact : whole.facts)
+      if (fact.kind == plan::FactKind::OwnStatement)
+        own.push_back(&fact);
+    ASSERT_EQ(own.size(), 3u);
+    EXPECT_LE(own[0]->before, whole.firstMotion);
+    EXPECT_EQ(own[2]->before, whole.motions.size());
+    EXPECT_EQ(own[0]->word, own[2]->word);
+    EXPECT_NE(own[0]->word, own[1]->word);
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
+    for (std::size_t k = 0; k < whole.facts.size(); ++k) {
+      if (whole.facts[k].kind != plan::FactKind::OwnStatement)
+        continue;
+      plan::ReadProgram changed = whole;
+      changed.facts.erase(changed.facts.begin() + static_cast<std::ptrdiff_t>(k));
+      EXPECT_TRUE(isToldOf(verify(changed))) << "deleted";
+      changed = whole;
+      changed.facts.insert(changed.facts.begin() + static_cast<std::ptrdiff_t>(k), whole.facts[k]);
+      EXPECT_TRUE(isToldOf(verify(changed))) << "doubled";
+      changed = whole;
+      changed.facts[k].word = whole.facts[k].word == own[0]->word ? own[1]->word : own[0]->word;
+      EXPECT_TRUE(isToldOf(verify(changed))) << "changed";
+    }
+  }
+}
+
+TEST_F(LayerEventPrograms, EachFileSetsTheOutputsAgain) {
+  for (const std::string_view format : {"urscript", "krl", "rapid", "spel", "melfa"}) {
+    SCOPED_TRACE(format);
+    const int output = program::outputWords(format).first + 3;
+    linesWith(format, {{.kind = EventKind::Output, .tool = output, .on = true}});
+    program::ProgramInput input{scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"};
+    input.options.motionsPerFile = 25;
+    const plan::ReadProgram whole =
+        program::readProgram(format, program::writeProgram(format, input).files, tooling_);
+    EXPECT_TRUE(whole.defects.empty());
+    EXPECT_TRUE(verify(whole).passed) << findingsText(verify(whole));
+    std::size_t begins = 0;
+    for (std::size_t k = 0; k < whole.facts.size(); ++k) {
+      const plan::StatedFact& fact = whole.facts[k];
+      const bool isBegin = fact.kind == plan::FactKind::OwnStatement && fact.before > 0 &&
+                           fact.before < whole.motions.size() &&
+                           whole.motions[fact.before].file != whole.motions[fact.before - 1].file;
+      if (!isBegin)
+        continue;
+      ++begins;
+      plan::ReadProgram missing = whole;
+      missing.facts.erase(missing.facts.begin() + static_cast<std::ptrdiff_t>(k));
+      EXPECT_TRUE(isToldOf(verify(missing)));
+    }
+    EXPECT_GE(begins, 3u);
+  }
+}
+
+// The rest of a print does not run what stands before it.
+TEST_F(LayerEventPrograms, AStatementBeforeTheRestIsNamed) {
+  linesWith("urscript", {{.kind = EventKind::Statement, .text = "own_call(1)", .format = "urscript"}});
+  const plan::ReadProgram program = read(test::textOf(programFor("urscript")));
+  Alignment alignment;
+  alignment.pointOf.assign(program.motions.size(), kUnmatched);
+  alignment.leadsTo = alignment.pointOf;
+  const auto found = ownStatements(program, scene_.trajectory, alignment, point_);
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_EQ(found[0].finding.kind, plan::FindingKind::OwnStatement);
+  EXPECT_NE(plan::englishReason(found[0].finding).find("before the rest"), std::string::npos);
+}
+
+TEST_F(LayerEventPrograms, TheCuttersPinIsTheProgramsOwn) {
+  const auto reasonOf = [&](std::vector<TrajectoryEvent> events) {
+    try {
+      linesWith("gcode-extended", std::move(events));
+    } catch (const base::Error& error) {
+      return base::english(error.whole());
+    }
+    return std::string();
+  };
+  const TrajectoryEvent output{.kind = EventKind::Output, .tool = 1, .on = true};
+  EXPECT_EQ(reasonOf({output}), "");
+  EXPECT_NE(reasonOf({{.kind = EventKind::Cut}, output}).find("is used by the program itself"),
+            std::string::npos);
 }
 
 TEST_F(LayerEventPrograms, AFormatRefusesWhatItCannotSay) {

@@ -1,6 +1,7 @@
 #include "program/common/walk.h"
 
 #include "plan/marks.h"
+#include "plan/output_states.h"
 #include "process/cooling.h"
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace voluta::program {
@@ -47,16 +49,23 @@ public:
       emitter_.beginFile(file);
       if (file == 0)
         marks(0);
-      else
+      else {
         lockAtFile(walk_.cuts[file]);
+        ownOutputs(plan::outputStates(in_.trajectory, walk_.cuts[file] - 1));
+      }
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
                       base::message("{format}"_text, std::string(walk_.format)));
         point(i, i + 1 == end);
       }
-      if (end == in_.trajectory.pointCount())
+      if (end == in_.trajectory.pointCount()) {
         events(end);
+        std::map<int, bool> off = plan::outputStates(in_.trajectory, 0);
+        for (auto& [output, on] : off)
+          on = false;
+        ownOutputs(off);
+      }
       emitter_.endFile(file);
     }
   }
@@ -100,6 +109,7 @@ private:
         if (!walk_.waitsByMotion)
           emitter_.wait(robot::kChangerS);
       }
+      ownOutputs(plan::outputStates(t, 0));
     }
     if (!insideBead)
       events(i);
@@ -160,9 +170,17 @@ private:
         break;
       case plan::EventKind::Output:
       case plan::EventKind::Statement:
-        emitter_.ownLine(program::ownLine(walk_.format, event));
+        if (event.point > 0) // else said before the first motion
+          emitter_.ownLine(program::ownLine(walk_.format, event));
         break;
       }
+  }
+
+  // Whatever ran before may have left the user's outputs in any state.
+  void ownOutputs(const std::map<int, bool>& states) {
+    for (const auto& [output, on] : states)
+      emitter_.ownLine(program::ownLine(
+          walk_.format, {.kind = plan::EventKind::Output, .tool = output, .on = on}));
   }
 
   // A file may be started alone, after a stop; a change locks its tool itself.
