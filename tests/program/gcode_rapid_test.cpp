@@ -56,6 +56,27 @@ TEST_F(GcodeRapid, ModuleIsWrittenOnlyIfTheOptionIsSet) {
   EXPECT_TRUE(back.complete);
 }
 
+// Its module stops at the first word that it does not know, with the part half printed.
+TEST_F(GcodeRapid, RefusesEventsThatItsModuleDoesNotKnow) {
+  program();
+  for (const plan::TrajectoryEvent& event :
+       {plan::TrajectoryEvent{.kind = plan::EventKind::Pause, .text = "Put in the nut"},
+        plan::TrajectoryEvent{.kind = plan::EventKind::Wait, .seconds = 60.0},
+        plan::TrajectoryEvent{.kind = plan::EventKind::Output, .tool = 3, .on = true},
+        plan::TrajectoryEvent{
+            .kind = plan::EventKind::Statement, .text = "M300", .format = "gcode-extended"}}) {
+    trajectory_.events = {event};
+    trajectory_.events[0].point = 5;
+    EXPECT_NO_THROW(writeProgram("gcode-extended", input()));
+    try {
+      writeProgram("gcode-extended", withRunner());
+      ADD_FAILURE() << "written";
+    } catch (const base::Error& error) {
+      EXPECT_NE(base::english(error.whole()).find(nameOf(event.kind).english()), std::string::npos);
+    }
+  }
+}
+
 // The reader compares the common part line by line: a change makes every written module foreign.
 TEST_F(GcodeRapid, TheCommonPartStaysAsItIs) {
   EXPECT_EQ(base::sha256(rapidGcodeSame()),
