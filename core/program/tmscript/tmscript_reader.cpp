@@ -197,10 +197,9 @@ private:
 
   // ListenSend(number, text); returns whether it is that.
   bool show(const std::vector<ScriptValue>& values) {
-    constexpr double kFirst = 90.0, kLast = 99.0;
+    constexpr double kSender = 90.0; // others reach nobody who shows them
     if (values.size() != 2 || values[0].kind != ScriptKind::Number ||
-        values[1].kind != ScriptKind::Text || values[0].number < kFirst ||
-        values[0].number > kLast || values[0].number != std::floor(values[0].number))
+        values[1].kind != ScriptKind::Text || values[0].number != kSender)
       return false;
     out_.word(tmscriptWords(), "ListenSend");
     out_.show(values[1].text);
