@@ -2,6 +2,7 @@
 
 #include "base/setting_marks.h"
 #include "base/shown_number.h"
+#include "base/valid_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,35 +13,6 @@
 namespace voluta::base {
 
 namespace {
-// Returns the number of bytes of the character at the beginning, which is no control character
-// beyond ASCII; 0 if they are not UTF-8.
-std::size_t characterLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  if (length > text.size())
-    return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80)
-      return 0;
-  return first == 0xC2 && byte(1) < 0xA0 ? 0 : length;
-}
-
-// Names are quoted from files, which may have any bytes or end a text amid a character.
-std::string printable(std::string name) {
-  for (std::size_t i = 0; i < name.size();)
-    if (const std::size_t length = characterLength(std::string_view(name).substr(i)); length > 0)
-      i += length;
-    else
-      name[i++] = '?';
-  return name;
-}
-
 struct NumberFormat {
   char letter = 'g';
   int digits = 6;
@@ -99,7 +71,7 @@ private:
   std::string number(double value, const NumberFormat& f) const {
     return language_.number(withoutIdleSign(value, f), f.letter, f.digits);
   }
-  std::string written(const std::string& name, const PlaceMark&) const { return printable(name); }
+  std::string written(const std::string& name, const PlaceMark&) const { return validText(name); }
   std::string written(long long whole, const PlaceMark&) const { return language_.whole(whole); }
   std::string written(const Quantity& q, const PlaceMark& mark) const {
     const NumberFormat f = numberFormat(mark.format);

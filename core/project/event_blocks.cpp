@@ -19,7 +19,7 @@ void addOwn(BlockWriter& out, const std::vector<plan::TrajectoryEvent>& events) 
     if (events[e].on || !events[e].text.empty() || !events[e].format.empty())
       rows.push_back({e, events[e].on, events[e].text, events[e].format});
   if (!rows.empty())
-    out.addText(kOwn, rows.dump());
+    out.addText(kOwn, rows.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool getOwn(const BlockReader& in, std::vector<plan::TrajectoryEvent>& events) {

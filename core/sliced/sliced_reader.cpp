@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "base/valid_text.h"
 #include "build3mf/bead_cells.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
@@ -92,7 +93,7 @@ std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPla
       ++before;
     else if (bead < lines.size())
       notes.push_back(base::message(kStopNote, stop.line, bead + 1, plan.paths[bead].layer + 1,
-                                    stop.text.substr(0, kMaxText), stop.command));
+                                    base::validText(stop.text, kMaxText), stop.command));
   }
   if (before > 0)
     notes.emplace_back(

@@ -1,6 +1,7 @@
 #include "sliced/unused_commands.h"
 
 #include "base/lower_case.h"
+#include "base/valid_text.h"
 #include "program/common/program_text.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ constexpr std::array<std::string_view, 8> kPlainMacros{
 
 std::string shortened(std::string_view text) {
   constexpr std::size_t kMaxLength = 60;
-  return std::string(program::trimmed(text.substr(0, kMaxLength)));
+  return std::string(program::trimmed(base::validText(text, kMaxLength)));
 }
 
 std::string_view firstWord(std::string_view text) {

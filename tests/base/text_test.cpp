@@ -1,6 +1,7 @@
 // Sentences as data: places, values, plural forms, English and another language by the same rules.
 #include "base/error.h"
 #include "base/text.h"
+#include "base/valid_text.h"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,13 @@ TEST(Text, BytesThatAreNoCharactersAreReplaced) {
                    "31m"),
             "??31m")
       << "a control character of terminals";
+}
+
+TEST(Text, IsCutBetweenCharacters) {
+  EXPECT_EQ(base::validText("Gehäuse", 4), "Geh");
+  EXPECT_EQ(base::validText("Gehäuse", 5), "Gehä");
+  EXPECT_EQ(base::validText("Geh\xE4use"), "Geh?use");
+  EXPECT_EQ(base::validText("\xE0\x80\x80\xED\xA0\x80"), "??????") << "no characters";
 }
 
 // The compiler refuses a sentence made at run time and a placeholder without a value.
