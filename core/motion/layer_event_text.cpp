@@ -83,7 +83,7 @@ bool takeValue(LayerEvent& event, std::string_view text) {
   switch (event.kind) {
   case LayerEventKind::Pause:
     event.text = text;
-    return text.size() <= kOwnTextLength;
+    return true;
   case LayerEventKind::Wait: {
     const auto seconds = numberIn(text, 0.0, kLongestS);
     event.seconds = seconds.value_or(0.0);
@@ -108,6 +108,46 @@ bool takeValue(LayerEvent& event, std::string_view text) {
   }
   return false;
 }
+// Throws Error{Usage} if a pause's text is too long, or if a controller cannot show the text or read
+// the statement.
+void requireShown(const LayerEvent& event, std::string_view text, std::string_view whole) {
+  const bool isPause = event.kind == LayerEventKind::Pause;
+  if (!isPause && event.kind != LayerEventKind::Statement)
+    return;
+  if (isPause && text.size() > kOwnTextLength)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("'{text}': a pause's text has at most {limit} characters"_text,
+                                    std::string(whole), kOwnTextLength),
+                      std::string(kLayerEvents), "shorten the text"_text);
+  const bool isKnown = std::ranges::all_of(text, [&](char c) {
+    return c >= ' ' && c <= '~' && !(isPause && (c == '"' || c == '\\'));
+  });
+  if (!isKnown)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("'{text}' has characters that controllers do not know"_text,
+                                    std::string(whole)),
+                      std::string(kLayerEvents),
+                      "write English letters, digits and signs; in a pause's text no quotes"_text);
+}
+
+// Returns the texts of the events that a value of layerEvents lists.
+std::vector<std::string_view> textsOfEvents(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    std::size_t to = std::min(text.find(';', from), text.size());
+    // A semicolon belongs to a statement unless an event follows.
+    while (to < text.size()) {
+      std::string_view next = text.substr(to + 1);
+      if (takeHead(next) || withoutBlanks(text.substr(from, to - from)).empty())
+        break;
+      to = std::min(text.find(';', to + 1), text.size());
+    }
+    parts.push_back(withoutBlanks(text.substr(from, to - from)));
+    from = to + 1;
+  }
+  return parts;
+}
+
 } // namespace
 
 std::vector<int> pauseLayersOf(std::string_view text) {
@@ -135,21 +175,8 @@ std::string pauseLayersText(const std::vector<int>& layers) {
 }
 
 std::vector<LayerEvent> layerEventsOf(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    std::size_t to = std::min(text.find(';', from), text.size());
-    // A semicolon belongs to a statement unless an event follows.
-    while (to < text.size()) {
-      std::string_view next = text.substr(to + 1);
-      if (takeHead(next) || withoutBlanks(text.substr(from, to - from)).empty())
-        break;
-      to = std::min(text.find(';', to + 1), text.size());
-    }
-    parts.push_back(withoutBlanks(text.substr(from, to - from)));
-    from = to + 1;
-  }
   std::vector<LayerEvent> events;
-  for (std::string_view part : parts) {
+  for (std::string_view part : textsOfEvents(text)) {
     if (part.empty())
       continue;
     const std::string_view whole = part;
@@ -157,6 +184,8 @@ std::vector<LayerEvent> layerEventsOf(std::string_view text) {
     // Statements of some languages end with a semicolon.
     if (event && event->kind != LayerEventKind::Statement && part.ends_with(';'))
       part = withoutBlanks(part.substr(0, part.size() - 1));
+    if (event)
+      requireShown(*event, part, whole);
     if (!event || !takeValue(*event, part))
       throw base::Error(
           base::ErrorCode::Usage,
@@ -166,6 +195,26 @@ std::vector<LayerEvent> layerEventsOf(std::string_view text) {
     events.push_back(std::move(*event));
   }
   return events;
+}
+
+std::string eventsWithoutTool(std::string_view text, int number) {
+  std::string out;
+  std::size_t copied = 0;
+  for (const std::string_view part : textsOfEvents(text)) {
+    std::string_view rest = part;
+    auto event = takeHead(rest);
+    if (!event || event->kind != LayerEventKind::Tool)
+      continue;
+    if (rest.ends_with(';'))
+      rest = withoutBlanks(rest.substr(0, rest.size() - 1));
+    if (!takeValue(*event, rest) || event->number < number)
+      continue;
+    const auto at = static_cast<std::size_t>(rest.data() - text.data());
+    out += text.substr(copied, at - copied);
+    out += std::to_string(event->number == number ? 1 : event->number - 1);
+    copied = at + rest.size();
+  }
+  return out.append(text.substr(copied));
 }
 
 std::vector<LayerEvent> eventsAsked(const base::ParameterValues& values) {

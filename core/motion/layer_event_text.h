@@ -32,6 +32,11 @@ std::string pauseLayersText(const std::vector<int>& layers);
 // the event that is none.
 std::vector<plan::LayerEvent> layerEventsOf(std::string_view text);
 
+// Returns a value of layerEvents for a job from which the tool of that number is removed: the first
+// tool prints what it printed, later tools get the number before. A text that lists no events is
+// returned as it is.
+std::string eventsWithoutTool(std::string_view text, int number);
+
 // Returns the events of both parameters, of item 0: pauses of pauseLayers first. Throws as
 // pauseLayersOf() and layerEventsOf(). Precondition: as motionOptions().
 std::vector<plan::LayerEvent> eventsAsked(const base::ParameterValues& values);

@@ -216,10 +216,14 @@ std::size_t ownTool(const project::Choices& choices) {
 
 void removeTool(project::Choices& choices, std::size_t tool) {
   choices.tools.erase(choices.tools.begin() + static_cast<std::ptrdiff_t>(tool));
+  const int number = static_cast<int>(tool) + 1;
   for (project::ItemChoices& item : choices.items) {
-    layers::forgetTool(item.parameters, static_cast<int>(tool) + 1);
+    layers::forgetTool(item.parameters, number);
+    if (const auto events = item.parameters.find(motion::kLayerEvents);
+        events != item.parameters.end())
+      events->second = motion::eventsWithoutTool(events->second, number);
     for (project::Region& region : item.regions)
-      layers::forgetTool(region.parameters, static_cast<int>(tool) + 1);
+      layers::forgetTool(region.parameters, number);
   }
 }
 

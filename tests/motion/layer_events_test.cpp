@@ -59,6 +59,32 @@ TEST(LayerEvents, AreReadFromTheirText) {
     EXPECT_THROW(layerEventsOf(wrong), base::Error) << wrong;
 }
 
+TEST(LayerEvents, TextsThatControllersCannotShowAreRefused) {
+  const auto reasonOf = [](const std::string& text) {
+    try {
+      layerEventsOf(text);
+    } catch (const base::Error& error) {
+      return base::english(error.whole());
+    }
+    return std::string();
+  };
+  EXPECT_NE(reasonOf("12 pause " + std::string(45, 'a')).find("at most 44 characters"),
+            std::string::npos);
+  EXPECT_EQ(reasonOf("12 pause " + std::string(44, 'a')), "");
+  for (const char* text : {"12 pause Mutter für das Gehäuse", "12 pause the \"nut\"",
+                           "12 statement krl ; Gehäuse", "12 statement krl a\tb"})
+    EXPECT_NE(reasonOf(text).find("controllers do not know"), std::string::npos) << text;
+  EXPECT_EQ(reasonOf("12 statement rapid TPWrite \"nut\\0A\""), "");
+}
+
+TEST(LayerEvents, ARemovedToolLeavesItsLayersToTheFirst) {
+  const char* const text = "12 pause tool 2 ; 20 tool 2; z5.5 tool 3;30 tool 1; 40 tool 4;";
+  EXPECT_EQ(motion::eventsWithoutTool(text, 2),
+            "12 pause tool 2 ; 20 tool 1; z5.5 tool 2;30 tool 1; 40 tool 3;");
+  EXPECT_EQ(motion::eventsWithoutTool("tool 2", 2), "tool 2");
+  EXPECT_EQ(motion::eventsWithoutTool("", 2), "");
+}
+
 // Two parts, each with its own layers, one after the other.
 plan::ToolPlan twoParts() {
   plan::ToolPlan plan = test::cylinder(15, 8);

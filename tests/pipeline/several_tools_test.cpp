@@ -166,13 +166,15 @@ TEST(SeveralTools, ARemovedToolLeavesItsWorkToTheFirst) {
   PlanRequest given = request(2);
   given.choices.tools.resize(3);
   test::giveParameters(given.choices, {{"tool", "2"}, {"pieceTools", "1, 2,3"}});
-  given.choices.item(1).parameters = {{"supportTool", "3"}, {"infillTool", "0"}};
+  given.choices.item(1).parameters = {
+      {"supportTool", "3"}, {"infillTool", "0"}, {"layerEvents", "4 tool 2; 8 tool 3"}};
   removeTool(given.choices, 1);
   EXPECT_EQ(given.choices.tools.size(), 2u);
   EXPECT_EQ(given.choices.item(0).parameters.at("tool"), "1");
   EXPECT_EQ(given.choices.item(0).parameters.at("pieceTools"), "1,1,2");
   EXPECT_EQ(given.choices.item(1).parameters.at("supportTool"), "2");
   EXPECT_EQ(given.choices.item(1).parameters.at("infillTool"), "0");
+  EXPECT_EQ(given.choices.item(1).parameters.at("layerEvents"), "4 tool 1; 8 tool 2");
 }
 
 } // namespace
