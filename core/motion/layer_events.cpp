@@ -99,6 +99,15 @@ std::optional<LayerOfItem> layerOfItem(const plan::ToolPlan& plan, int layer) {
   return LayerOfItem{path->item, ItemLayers(plan, path->item).numberOf(layer)};
 }
 
+std::vector<LayerOfItem> itemsInLayer(const plan::ToolPlan& plan, int layer) {
+  std::vector<LayerOfItem> items;
+  for (const plan::ToolPath& path : plan.paths)
+    if (path.layer == layer &&
+        std::ranges::find(items, path.item, &LayerOfItem::item) == items.end())
+      items.push_back({path.item, ItemLayers(plan, path.item).numberOf(layer)});
+  return items;
+}
+
 bool waitsAside(plan::LayerEventKind kind) {
   return kind == plan::LayerEventKind::Pause || kind == plan::LayerEventKind::Wait;
 }

@@ -36,6 +36,8 @@ struct LayerOfItem {
   int item = 0, layer = 1;
 };
 std::optional<LayerOfItem> layerOfItem(const plan::ToolPlan& plan, int layer);
+// Returns each item that has beads in that layer, in the order of printing, with its own number.
+std::vector<LayerOfItem> itemsInLayer(const plan::ToolPlan& plan, int layer);
 
 // Returns whether the arm waits beside the part for it.
 bool waitsAside(plan::LayerEventKind kind);

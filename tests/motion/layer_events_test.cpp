@@ -122,6 +122,21 @@ TEST(LayerEvents, TheLayersOfThePrintAreThoseOfItsParts) {
   EXPECT_FALSE(motion::layerOfItem(plan, 8));
 }
 
+TEST(LayerEvents, SeveralPartsHaveBeadsInALayer) {
+  plan::ToolPlan plan = test::cylinder(15, 8);
+  for (std::size_t p = 0; p < plan.paths.size(); ++p) {
+    plan.paths[p].item = static_cast<int>(p % 2);
+    plan.paths[p].layer = static_cast<int>(p / 2);
+  }
+  const auto items = motion::itemsInLayer(plan, 2);
+  ASSERT_EQ(items.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(items[i].item, static_cast<int>(i));
+    EXPECT_EQ(items[i].layer, 3);
+  }
+  EXPECT_TRUE(motion::itemsInLayer(plan, 8).empty());
+}
+
 TEST(LayerEvents, ComeAtHeightsAndBeforeBeads) {
   const plan::ToolPlan plan = test::cylinder(15, 4);
   const double second = plan.position[plan.paths[1].first].z();

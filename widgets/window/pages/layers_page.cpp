@@ -389,22 +389,33 @@ std::shared_ptr<const plan::ToolPlan> LayersPage::shownPlan() const {
 
 // The pause is one of the part that has the layer, which becomes the active one.
 void LayersPage::wishPause(int layer, bool pause) {
-  motion::LayerOfItem at{0, layer + 1};
-  if (work().document.partCount() > 1) {
+  const std::size_t count = work().document.partCount();
+  std::vector<motion::LayerOfItem> parts{{0, layer + 1}};
+  if (count > 1) {
     const auto plan = shownPlan();
-    const auto found = plan ? motion::layerOfItem(*plan, layer) : std::nullopt;
-    if (!found || found->item >= static_cast<int>(work().document.partCount()))
-      return;
-    at = *found;
-    work().document.setActive(static_cast<std::size_t>(at.item));
+    parts = plan ? motion::itemsInLayer(*plan, layer) : std::vector<motion::LayerOfItem>();
+    std::erase_if(parts, [&](const motion::LayerOfItem& part) {
+      return part.item >= static_cast<int>(count);
+    });
+    // The print pauses once, but any of the parts may have asked for it.
+    if (pause && parts.size() > 1)
+      parts.resize(1);
   }
-  std::vector<int> layers = pauseLayersOf(work().document.choices().item());
-  std::erase(layers, at.layer);
-  if (pause)
-    layers.push_back(at.layer);
-  std::ranges::sort(layers);
-  work().document.setParameter(QString::fromLatin1(motion::kPauseLayers),
-                               QString::fromStdString(motion::pauseLayersText(layers)));
+  if (parts.empty())
+    return;
+  for (const motion::LayerOfItem& part : parts) {
+    const auto item = static_cast<std::size_t>(part.item);
+    std::vector<int> layers = pauseLayersOf(work().document.choices().item(item));
+    if (std::erase(layers, part.layer) == 0 && !pause)
+      continue;
+    if (count > 1)
+      work().document.setActive(item);
+    if (pause)
+      layers.push_back(part.layer);
+    std::ranges::sort(layers);
+    work().document.setParameter(QString::fromLatin1(motion::kPauseLayers),
+                                 QString::fromStdString(motion::pauseLayersText(layers)));
+  }
   work().shell.say(pause ? tr("The next plan pauses before layer %1.").arg(layer + 1)
                          : tr("The next plan does not pause before layer %1.").arg(layer + 1));
 }
