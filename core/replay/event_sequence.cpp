@@ -64,8 +64,7 @@ class SequenceComparer {
 public:
   SequenceComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
                    const Alignment& alignment)
-      : program_(program), trajectory_(trajectory), alignment_(alignment),
-        dialect_(program::findDialect(program.format)) {
+      : program_(program), trajectory_(trajectory), alignment_(alignment) {
     for (const StatedFact& fact : program.facts)
       if (stepOf(fact))
         facts_.push_back(&fact);
@@ -101,7 +100,7 @@ private:
         continue;
       case EventKind::Purge:
       case EventKind::Shot:
-        if (program::leavesOut(dialect_, event.kind))
+        if (program::leavesOut(program::findDialect(program_.format), event.kind))
           continue;
         step.kind = EventKind::Purge;
         break;
@@ -215,7 +214,6 @@ private:
   const plan::ReadProgram& program_;
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
-  const program::Dialect& dialect_;
   std::vector<const StatedFact*> facts_; // that are steps, ascending by the next motion
   std::vector<TextFinding> found_;
 };

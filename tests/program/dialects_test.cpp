@@ -358,7 +358,7 @@ TEST_F(Dialects, operatorConfirmsBeforeTheFirstMotion) {
                                  {"gcode-bc", "M0\n"},
                                  {"gcode", "M0\n"},
                                  {"melfa", "Hlt\r\n"},
-                                 {"tmscript", "Pause()"},
+                                 {"tmscript", ",Pause(),"},
                                  {"krl", "HALT\r\n"},
                                  {"spel", "Pause\r\n"},
                                  {"urscript-stream", "popup("},
