@@ -11593,13 +11593,6 @@ non stampati</translation>
         <source>{name}; changed: {settings}</source>
         <translation>{name}; modificate: {settings}</translation>
     </message>
-    <message numerus="yes">
-        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
-        <translation>
-            <numerusform>{waits} pausa o attesa sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, e sul pezzo può gocciolare materiale</numerusform>
-            <numerusform>{waits} pause e attese sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, e sul pezzo può gocciolare materiale</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Region</source>
         <translation>Regione</translation>
@@ -11611,6 +11604,45 @@ non stampati</translation>
     <message>
         <source>paint on the part, or delete the region</source>
         <translation>dipingi sul pezzo, o elimina la regione</translation>
+    </message>
+    <message>
+        <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
+        <translation>&apos;{code}&apos; manca prima della riga: verrebbe eseguita prima che il braccio arrivi</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; has characters that controllers do not know</source>
+        <translation>&apos;{text}&apos; ha caratteri che i controllori non conoscono</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: a pause&apos;s text has at most {limit} characters</source>
+        <translation>&apos;{text}&apos;: il testo di una pausa ha al massimo {limit} caratteri</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no command for {event}</source>
+        <translation>un modulo che legge G-code non ha un comando per {event}</translation>
+    </message>
+    <message>
+        <source>a stop shows no text</source>
+        <translation>un arresto non mostra alcun testo</translation>
+    </message>
+    <message>
+        <source>shorten the text</source>
+        <translation>accorcia il testo</translation>
+    </message>
+    <message>
+        <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
+        <translation>usa lettere inglesi, cifre e segni; nel testo di una pausa niente virgolette</translation>
+    </message>
+    <message>
+        <source>{statement} (before the rest, which does not run it)</source>
+        <translation>{statement} (prima del resto, che non lo esegue)</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pausa o attesa sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, nulla viene preparato, e sul pezzo può gocciolare materiale</numerusform>
+            <numerusform>{waits} pause e attese sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, nulla viene preparato, e sul pezzo può gocciolare materiale</numerusform>
+        </translation>
     </message>
 </context>
 <context>

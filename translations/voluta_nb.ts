@@ -11593,13 +11593,6 @@ uten utskrift</translation>
         <source>{name}; changed: {settings}</source>
         <translation>{name}; endret: {settings}</translation>
     </message>
-    <message numerus="yes">
-        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
-        <translation>
-            <numerusform>{waits} pause eller venting over delen: armen når ingen plass ved siden av den, og materiale kan dryppe på delen</numerusform>
-            <numerusform>{waits} pauser og ventinger over delen: armen når ingen plass ved siden av den, og materiale kan dryppe på delen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Region</source>
         <translation>Region</translation>
@@ -11611,6 +11604,45 @@ uten utskrift</translation>
     <message>
         <source>paint on the part, or delete the region</source>
         <translation>mal på delen, eller slett regionen</translation>
+    </message>
+    <message>
+        <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
+        <translation>&apos;{code}&apos; mangler før linjen: den ville kjøre foran armen</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; has characters that controllers do not know</source>
+        <translation>&apos;{text}&apos; har tegn som styringer ikke kjenner</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: a pause&apos;s text has at most {limit} characters</source>
+        <translation>&apos;{text}&apos;: teksten til en pause har høyst {limit} tegn</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no command for {event}</source>
+        <translation>en modul som leser G-kode har ingen kommando for {event}</translation>
+    </message>
+    <message>
+        <source>a stop shows no text</source>
+        <translation>et stopp viser ingen tekst</translation>
+    </message>
+    <message>
+        <source>shorten the text</source>
+        <translation>forkort teksten</translation>
+    </message>
+    <message>
+        <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
+        <translation>bruk engelske bokstaver, sifre og tegn; ingen anførselstegn i teksten til en pause</translation>
+    </message>
+    <message>
+        <source>{statement} (before the rest, which does not run it)</source>
+        <translation>{statement} (før resten, som ikke kjører den)</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pause eller venting over delen: armen når ingen plass ved siden av den, ingenting klargjøres, og materiale kan dryppe på delen</numerusform>
+            <numerusform>{waits} pauser og ventinger over delen: armen når ingen plass ved siden av den, ingenting klargjøres, og materiale kan dryppe på delen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -11593,13 +11593,6 @@ voxels</translation>
         <source>{name}; changed: {settings}</source>
         <translation>{name}; gewijzigd: {settings}</translation>
     </message>
-    <message numerus="yes">
-        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
-        <translation>
-            <numerusform>{waits} pauze of wachttijd boven het onderdeel: de arm bereikt geen plaats ernaast, en er kan materiaal op het onderdeel druppelen</numerusform>
-            <numerusform>{waits} pauzes en wachttijden boven het onderdeel: de arm bereikt geen plaats ernaast, en er kan materiaal op het onderdeel druppelen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Region</source>
         <translation>Gebied</translation>
@@ -11611,6 +11604,45 @@ voxels</translation>
     <message>
         <source>paint on the part, or delete the region</source>
         <translation>schilder op het onderdeel, of verwijder het gebied</translation>
+    </message>
+    <message>
+        <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
+        <translation>&apos;{code}&apos; ontbreekt vóór de regel: hij zou op de arm vooruitlopen</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; has characters that controllers do not know</source>
+        <translation>&apos;{text}&apos; heeft tekens die besturingen niet kennen</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: a pause&apos;s text has at most {limit} characters</source>
+        <translation>&apos;{text}&apos;: de tekst van een pauze heeft hoogstens {limit} tekens</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no command for {event}</source>
+        <translation>een module die G-code leest heeft geen opdracht voor {event}</translation>
+    </message>
+    <message>
+        <source>a stop shows no text</source>
+        <translation>een stop toont geen tekst</translation>
+    </message>
+    <message>
+        <source>shorten the text</source>
+        <translation>verkort de tekst</translation>
+    </message>
+    <message>
+        <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
+        <translation>gebruik Engelse letters, cijfers en tekens; in de tekst van een pauze geen aanhalingstekens</translation>
+    </message>
+    <message>
+        <source>{statement} (before the rest, which does not run it)</source>
+        <translation>{statement} (vóór de rest, die het niet uitvoert)</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
+        <translation>
+            <numerusform>{waits} pauze of wachttijd boven het onderdeel: de arm bereikt geen plaats ernaast, er wordt niets voorbereid, en er kan materiaal op het onderdeel druppelen</numerusform>
+            <numerusform>{waits} pauzes en wachttijden boven het onderdeel: de arm bereikt geen plaats ernaast, er wordt niets voorbereid, en er kan materiaal op het onderdeel druppelen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -11506,12 +11506,6 @@ voxels</source>
         <source>{name}; changed: {settings}</source>
         <translation>{name}；已更改：{settings}</translation>
     </message>
-    <message numerus="yes">
-        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, and material may drip on the part</source>
-        <translation>
-            <numerusform>在零件上方有 {waits} 次暂停或等待：机械臂到不了零件旁的位置，材料可能滴落到零件上</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Region</source>
         <translation>区域</translation>
@@ -11523,6 +11517,44 @@ voxels</source>
     <message>
         <source>paint on the part, or delete the region</source>
         <translation>在零件上涂绘，或删除该区域</translation>
+    </message>
+    <message>
+        <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
+        <translation>该行之前缺少 &apos;{code}&apos;：它会先于机械臂执行</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; has characters that controllers do not know</source>
+        <translation>&apos;{text}&apos; 含有控制器不认识的字符</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: a pause&apos;s text has at most {limit} characters</source>
+        <translation>&apos;{text}&apos;：暂停文本最多 {limit} 个字符</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no command for {event}</source>
+        <translation>读取 G 代码的模块没有 {event} 的命令</translation>
+    </message>
+    <message>
+        <source>a stop shows no text</source>
+        <translation>停止时没有显示文本</translation>
+    </message>
+    <message>
+        <source>shorten the text</source>
+        <translation>缩短文本</translation>
+    </message>
+    <message>
+        <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
+        <translation>使用英文字母、数字和符号；暂停文本中不要用引号</translation>
+    </message>
+    <message>
+        <source>{statement} (before the rest, which does not run it)</source>
+        <translation>{statement}（在其余部分之前，其余部分不执行它）</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
+        <translation>
+            <numerusform>在零件上方有 {waits} 次暂停或等待：机械臂到不了零件旁的位置，不会预挤出，材料可能滴落到零件上</numerusform>
+        </translation>
     </message>
 </context>
 <context>

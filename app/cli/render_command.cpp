@@ -55,6 +55,7 @@ void requireEnding(const std::filesystem::path& file, const std::string& ending)
 
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode renderCommand(const RenderOptions& options) {
+  requireEnding(options.picture, ".png");
   requireNewFile(options.picture, options.replace);
   pictures::PictureOptions look = options.look;
   std::tie(look.width, look.height) = sizeOf(options.size);

@@ -108,8 +108,8 @@ bool takeValue(LayerEvent& event, std::string_view text) {
   }
   return false;
 }
-// Throws Error{Usage} if a pause's text is too long, or if a controller cannot show the text or read
-// the statement.
+// Throws Error{Usage} if a pause's text is too long, or if a controller cannot show the text or
+// read the statement.
 void requireShown(const LayerEvent& event, std::string_view text, std::string_view whole) {
   const bool isPause = event.kind == LayerEventKind::Pause;
   if (!isPause && event.kind != LayerEventKind::Statement)
@@ -119,9 +119,8 @@ void requireShown(const LayerEvent& event, std::string_view text, std::string_vi
                       base::message("'{text}': a pause's text has at most {limit} characters"_text,
                                     std::string(whole), kOwnTextLength),
                       std::string(kLayerEvents), "shorten the text"_text);
-  const bool isKnown = std::ranges::all_of(text, [&](char c) {
-    return c >= ' ' && c <= '~' && !(isPause && (c == '"' || c == '\\'));
-  });
+  const bool isKnown = std::ranges::all_of(
+      text, [&](char c) { return c >= ' ' && c <= '~' && !(isPause && (c == '"' || c == '\\')); });
   if (!isKnown)
     throw base::Error(base::ErrorCode::Usage,
                       base::message("'{text}' has characters that controllers do not know"_text,
@@ -138,6 +137,7 @@ std::vector<std::string_view> textsOfEvents(std::string_view text) {
     // A semicolon belongs to a statement unless an event follows.
     while (to < text.size()) {
       std::string_view next = text.substr(to + 1);
+      next = next.substr(0, next.find(';'));
       if (takeHead(next) || withoutBlanks(text.substr(from, to - from)).empty())
         break;
       to = std::min(text.find(';', to + 1), text.size());

@@ -72,8 +72,12 @@ std::string headVerdict(const replay::Verification& verdict, const plan::Finding
   std::ranges::copy_if(all, std::back_inserter(safety), plan::blocksRunning);
   if (!safety.empty())
     return "NOT approved, the plan is not safe: " + pointsOf(safety);
+  const bool areUnchecked =
+      std::ranges::find(all, FindingKind::OwnStatement, &Finding::kind) != all.end();
   if (!all.empty() || !verdict.passed)
-    return "safe to run; differs from the part: " + pointsOf(all);
+    return (areUnchecked ? "safe to run but for your own statements; differs from the part: "
+                         : "safe to run; differs from the part: ") +
+           pointsOf(all);
   return accepted.empty() ? std::string(kPassedVerdict)
                           : "safe to run; prints the part with accepted differences: " + accepted;
 }

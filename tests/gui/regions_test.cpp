@@ -143,7 +143,7 @@ TEST_F(RegionsWindowTest, EditsAreUndoneSavedAndReadAgain) {
   line->selectAll();
   QTest::keyClicks(line, "Bearing");
   QTest::keyClick(line, Qt::Key_Return);
-  EXPECT_EQ(regions()[1].name, "Bearing");
+  ASSERT_TRUE(waitFor([&] { return regions()[1].name == "Bearing"; }, 5000));
   const std::vector<Region> saved = regions();
   const QString file = path("regions.voluta");
   answerFileDialog(file);

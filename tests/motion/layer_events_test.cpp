@@ -30,6 +30,13 @@ namespace {
 using motion::layerEventsOf;
 using plan::EventKind, plan::LayerEvent, plan::LayerEventKind;
 
+TEST(LayerEvents, APauseWithoutATextStandsBetweenOthers) {
+  const auto events = layerEventsOf("3 output 3 on; 3 pause; 4 output 3 off");
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[1].kind, LayerEventKind::Pause);
+  EXPECT_TRUE(events[1].text.empty());
+}
+
 TEST(LayerEvents, AreReadFromTheirText) {
   const auto events = layerEventsOf(
       "12 pause; 20 pause Put in the nut ;z5.5 wait 60; 30 output 3 on;31 output 3 off"

@@ -203,6 +203,7 @@ private:
       return false;
     out_.word(tmscriptWords(), "ListenSend");
     out_.show(values[1].text);
+    isShown_ = true;
     return true;
   }
 
@@ -210,6 +211,8 @@ private:
   void pause() {
     if (!isQueueDone_ && !out_.program().motions.empty())
       earlyPause_ = out_.line;
+    if (!std::exchange(isShown_, false))
+      defect("a stop shows no text"_text);
     out_.operatorStop();
   }
 
@@ -563,6 +566,7 @@ private:
   bool first_ = false;                     // The next point is the first of the block
   bool left_ = false, tcpSet_ = false, everSet_ = false;
   bool isQueueDone_ = false;              // the arm has reached its last target
+  bool isShown_ = false;                  // a text, for the next stop
   std::optional<std::size_t> earlyPause_; // line of a pause before it has
 };
 
