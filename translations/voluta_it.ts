@@ -11644,6 +11644,10 @@ non stampati</translation>
             <numerusform>{waits} pause e attese sopra il pezzo: il braccio non raggiunge alcun posto accanto ad esso, nulla viene preparato, e sul pezzo può gocciolare materiale</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a text is shown without a stop</source>
+        <translation>un testo viene mostrato senza un arresto</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

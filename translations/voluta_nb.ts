@@ -11644,6 +11644,10 @@ uten utskrift</translation>
             <numerusform>{waits} pauser og ventinger over delen: armen når ingen plass ved siden av den, ingenting klargjøres, og materiale kan dryppe på delen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a text is shown without a stop</source>
+        <translation>en tekst vises uten stopp</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -11644,6 +11644,10 @@ voxels</translation>
             <numerusform>{waits} pauzes en wachttijden boven het onderdeel: de arm bereikt geen plaats ernaast, er wordt niets voorbereid, en er kan materiaal op het onderdeel druppelen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a text is shown without a stop</source>
+        <translation>een tekst wordt getoond zonder stop</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -11556,6 +11556,10 @@ voxels</source>
             <numerusform>在零件上方有 {waits} 次暂停或等待：机械臂到不了零件旁的位置，不会预挤出，材料可能滴落到零件上</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a text is shown without a stop</source>
+        <translation>显示了文本但没有停止</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

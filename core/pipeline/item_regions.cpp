@@ -20,6 +20,7 @@
 #include "regions/region_figures.h"
 #include "regions/region_patches.h"
 #include "regions/region_uses.h"
+#include "toolpath/infill/infill.h"
 
 #include <algorithm>
 #include <functional>
@@ -98,6 +99,10 @@ toolpath::CoverRules rulesOf(const Resolved& item, const Region* region) {
   toolpath::ToolpathOptions options = toolpathOptionsOf(values, item.process());
   if (interior != whole)
     options.infillTool = interior;
+  // Only layers around an axis have one to wind around.
+  if (region && regions::findUse(region->use).hasLayers() &&
+      !region->parameters.contains("infill") && toolpath::infillKind(options.infill).needsChart)
+    options.infill = toolpath::ToolpathOptions().infill;
   return {std::move(options), item.tooling};
 }
 

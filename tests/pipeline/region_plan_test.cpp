@@ -119,7 +119,7 @@ TEST(RegionPlan, ARegionOutsideThePartIsReported) {
   PlanRequest request = requestWith({"box:100,0,0,5,5,5;name=Far away;walls=3"}, "1");
   request.until = project::Stage::Layers;
   const PlanResult plan = planPart(request, {});
-  EXPECT_THAT(reasons(plan), testing::HasSubstr("region Far away is outside the part"));
+  EXPECT_THAT(reasons(plan), testing::HasSubstr("region box:100,0,0,5,5,5 is outside the part"));
 }
 
 TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {

@@ -124,7 +124,7 @@ TEST(SlicerRegions, ARegionOutsideThePartIsReported) {
   part.volumes = {part.volumes[0],
                   {"far", {100, 0, 0}, {110, 10, 10}, SlicerKind::Modifier, {{"perimeters", "3"}}}};
   const PlanResult plan = planPart(requestFor(written(folder, test::prusaPackage({part}))), {});
-  EXPECT_THAT(reasons(plan), HasSubstr("region far is outside the part"));
+  EXPECT_THAT(reasons(plan), HasSubstr("region mesh:far is outside the part"));
 }
 
 class SlicerRegionsOfTheProgram : public test::CommandLine {};

@@ -207,6 +207,12 @@ private:
     return true;
   }
 
+  // A text is shown for a stop, which comes before the next motion.
+  void requireStop() {
+    if (std::exchange(isShown_, false))
+      defect("a text is shown without a stop"_text);
+  }
+
   // Unlike motions and outputs, a pause is not queued.
   void pause() {
     if (!isQueueDone_ && !out_.program().motions.empty())
@@ -351,6 +357,7 @@ private:
   }
 
   void enter(const Arguments& a) {
+    requireStop();
     if (a.numbers.size() != 1 || (a.numbers[0] != 0.0 && a.numbers[0] != 1.0)) {
       defect("'PVTEnter' needs 0 (joints) or 1 (poses)"_text);
       return;
@@ -514,6 +521,7 @@ private:
   }
 
   void jointMotion(const Arguments& a) {
+    requireStop();
     const auto found = motionOf(a);
     if (!found)
       return;
@@ -529,6 +537,7 @@ private:
   }
 
   void straightMotion(const Arguments& a) {
+    requireStop();
     const auto found = motionOf(a);
     if (!found)
       return;
