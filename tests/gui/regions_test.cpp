@@ -363,8 +363,8 @@ TEST_F(RegionsWindowTest, ASurfaceIsPaintedStrokeByStroke) {
   const auto stroke = [&](Qt::KeyboardModifiers keys) {
     const int before = document().undoStack()->index();
     QTest::mousePress(&viewport(), Qt::LeftButton, keys, at(-5, 0));
-    QTest::mouseMove(&viewport(), at(0, 0));
-    QTest::mouseMove(&viewport(), at(5, 0));
+    for (int x = -4; x <= 5; ++x) // as densely as a hand's
+      QTest::mouseMove(&viewport(), at(x, 0));
     QTest::mouseRelease(&viewport(), Qt::LeftButton, keys, at(5, 0));
     EXPECT_TRUE(waitFor([&] { return document().undoStack()->index() != before; }, 20000));
   };

@@ -524,7 +524,7 @@ TEST_F(Golden, tmscript) {
 // Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 // fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase
 // extruder on: DO 0 of the control box; flow: AO 0, 10 V = 40 mm3/s
-// the pendant shows no text at Pause(): before it the text goes to the sender of the
+// the pendant shows no text at a stop: before it the text goes to the sender of the
 // frames ($TMSTA 90), which has to show it
 $TMSCT,25,1,ChangeBase("RobotBase"),*08
 $TMSCT,32,2,ChangeTCP({0,0,100,0,0,0},0.5),*22

@@ -10,8 +10,8 @@ namespace voluta::window {
 
 namespace {
 constexpr int kButton = 40, kSmallButton = 28, kIconShare = 60; // [px], [%] of the button
-constexpr int kPadding = 3, kGroupGap = 9;
-constexpr int kBelow = 110; // room for the triad of axes
+constexpr int kPadding = 3, kGroupGap = 4;
+constexpr int kBelow = 94; // room for the triad of axes
 } // namespace
 
 ViewTools::ViewTools(QWidget* parent) : QWidget(parent) {

@@ -93,7 +93,7 @@ private:
            return joined({"DO ", std::to_string(k)});
          }))
       remark(note);
-    remark("the pendant shows no text at Pause(): before it the text goes to the sender of the");
+    remark("the pendant shows no text at a stop: before it the text goes to the sender of the");
     remark("frames ($TMSTA 90), which has to show it");
   }
 
