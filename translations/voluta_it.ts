@@ -11242,10 +11242,6 @@ non stampati</translation>
         <translation>dalla come pelle, o usala per impostazioni</translation>
     </message>
     <message>
-        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
-        <translation>dai alla cella un punto di spurgo (`purgeMm`) o una posizione di riposo accanto al piatto, o sposta il pezzo sul piatto</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>dai prima l&apos;altezza minore</translation>
     </message>
@@ -11618,10 +11614,6 @@ non stampati</translation>
         <translation>&apos;{text}&apos;: il testo di una pausa ha al massimo {limit} caratteri</translation>
     </message>
     <message>
-        <source>a module that reads G-code has no command for {event}</source>
-        <translation>un modulo che legge G-code non ha un comando per {event}</translation>
-    </message>
-    <message>
         <source>a stop shows no text</source>
         <translation>un arresto non mostra alcun testo</translation>
     </message>
@@ -11647,6 +11639,14 @@ non stampati</translation>
     <message>
         <source>a text is shown without a stop</source>
         <translation>un testo viene mostrato senza un arresto</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no commands for stops, waits, tools and outputs</source>
+        <translation>un modulo che legge G-code non ha comandi per arresti, attese, utensili e uscite</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
+        <translation>dai alla cella un punto di spurgo o una posizione di riposo accanto al piatto, o sposta il pezzo sul piatto</translation>
     </message>
 </context>
 <context>

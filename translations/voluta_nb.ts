@@ -11242,10 +11242,6 @@ uten utskrift</translation>
         <translation>oppgi den som hud, eller bruk den til innstillinger</translation>
     </message>
     <message>
-        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
-        <translation>gi cellen en spyleplass (`purgeMm`) eller en hvilestilling ved siden av byggeplaten, eller flytt delen på byggeplaten</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>oppgi den laveste høyden først</translation>
     </message>
@@ -11618,10 +11614,6 @@ uten utskrift</translation>
         <translation>&apos;{text}&apos;: teksten til en pause har høyst {limit} tegn</translation>
     </message>
     <message>
-        <source>a module that reads G-code has no command for {event}</source>
-        <translation>en modul som leser G-kode har ingen kommando for {event}</translation>
-    </message>
-    <message>
         <source>a stop shows no text</source>
         <translation>et stopp viser ingen tekst</translation>
     </message>
@@ -11647,6 +11639,14 @@ uten utskrift</translation>
     <message>
         <source>a text is shown without a stop</source>
         <translation>en tekst vises uten stopp</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no commands for stops, waits, tools and outputs</source>
+        <translation>en modul som leser G-kode har ingen kommandoer for stopp, venting, verktøy og utganger</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
+        <translation>gi cellen en spyleplass eller en hvilestilling ved siden av byggeplaten, eller flytt delen på byggeplaten</translation>
     </message>
 </context>
 <context>

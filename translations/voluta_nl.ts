@@ -11242,10 +11242,6 @@ voxels</translation>
         <translation>geef het op als huid, of gebruik het voor instellingen</translation>
     </message>
     <message>
-        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
-        <translation>geef de cel een spoelplaats (`purgeMm`) of een rustpositie naast de plaat, of verplaats het onderdeel op de plaat</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>geef eerst de laagste hoogte op</translation>
     </message>
@@ -11618,10 +11614,6 @@ voxels</translation>
         <translation>&apos;{text}&apos;: de tekst van een pauze heeft hoogstens {limit} tekens</translation>
     </message>
     <message>
-        <source>a module that reads G-code has no command for {event}</source>
-        <translation>een module die G-code leest heeft geen opdracht voor {event}</translation>
-    </message>
-    <message>
         <source>a stop shows no text</source>
         <translation>een stop toont geen tekst</translation>
     </message>
@@ -11647,6 +11639,14 @@ voxels</translation>
     <message>
         <source>a text is shown without a stop</source>
         <translation>een tekst wordt getoond zonder stop</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no commands for stops, waits, tools and outputs</source>
+        <translation>een module die G-code leest heeft geen opdrachten voor stops, wachttijden, gereedschappen en uitgangen</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
+        <translation>geef de cel een spoelplaats of een rustpositie naast de plaat, of verplaats het onderdeel op de plaat</translation>
     </message>
 </context>
 <context>

@@ -11159,10 +11159,6 @@ voxels</source>
         <translation>将其指定为表皮，或用于设置</translation>
     </message>
     <message>
-        <source>give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate</source>
-        <translation>为工作单元指定清料处 (`purgeMm`) 或打印板旁的原位，或在打印板上移动零件</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>先给出较低的高度</translation>
     </message>
@@ -11531,10 +11527,6 @@ voxels</source>
         <translation>&apos;{text}&apos;：暂停文本最多 {limit} 个字符</translation>
     </message>
     <message>
-        <source>a module that reads G-code has no command for {event}</source>
-        <translation>读取 G 代码的模块没有 {event} 的命令</translation>
-    </message>
-    <message>
         <source>a stop shows no text</source>
         <translation>停止时没有显示文本</translation>
     </message>
@@ -11559,6 +11551,14 @@ voxels</source>
     <message>
         <source>a text is shown without a stop</source>
         <translation>显示了文本但没有停止</translation>
+    </message>
+    <message>
+        <source>a module that reads G-code has no commands for stops, waits, tools and outputs</source>
+        <translation>读取 G 代码的模块没有停止、等待、工具和输出的命令</translation>
+    </message>
+    <message>
+        <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
+        <translation>为工作单元指定清料处 或打印板旁的原位，或在打印板上移动零件</translation>
     </message>
 </context>
 <context>

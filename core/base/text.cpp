@@ -2,7 +2,7 @@
 
 #include "base/setting_marks.h"
 #include "base/shown_number.h"
-#include "base/valid_text.h"
+#include "base/valid_utf8.h"
 
 #include <algorithm>
 #include <charconv>

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
-#include "base/valid_text.h"
+#include "base/valid_utf8.h"
 #include "build3mf/bead_cells.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"

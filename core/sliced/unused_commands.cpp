@@ -1,7 +1,7 @@
 #include "sliced/unused_commands.h"
 
 #include "base/lower_case.h"
-#include "base/valid_text.h"
+#include "base/valid_utf8.h"
 #include "program/common/program_text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Sentences as data: places, values, plural forms, English and another language by the same rules.
 #include "base/error.h"
 #include "base/text.h"
-#include "base/valid_text.h"
+#include "base/valid_utf8.h"
 
 #include <gtest/gtest.h>
 

@@ -147,7 +147,9 @@ TEST(PartRegions, TurningLayersFillAWedge) {
     const std::vector<project::Region> turn{
         {.shape = "height:5,40",
          .use = "turn:" + std::to_string(direction.x()) + ",0," + std::to_string(direction.z())}};
-    const bool fits = std::ceil(r1 * tilt / 1.0 - 1e-4) <= std::floor(r0 * tilt / 0.4 + 1e-4);
+    // The inner side is a chord.
+    const double nearest = r0 * std::cos(0.5 * tilt);
+    const bool fits = std::ceil(r1 * tilt / 1.0 - 1e-4) <= std::floor(nearest * tilt / 0.4 + 1e-4);
     try {
       const auto layers = layersOf(turn[0], wedge, {wedge, wedge}, kLevels, {});
       EXPECT_TRUE(fits) << r0 << " " << r1;

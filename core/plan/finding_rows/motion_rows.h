@@ -108,7 +108,7 @@ inline constexpr FindingRow kMotionRows[] = {
     error(
         WaitsAbovePart, "waitsAbovePart",
         "{waits} pause or wait above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part|{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part"_plural,
-        "give the cell a place for purges (`purgeMm`) or a home pose beside the plate, or move the part on the plate"_text,
+        "give the cell a place for purges or a home pose beside the plate, or move the part on the plate"_text,
         {.remedies = kForHome, .whyNoRemedy = kCellFile}),
     error(GivenUnreachable, "givenUnreachable", kSameReason, kMovePart,
           {.reportId = "unreachable",

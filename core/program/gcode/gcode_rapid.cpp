@@ -7,7 +7,6 @@
 #include "program/common/program_text.h"
 #include "program/common/same_text.h"
 #include "program/common/tcp_motions.h"
-#include "program/dialect.h"
 #include "program/gcode/gcode_rapid_text.h"
 #include "program/job_head.h"
 #include "program/rapid/rapid.h"
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 namespace voluta::program {
 
@@ -65,18 +63,16 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
                       "does not state its position"_text,
                       input.cell.externalAxes().front().name, input.cell.id()),
         {}, "choose rapid"_text);
-  // Its module knows no words of stops, tools and outputs, and would end the print at the first one.
-  std::optional<plan::EventKind> unknown;
-  if (input.selectsTool())
-    unknown = plan::EventKind::ToolChange;
-  for (const plan::TrajectoryEvent& event : input.trajectory.events)
-    if (!unknown && event.kind != plan::EventKind::Purge && event.kind != plan::EventKind::Shot)
-      unknown = event.kind;
-  if (unknown)
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("a module that reads G-code has no command for {event}"_text,
-                                    nameOf(*unknown)),
-                      {}, "choose rapid"_text);
+  // Its module knows no words of stops, tools and outputs, and would end the print at the first
+  // one.
+  const auto isKnown = [](const plan::TrajectoryEvent& event) {
+    return event.kind == plan::EventKind::Purge || event.kind == plan::EventKind::Shot;
+  };
+  if (input.selectsTool() || !std::ranges::all_of(input.trajectory.events, isKnown))
+    throw base::Error(
+        base::ErrorCode::Usage,
+        "a module that reads G-code has no commands for stops, waits, tools and outputs"_text, {},
+        "choose rapid"_text);
   const bool own = input.cell.robot().controller == "rapid";
   std::vector<MotionTarget> targets = motionTargets(input, ctx);
   placeInWorkFrame(input, kPositionDecimals, targets);

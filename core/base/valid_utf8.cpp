@@ -1,4 +1,4 @@
-#include "base/valid_text.h"
+#include "base/valid_utf8.h"
 
 #include <algorithm>
 
