@@ -72,7 +72,7 @@ TEST_F(GcodeRapid, RefusesEventsThatItsModuleDoesNotKnow) {
       writeProgram("gcode-extended", withRunner());
       ADD_FAILURE() << "written";
     } catch (const base::Error& error) {
-      EXPECT_NE(base::english(error.whole()).find(nameOf(event.kind).english()), std::string::npos);
+      EXPECT_NE(base::english(error.whole()).find("has no commands for stops"), std::string::npos);
     }
   }
 }

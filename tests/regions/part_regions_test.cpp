@@ -184,7 +184,7 @@ TEST(PartRegions, BodiesThatTouchLeaveNoFilm) {
 // Far finer than the step: blocks beside the rising wall are not left out.
 TEST(PartRegions, ASkinOfAFineNozzleIsClosedAtAStep) {
   const substrate::LevelOptions fine{0.2, 0.1, 0.3, 0.0, 0.4};
-  const TriangleMesh part = test::box({0, 0, 0}, {16, 8, 6}) + test::box({8, 0, 4}, {16, 8, 8.5});
+  const TriangleMesh part = test::box({0, 0, 0}, {16, 8, 6}) + test::box({8, 0, 4}, {16, 8, 11.5});
   const std::vector<project::Region> skin{{.shape = "skin:2.4", .use = "surface"}};
   const PartRegions made = divided({part}, skin, fine, {});
   double mm3 = 0.0;

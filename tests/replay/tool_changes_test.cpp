@@ -193,7 +193,7 @@ TEST_F(ToolChanges, TheOperatorReadsItOnEveryPendant) {
 TEST_F(ToolChanges, TmscriptSendsItsTexts) {
   const std::vector<std::string> lines = test::textOf(programFor("tmscript")).lines;
   EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
-    return line.find("// the pendant shows no text at Pause()") != std::string::npos;
+    return line.find("// the pendant shows no text at a stop") != std::string::npos;
   }));
   const auto text = std::ranges::find_if(lines, [](const std::string& line) {
     return line.starts_with("ListenSend(90,\"Fit tool 2 (other, PETG, 235 C), then continue\")");
