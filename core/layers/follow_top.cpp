@@ -33,17 +33,6 @@ constexpr int kRounds = 4;
 
 using base::at;
 
-LevelSurface surfaceOf(const Patch& p) {
-  LevelSurface s;
-  s.surface = p.surface;
-  s.thicknessMm = p.thicknessMm;
-  s.direction = p.direction;
-  s.clearDirection = p.clearDirection;
-  s.innerRim = p.innerRim;
-  s.chart = p.chart;
-  return s;
-}
-
 double thicknessAt(const std::vector<Patch>& patches, const StackQuery::Place& place) {
   const Patch& p = patches[at(place.patch)];
   const auto& t = p.surface.triangles[at(place.triangle)];

@@ -134,6 +134,26 @@ void dropUnusedVertices(LevelSurface& s) {
       v = index[static_cast<std::size_t>(v)];
 }
 
+LevelSurface surfaceOf(const Patch& patch) {
+  LevelSurface level;
+  level.surface = patch.surface;
+  level.thicknessMm = patch.thicknessMm;
+  level.direction = patch.direction;
+  level.clearDirection = patch.clearDirection;
+  level.innerRim = patch.innerRim;
+  level.chart = patch.chart;
+  level.level = patch.layer;
+  return level;
+}
+
+void takePlace(Patch& patch, const Patch& of) {
+  patch.layer = of.layer;
+  patch.group = of.group;
+  patch.item = of.item;
+  patch.region = of.region;
+  patch.tool = of.tool;
+}
+
 void setSurface(Patch& patch, LevelSurface surface) {
   patch.surface = std::move(surface.surface);
   patch.thicknessMm = std::move(surface.thicknessMm);

@@ -40,6 +40,10 @@ int appendBlend(LevelSurface& surface, const std::array<int, 3>& corners,
 // triangles are cut, and the new boundary is an inner rim.
 void keepPositive(LevelSurface& surface, const std::vector<double>& values);
 
+// Returns the surface of a patch.
+LevelSurface surfaceOf(const Patch& patch);
+// Gives a patch the layer, group, item, region and tool of another one.
+void takePlace(Patch& patch, const Patch& of);
 // Gives a patch the surface with its attributes per vertex; its other members stay.
 void setSurface(Patch& patch, LevelSurface surface);
 

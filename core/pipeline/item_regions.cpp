@@ -93,8 +93,9 @@ toolpath::CoverRules rulesOf(const Resolved& item, const Region* region) {
     const layers::ToolAssignment tools =
         layers::toolAssignment(values, item.tooling.tools().size());
     interior = tools.infill;
-    whole = toolOf(item, *region).value_or(item.tools.part);
-    requirePrints(item.tooling, interior, item.process().layerHeightMm);
+    whole = tools.part;
+    for (const int tool : {whole, interior})
+      requirePrints(item.tooling, tool, item.process().layerHeightMm);
   }
   toolpath::ToolpathOptions options = toolpathOptionsOf(values, item.process());
   if (interior != whole)

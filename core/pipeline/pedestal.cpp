@@ -4,6 +4,7 @@
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_boolean.h"
+#include "geometry/prism.h"
 #include "robot/plate.h"
 
 #include <Eigen/Core>
@@ -22,24 +23,6 @@ std::string polylineDxf(const std::vector<Vector2d>& outline, std::string_view l
   for (const Vector2d& p : outline)
     text += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.4f}\n20\n{:.4f}\n30\n0.0\n", layer, p.x(), p.y());
   return text + fmt::format("0\nSEQEND\n8\n{}\n", layer);
-}
-
-geometry::TriangleMesh meshOf(const robot::Prism& prism) {
-  geometry::TriangleMesh mesh;
-  const int n = static_cast<int>(prism.polygon.size());
-  for (const double z : {prism.zMin, prism.zMax})
-    for (const Vector2d& p : prism.polygon)
-      mesh.vertices.emplace_back(p.x(), p.y(), z);
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    mesh.triangles.push_back({i, j, n + j});
-    mesh.triangles.push_back({i, n + j, n + i});
-    if (i > 0 && j > 0) {
-      mesh.triangles.push_back({0, j, i});
-      mesh.triangles.push_back({n, n + i, n + j});
-    }
-  }
-  return mesh;
 }
 
 // Sorts the triangles by their corners: the order of a boolean may depend on addresses in memory,
@@ -76,10 +59,10 @@ std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   if (!job.choices.item().platform.marginMm() || job.item().platform.polygon.size() < 3 || !plate)
     return {};
   std::string outlines = polylineDxf(plate->polygon, "PEDESTAL");
-  geometry::TriangleMesh solid = meshOf(*plate);
+  geometry::TriangleMesh solid = geometry::prismOver(plate->polygon, plate->zMin, plate->zMax);
   if (const robot::Prism* foot = robot::footOf(*plan.cell)) {
     outlines += polylineDxf(foot->polygon, "FOOT");
-    const geometry::TriangleMesh slab = meshOf(*foot);
+    const geometry::TriangleMesh slab = geometry::prismOver(foot->polygon, foot->zMin, foot->zMax);
     // If the union fails, the bodies overlap in the file; slicers treat them as one body as well.
     auto joined = geometry::meshBoolean(geometry::BooleanOperation::Union, solid, slab, false);
     if (joined)

@@ -4,6 +4,7 @@
 #include "base/nearest_name.h"
 #include "base/number_list.h"
 #include "base/units.h"
+#include "geometry/prism.h"
 
 #include <algorithm>
 #include <array>
@@ -31,25 +32,6 @@ ShapeField length(std::string_view name, base::Text label) {
   return {name, label, kMinMm, kMaxMm};
 }
 
-// Returns a prism over a convex polygon, which runs counter-clockwise.
-TriangleMesh prism(const std::vector<Vector2d>& polygon, double bottom, double top) {
-  TriangleMesh mesh;
-  const int n = static_cast<int>(polygon.size());
-  for (const double z : {bottom, top})
-    for (const Vector2d& p : polygon)
-      mesh.vertices.emplace_back(p.x(), p.y(), z);
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    mesh.triangles.push_back({i, j, n + j});
-    mesh.triangles.push_back({i, n + j, n + i});
-    if (i > 0 && j > 0) {
-      mesh.triangles.push_back({0, j, i});
-      mesh.triangles.push_back({n, n + i, n + j});
-    }
-  }
-  return mesh;
-}
-
 std::vector<Vector2d> rectangle(const Vector2d& middle, const Vector2d& size) {
   const Vector2d half = 0.5 * size;
   return {middle - half, middle + Vector2d(half.x(), -half.y()), middle + half,
@@ -67,11 +49,13 @@ std::vector<Vector2d> circle(const Vector2d& middle, double radius) {
 }
 
 TriangleMesh box(const Numbers& n, const AlignedBox3d&) {
-  return prism(rectangle({n[0], n[1]}, {n[3], n[4]}), n[2] - 0.5 * n[5], n[2] + 0.5 * n[5]);
+  return geometry::prismOver(rectangle({n[0], n[1]}, {n[3], n[4]}), n[2] - 0.5 * n[5],
+                             n[2] + 0.5 * n[5]);
 }
 
 TriangleMesh cylinder(const Numbers& n, const AlignedBox3d&) {
-  return prism(circle({n[0], n[1]}, 0.5 * n[3]), n[2] - 0.5 * n[4], n[2] + 0.5 * n[4]);
+  return geometry::prismOver(circle({n[0], n[1]}, 0.5 * n[3]), n[2] - 0.5 * n[4],
+                             n[2] + 0.5 * n[4]);
 }
 
 TriangleMesh sphere(const Numbers& n, const AlignedBox3d&) {
@@ -113,7 +97,7 @@ TriangleMesh heights(const Numbers& n, const AlignedBox3d& around) {
                               base::mm(n[0]), base::mm(n[1])),
                 {}, "give the lower height first"_text);
   const Vector3d size = around.sizes().array() + 2.0 * kBeyondMm;
-  return prism(rectangle(around.center().head<2>(), size.head<2>()), n[0], n[1]);
+  return geometry::prismOver(rectangle(around.center().head<2>(), size.head<2>()), n[0], n[1]);
 }
 } // namespace
 

@@ -97,10 +97,7 @@ private:
 };
 
 Patch withPlaceOf(Patch patch, const Patch& like, int region) {
-  patch.layer = like.layer;
-  patch.group = like.group;
-  patch.item = like.item;
-  patch.tool = like.tool;
+  layers::takePlace(patch, like);
   patch.region = region;
   return patch;
 }
@@ -157,24 +154,12 @@ std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& b
   return parts;
 }
 
-layers::LevelSurface surfaceOf(const Patch& patch) {
-  layers::LevelSurface level;
-  level.surface = patch.surface;
-  level.thicknessMm = patch.thicknessMm;
-  level.direction = patch.direction;
-  level.clearDirection = patch.clearDirection;
-  level.innerRim = patch.innerRim;
-  level.chart = patch.chart;
-  level.level = patch.layer;
-  return level;
-}
-
 std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
                                   const base::RunContext& ctx) {
   std::vector<Patch> parts;
   for (const bool inside : {false, true}) {
     layers::LevelSurface surface =
-        layers::trimToPart(surfaceOf(patch), body.boundary(inside), {}, ctx);
+        layers::trimToPart(layers::surfaceOf(patch), body.boundary(inside), {}, ctx);
     if (surface.surface.empty())
       continue;
     layers::cleanSurface(surface, {}, ctx);

@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "geometry/boundary.h"
 #include "geometry/least_turn.h"
+#include "layers/level_surface.h"
 #include "layers/region_fill.h"
 
 #include <Eigen/Geometry>
@@ -87,11 +88,7 @@ std::optional<PlanePatch> planePatch(const layers::Patch& patch) {
 std::optional<layers::Patch> patchOver(const ClipperLib::Paths& area, const PlanePatch& plane,
                                        const layers::Patch& like) {
   layers::Patch patch;
-  patch.layer = like.layer;
-  patch.group = like.group;
-  patch.item = like.item;
-  patch.region = like.region;
-  patch.tool = like.tool;
+  layers::takePlace(patch, like);
   std::map<Coordinates, int> number;
   std::vector<Vector2d> points;
   std::vector<std::array<int, 2>> edges;

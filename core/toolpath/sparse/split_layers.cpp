@@ -109,11 +109,7 @@ layers::Patch cutOut(const PatchSurface& s, const std::vector<double>& values,
   layers::keepPositive(level, values);
   layers::Patch part;
   layers::setSurface(part, std::move(level));
-  part.layer = patch.layer;
-  part.group = patch.group;
-  part.item = patch.item;
-  part.region = patch.region;
-  part.tool = patch.tool;
+  layers::takePlace(part, patch);
   return part;
 }
 
