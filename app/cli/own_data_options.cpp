@@ -67,17 +67,15 @@ void addProcess(CLI::App& app, std::function<ExitCode()>& into) {
 
 void addCellFiles(CLI::App& cell, std::function<ExitCode()>& into) {
   auto options = std::make_shared<CellFileOptions>();
-  CLI::App* import = cell.add_subcommand("import", "copy a file to your own cells");
-  import->add_option("CELL", options->cell, "FILE.json")->required();
-  import->callback([options, &into] { into = quick([=] { return cellImportCommand(*options);
-});
-} // namespace voluta::cli
-);
-CLI::App* written = cell.add_subcommand("export", "write a cell to a file");
-written->add_option("CELL", options->cell, "cell (see: list cells)")->required();
-written->add_option("-o", options->file, "FILE.json to write")->required();
-addReplaceFile(*written, options->replace);
-written->callback([options, &into] { into = quick([=] { return cellExportCommand(*options); }); });
+  CLI::App* taken = cell.add_subcommand("import", "copy a file to your own cells");
+  taken->add_option("CELL", options->cell, "FILE.json")->required();
+  taken->callback([options, &into] { into = quick([=] { return cellImportCommand(*options); }); });
+  CLI::App* written = cell.add_subcommand("export", "write a cell to a file");
+  written->add_option("CELL", options->cell, "cell (see: list cells)")->required();
+  written->add_option("-o", options->file, "FILE.json to write")->required();
+  addReplaceFile(*written, options->replace);
+  written->callback(
+      [options, &into] { into = quick([=] { return cellExportCommand(*options); }); });
 }
 
 } // namespace voluta::cli
