@@ -19,8 +19,12 @@ std::size_t characterLength(std::string_view text) {
   if (length < 2 || length > text.size())
     return length > text.size() ? 0 : length;
   // Longer forms than necessary, halves of a pair, and numbers beyond the last character.
-  const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80,
-                      most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  const unsigned char least = first == 0xE0   ? 0xA0
+                              : first == 0xF0 ? 0x90
+                                              : 0x80,
+                      most = first == 0xED   ? 0x9F
+                             : first == 0xF4 ? 0x8F
+                                             : 0xBF;
   if (byte(1) < least || byte(1) > most)
     return 0;
   for (std::size_t i = 2; i < length; ++i)

@@ -1,4 +1,4 @@
-// Where events of layers come in the tool-paths, and what they are in the trajectory.
+// The places of layer events in the tool-paths, and their events in the trajectory.
 #pragma once
 
 #include "plan/layer_event.h"

@@ -166,8 +166,7 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
   part.extrudedMm3 = span(t.extrudedMm3);
   part.move.front() = MoveKind::Joint;
   for (const auto& [output, on] : plan::outputStates(t, first))
-    part.events.push_back(
-        {.point = 0, .kind = plan::EventKind::Output, .tool = output, .on = on});
+    part.events.push_back({.point = 0, .kind = plan::EventKind::Output, .tool = output, .on = on});
   for (plan::TrajectoryEvent event : t.events)
     // A mark may stand behind the last point.
     if (event.point > first && (event.point < last || event.point == t.pointCount())) {

@@ -98,7 +98,7 @@ void requireEventPlaces(const plan::ToolPlan& plan, const std::vector<plan::Laye
             : base::message("no {what} before {place}: the print ends with layer {layers}"_text,
                             std::move(what), nameOf(event), layers),
         std::string(isPause && event.text.empty() && event.layer > 0 ? motion::kPauseLayers
-                                                                    : motion::kLayerEvents),
+                                                                     : motion::kLayerEvents),
         "correct the setting; layers are counted for each part"_text);
   }
 }

@@ -24,13 +24,12 @@ std::string numbered(std::string_view words, int number) {
   return joined({words.substr(0, at), std::to_string(number), words.substr(at + 2)});
 }
 
-constexpr OutputWords kGcodeOutputs{
-    .on = "M42 P{} S255",
-    .off = "M42 P{} S0",
-    .name = "M42 P{} ",
-    .first = 0,
-    .last = 999,
-    .settles = kGcodeSettles};
+constexpr OutputWords kGcodeOutputs{.on = "M42 P{} S255",
+                                    .off = "M42 P{} S0",
+                                    .name = "M42 P{} ",
+                                    .first = 0,
+                                    .last = 999,
+                                    .settles = kGcodeSettles};
 struct OutputRow {
   std::string_view dialect;
   OutputWords words;
@@ -93,7 +92,8 @@ std::string codeIn(std::string_view line) {
   const std::string_view code = codeOfLine(line);
   if (!code.starts_with(kFrame))
     return std::string(code);
-  return std::string(takeTmFrame(line.substr(static_cast<std::size_t>(code.data() - line.data()))).script);
+  return std::string(
+      takeTmFrame(line.substr(static_cast<std::size_t>(code.data() - line.data()))).script);
 }
 Covered covered(std::string_view line, std::string_view remark) {
   const std::string_view code = codeOfLine(line);
@@ -198,8 +198,9 @@ ReadOwnLines takeOwnLines(const std::vector<plan::ProgramFile>& files, std::stri
         if (isMarked && !settles.empty() && codeIn(before) != settles)
           read.defects.push_back(
               {f, number,
-               base::message("'{code}' is missing before the line: it would run ahead of the arm"_text,
-                             settles)});
+               base::message(
+                   "'{code}' is missing before the line: it would run ahead of the arm"_text,
+                   settles)});
         before = line;
         continue;
       }

@@ -22,9 +22,9 @@ using plan::EventKind, plan::FactKind, plan::StatedFact, plan::TrajectoryEvent;
 // A step of a stop. Shots are purges, and outputs are statements.
 struct SequenceStep {
   EventKind kind = EventKind::Pause;
-  int tool = 0;     // of a tool change
+  int tool = 0;          // of a tool change
   std::string word = {}; // of a statement
-  double seconds = 0.0; // that pass before it
+  double seconds = 0.0;  // that pass before it
   TextPlace place = {};  // of a stated one
 
   bool stands(const SequenceStep& planned) const {
@@ -192,13 +192,13 @@ private:
   }
 
   void tellEarly(const SequenceStep& step, const Sequence& stated, EventKind before) {
-    const auto early = std::ranges::find_if(
-        stated.steps, [&](const SequenceStep& s) { return s.stands(step); });
-    found_.push_back(textFinding(
-        program_, StatementChanged, early->place,
-        {{"statement", program::nameOf(step.kind)},
-         {"found", base::message("before {event}"_text, program::nameOf(before))},
-         {"planned", base::message("behind {event}"_text, program::nameOf(before))}}));
+    const auto early =
+        std::ranges::find_if(stated.steps, [&](const SequenceStep& s) { return s.stands(step); });
+    found_.push_back(
+        textFinding(program_, StatementChanged, early->place,
+                    {{"statement", program::nameOf(step.kind)},
+                     {"found", base::message("before {event}"_text, program::nameOf(before))},
+                     {"planned", base::message("behind {event}"_text, program::nameOf(before))}}));
   }
 
   void compareTime(double planned, double stated, const TextPlace& place) {

@@ -11,9 +11,9 @@
 
 namespace voluta::replay {
 
-// Returns a finding, at its line, for each stop of the trajectory whose events the program states in
-// another order, or with less time between two of them than planned. Events that the program lacks
-// are those of compareEvents().
+// Returns a finding, at its line, for each stop of the trajectory whose events the program states
+// in another order, or with less time between two of them than planned. Events that the program
+// lacks are those of compareEvents().
 std::vector<TextFinding> compareSequences(const plan::ReadProgram& program,
                                           const plan::Trajectory& trajectory,
                                           const Alignment& alignment);

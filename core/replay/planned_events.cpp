@@ -348,7 +348,7 @@ private:
   const process::Tooling& tooling_;
   const bool hasLock_; // there is a tool changer's output
   const std::size_t firstPoint_;
-  std::vector<bool> found_;                      // per event of the trajectory
+  std::vector<bool> found_; // per event of the trajectory
   // Lines that set the states of outputs, by the next motion; 0: before the first one.
   std::map<std::size_t, std::vector<const StatedFact*>> states_;
   bool lostAtStart_ = false, lostAtEnd_ = false; // statements that withdraw signals of marks
@@ -385,9 +385,8 @@ std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
         program.firstMotion < program.motions.size())
       found.push_back(textFinding(
           program, OwnStatement, placeOf(program, program.firstMotion),
-          {{"statement",
-            base::message("{statement} (before the rest, which does not run it)"_text,
-                          event.text)}}));
+          {{"statement", base::message("{statement} (before the rest, which does not run it)"_text,
+                                       event.text)}}));
   for (const StatedFact& fact : program.facts) {
     if (fact.kind != FactKind::OwnStatement || fact.before >= program.motions.size())
       continue;
@@ -410,7 +409,7 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
           .compare();
   std::ranges::move(compareChangeOrder(program, trajectory, alignment, tooling, firstPoint),
                     std::back_inserter(found));
-  // A line is told once.
+  // Each line is reported once.
   for (TextFinding& other : compareSequences(program, trajectory, alignment))
     if (std::ranges::none_of(found, [&](const TextFinding& told) {
           return std::pair(told.place.file, told.place.line) ==

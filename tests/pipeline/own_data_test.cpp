@@ -35,7 +35,8 @@ TEST_F(OwnData, AnOwnProcessStatesItsDifferencesAndIsExportedWhole) {
   const test::Ended listed = run({"process", "list"});
   EXPECT_NE(listed.out.find("(own, inherits from fdm-0.4)"), std::string::npos) << listed.out;
   const test::Ended compared = run({"process", "compare", "fdm-0.4", "mine"});
-  EXPECT_NE(compared.out.find("speedMmPerS: 30 mm/s | 22 mm/s\n"), std::string::npos) << compared.out;
+  EXPECT_NE(compared.out.find("speedMmPerS: 30 mm/s | 22 mm/s\n"), std::string::npos)
+      << compared.out;
   const std::string whole = (folder_ / "whole.json").string();
   EXPECT_EQ(run({"process", "export", "mine", "-o", whole}).code, 0);
   EXPECT_FALSE(json("whole.json").contains("inherits"));
@@ -58,7 +59,8 @@ TEST_F(OwnData, AProjectNeedsNoParentOfItsProcess) {
 TEST_F(OwnData, MaterialsAreCompared) {
   const test::Ended compared = run({"material", "compare", "pla", "petg"});
   EXPECT_EQ(compared.code, 0) << compared.err;
-  EXPECT_NE(compared.out.find("densityGPerCm3: 1.24 g/cm\xC2\xB3 | 1.27 g/cm\xC2\xB3\n"), std::string::npos)
+  EXPECT_NE(compared.out.find("densityGPerCm3: 1.24 g/cm\xC2\xB3 | 1.27 g/cm\xC2\xB3\n"),
+            std::string::npos)
       << compared.out;
   EXPECT_EQ(run({"material", "compare", "pla", "pla"}).out, "");
   test::expectOneLine(run({"material", "compare", "pla", "petgg"}), 2, {"petgg", "petg"});

@@ -353,9 +353,9 @@ TEST_F(PresetCommands, APresetIsPlannedByIdNameAndFile) {
 TEST_F(PresetCommands, ReportsNameThePresetItsChangesAndThePauses) {
   const std::string part = smallBox();
   const auto out = folder_ / "out";
-  const test::Ended ended =
-      run({"plan", part, part, "-o", out.string(), "--mode", "flat", "--preset", "Strong", "--set",
-           "seam=aligned", "--set", "pauseLayers=4", "--part", "2:walls=3", "--format", "urscript"});
+  const test::Ended ended = run({"plan", part, part, "-o", out.string(), "--mode", "flat",
+                                 "--preset", "Strong", "--set", "seam=aligned", "--set",
+                                 "pauseLayers=4", "--part", "2:walls=3", "--format", "urscript"});
   EXPECT_TRUE(ended.code == 0 || ended.code == 4) << ended.err;
   const auto json = [&](const char* file) {
     return nlohmann::json::parse(base::readFile(out / file));

@@ -340,7 +340,8 @@ TEST_F(LayerEventPrograms, EachFileSetsTheOutputsAgain) {
 
 // The rest of a print does not run what stands before it.
 TEST_F(LayerEventPrograms, AStatementBeforeTheRestIsNamed) {
-  linesWith("urscript", {{.kind = EventKind::Statement, .text = "own_call(1)", .format = "urscript"}});
+  linesWith("urscript",
+            {{.kind = EventKind::Statement, .text = "own_call(1)", .format = "urscript"}});
   const plan::ReadProgram program = read(test::textOf(programFor("urscript")));
   Alignment alignment;
   alignment.pointOf.assign(program.motions.size(), kUnmatched);
