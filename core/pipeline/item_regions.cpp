@@ -21,6 +21,7 @@
 #include "regions/region_patches.h"
 #include "regions/region_uses.h"
 #include "toolpath/infill/infill.h"
+#include "toolpath/infill/strand_text.h"
 
 #include <algorithm>
 #include <functional>
@@ -107,6 +108,18 @@ toolpath::CoverRules rulesOf(const Resolved& item, const Region* region) {
   return {std::move(options), item.tooling};
 }
 
+// Returns the field that the infill follows; none for other infills.
+toolpath::StrandDyads strandsFor(const toolpath::ToolpathOptions& options,
+                                 const std::shared_ptr<const ItemLoad>& load) {
+  if (options.infill != toolpath::kFieldInfill)
+    return {};
+  if (!options.infillField.empty())
+    return toolpath::strandsOf(options.infillField);
+  if (load)
+    return [load](const Eigen::Vector3d& place) { return load->principal.dyadsAt(place); };
+  return {};
+}
+
 bool isOnGround(const Resolved& resolved) {
   return modes::findMode(resolved.choices.item().mode).result == project::ResultKind::OnGround;
 }
@@ -191,6 +204,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
       stage->findings.push_back(
           plan::makeFinding(plan::FindingKind::RegionOutside, {{"region", all[i].shape}}));
   }
+  stage->load = itemLoad(*whole, all, stage->bodies, part.work_T_file.linear(), ctx);
   return stage;
 }
 
@@ -234,7 +248,7 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   const std::vector<Region>& all = regionsOf(resolved);
   std::vector<regions::SettingsRegion> dividing;
   for (std::size_t i = 0; i < regions.bodies.size(); ++i)
-    if (!regions.bodies[i].empty())
+    if (!regions.bodies[i].empty() && regions::findUse(all[i].use).hasSettings())
       dividing.push_back({static_cast<int>(i) + 1, regions.bodies[i]});
   auto made = std::make_shared<modes::LayersStage>(*stage);
   layers::LayerStack stack =
@@ -257,10 +271,13 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   return made;
 }
 
-std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved) {
+std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
+                                             const std::shared_ptr<const ItemLoad>& load) {
   std::vector<toolpath::CoverRules> rules{rulesOf(resolved, nullptr)};
   for (const Region& region : regionsOf(resolved))
     rules.push_back(rulesOf(resolved, &region));
+  for (toolpath::CoverRules& rule : rules)
+    rule.options.strands = strandsFor(rule.options, load);
   return rules;
 }
 

@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 #include "modes/mode_stages.h"
+#include "pipeline/item_loads.h"
 #include "project/job_stage.h"
 #include "regions/part_regions.h"
 #include "toolpath/cover_rules.h"
@@ -29,7 +30,8 @@ struct RegionStage {
   static constexpr project::Stage kStage = project::Stage::Decompose;
   std::shared_ptr<const geometry::TriangleMesh> rest; // has the layers of the item's mode
   std::vector<regions::LayeredRegion> layered;
-  std::vector<geometry::TriangleMesh> bodies; // of every region; empty: no settings of its own
+  std::vector<geometry::TriangleMesh> bodies; // of every region; empty: with layers, or cut away
+  std::shared_ptr<const ItemLoad> load;       // null without forces
   plan::Findings findings;
 };
 // `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().
@@ -52,8 +54,10 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
                  const geometry::TriangleMesh& part, const Resolved& resolved,
                  const base::RunContext& ctx);
 
-// Returns how the item and its regions are covered, by Patch::region. Throws Error{Usage}.
-std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved);
+// Returns how the item and its regions are covered, by Patch::region. `load`: null without any.
+// Throws Error{Usage}.
+std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
+                                             const std::shared_ptr<const ItemLoad>& load);
 
 // Return the inputs of these functions, as text; empty without regions.
 std::string cutRegionsKey(const Resolved& resolved);

@@ -49,6 +49,8 @@ public:
   // The part as its parameters change the tool-paths of its file.
   const ShapedPart& shaped();
   const modes::LoadStage& placed() const { return *placed_; }
+  // Null without forces. Precondition: its layers are made.
+  std::shared_ptr<const ItemLoad> forces() const { return regions_ ? regions_->load : nullptr; }
   const project::Choices& choices() const { return resolved_.choices; }
   const project::StageKeys& keys() const { return keys_; }
   // Precondition: layers() is done.

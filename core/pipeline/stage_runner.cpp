@@ -1,4 +1,5 @@
 #include "pipeline/stage_runner.h"
+#include "elastic/deposited.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -249,7 +250,8 @@ private:
     MadeToolpaths made = toolpathStage(itemLayers(), *joined, *result_.cell,
                                        project::platformOf(job()), resolved_.tooling, ctx, others);
     grown_ = std::move(made.grown);
-    return withStrength(withWalledSupport(std::move(made.stage), *joined), *joined);
+    return withLoad(withStrength(withWalledSupport(std::move(made.stage), *joined), *joined),
+                    ctx.quiet());
   }
 
   std::vector<toolpath::ItemLayers> itemLayers() const {
@@ -321,6 +323,21 @@ private:
     const Eigen::Quaterniond& rotation = first().placed().placement.rotation;
     auto judged = std::make_shared<ToolpathStage>(*stage);
     judged->report.strength = toolpath::strengthOf(joined, *stage->toolPlan, 0, rotation * *load_);
+    return judged;
+  }
+
+  // Of the first item with forces.
+  std::shared_ptr<const ToolpathStage> withLoad(std::shared_ptr<const ToolpathStage> stage,
+                                                const base::RunContext& ctx) {
+    const auto loaded =
+        std::ranges::find_if(items_, [](const auto& item) { return item->forces() != nullptr; });
+    if (loaded == items_.end())
+      return stage;
+    const ItemLoad& load = *(*loaded)->forces();
+    auto judged = std::make_shared<ToolpathStage>(*stage);
+    judged->report.load =
+        elastic::loadFigures(*stage->toolPlan, static_cast<int>(loaded - items_.begin()),
+                             resolved_.tooling, load.cells, load.principal, ctx);
     return judged;
   }
 

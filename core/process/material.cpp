@@ -69,6 +69,8 @@ void readTemperatures(const JsonNode& top, Material& m) {
   m.bedC = static_cast<int>(bed);
 }
 
+constexpr double kMaxPoisson = 0.45; // Rubber has more
+
 constexpr double kMaxMm = 1000.0; // More is a wrong unit
 
 double readMm(const JsonNode& node) {
@@ -126,6 +128,20 @@ void readLayerTimes(const JsonNode& top, Material& m) {
     top.at("minLayerTimeS").fail("is longer than maxLayerTimeS"_text);
 }
 
+Elasticity readElasticity(const JsonNode& node) {
+  node.allowOnly({"alongMPa", "acrossMPa", "shearMPa", "poisson"});
+  Elasticity e{.alongMPa = node.at("alongMPa").positive(),
+               .acrossMPa = node.at("acrossMPa").positive(),
+               .shearMPa = node.at("shearMPa").positive()};
+  if (node.has("poisson"))
+    e.poisson = node.at("poisson").notNegative();
+  if (e.poisson > kMaxPoisson)
+    node.at("poisson").fail(base::message("is above {limit}"_text, base::number(kMaxPoisson)));
+  if (e.acrossMPa > e.alongMPa)
+    node.at("acrossMPa").fail("is above 'alongMPa'"_text);
+  return e;
+}
+
 void readLooks(const JsonNode& top, Material& m) {
   m.pricePerKg = top.has("pricePerKg") ? top.at("pricePerKg").notNegative() : 0.0;
   if (top.has("colour"))
@@ -181,7 +197,8 @@ Material readMaterialText(const std::string& text, const std::string& name) {
 Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
                  "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "bridges", "bridgeSagMm",
-                 "minLayerTimeS", "maxLayerTimeS", "pricePerKg", "colour", "notes", "basedOn"});
+                 "minLayerTimeS", "maxLayerTimeS", "pricePerKg", "colour", "notes", "basedOn",
+                 "elasticity"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
@@ -192,6 +209,8 @@ Material readMaterialNode(const JsonNode& top) {
   readLimits(top, m);
   readLayerTimes(top, m);
   readLooks(top, m);
+  if (top.has("elasticity"))
+    m.elasticity = readElasticity(top.at("elasticity"));
   m.comesWithProgram = false;
   return m;
 }
@@ -217,6 +236,11 @@ std::string materialText(const Material& m) {
   write("maxLayerTimeS", m.maxLayerTimeS);
   json["pricePerKg"] = m.pricePerKg;
   json["colour"] = m.colour;
+  if (m.elasticity)
+    json["elasticity"] = {{"alongMPa", m.elasticity->alongMPa},
+                          {"acrossMPa", m.elasticity->acrossMPa},
+                          {"shearMPa", m.elasticity->shearMPa},
+                          {"poisson", m.elasticity->poisson}};
   if (!m.notes.empty())
     json["notes"] = m.notes;
   return json.dump(2) + "\n";

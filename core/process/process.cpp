@@ -66,12 +66,18 @@ void readNumbers(const JsonNode& top, Process& p) {
 
 Tape readTape(const JsonNode& node) {
   node.allowOnly({"widthMm", "thicknessMm", "leastLengthMm", "leastBendRadiusMm", "cutAheadMm",
-                  "ironSpeedMmPerS", "densityGPerCm3"});
-  const Tape tape{.widthMm = node.at("widthMm").positive(),
-                  .thicknessMm = node.at("thicknessMm").positive(),
-                  .minLengthMm = node.at("leastLengthMm").positive(),
-                  .minBendRadiusMm = node.at("leastBendRadiusMm").positive(),
-                  .cutAheadMm = node.at("cutAheadMm").positive()};
+                  "ironSpeedMmPerS", "densityGPerCm3", "fibreMPa", "fibreShare"});
+  Tape tape{.widthMm = node.at("widthMm").positive(),
+            .thicknessMm = node.at("thicknessMm").positive(),
+            .minLengthMm = node.at("leastLengthMm").positive(),
+            .minBendRadiusMm = node.at("leastBendRadiusMm").positive(),
+            .cutAheadMm = node.at("cutAheadMm").positive()};
+  if (node.has("fibreMPa"))
+    tape.fibreMPa = node.at("fibreMPa").positive();
+  if (node.has("fibreShare"))
+    tape.fibreShare = node.at("fibreShare").positive();
+  if (tape.fibreShare > 1.0)
+    node.at("fibreShare").fail("is above 1"_text);
   if (tape.thicknessMm >= tape.widthMm)
     node.at("thicknessMm").fail("is not less than 'widthMm'"_text);
   if (tape.minBendRadiusMm < 0.5 * tape.widthMm)

@@ -32,6 +32,8 @@ struct Tape {
   double minLengthMm = 20.0;     // Shorter pieces cannot be fed
   double minBendRadiusMm = 30.0; // Bends within the surface that are narrower fold the tape
   double cutAheadMm = 10.0;      // Length between the cutter and the place that is ironed on
+  double fibreMPa = 0.0;         // Modulus of the fibres; 0: unknown
+  double fibreShare = 0.0;       // Of the tape's volume, [0, 1]
 
   bool operator==(const Tape&) const = default;
 };

@@ -53,6 +53,10 @@ void writeTape(const Process& p, Json& json) {
                   {"cutAheadMm", tape.cutAheadMm},
                   {"ironSpeedMmPerS", p.speedMmPerS},
                   {"densityGPerCm3", p.material.densityGPerCm3}};
+  if (tape.fibreMPa > 0.0)
+    json["tape"]["fibreMPa"] = tape.fibreMPa;
+  if (tape.fibreShare > 0.0)
+    json["tape"]["fibreShare"] = tape.fibreShare;
 }
 
 // The file states the widths of single beads.

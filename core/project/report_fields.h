@@ -86,6 +86,16 @@ constexpr auto fieldsOf(std::type_identity<plan::StrengthStatistics>) {
                     Field{"mostInterfaceFraction", &R::maxInterfaceFraction, "%"},
                     Field{"mostInterfaceAtMm", &R::maxInterfaceAtMm, "mm"}};
 }
+constexpr auto fieldsOf(std::type_identity<plan::LoadStatistics>) {
+  using R = plan::LoadStatistics;
+  return std::tuple{Field{"forceN", &R::forceN, "N"},
+                    Field{"angleMeanDeg", &R::angleMeanDeg, "deg"},
+                    Field{"alignedFraction", &R::alignedFraction, "%"},
+                    Field{"infillAlignedFraction", &R::infillAlignedFraction, "%"},
+                    Field{"stiffnessNPerMm", &R::stiffnessNPerMm, "N/mm"},
+                    Field{"acrossBeadsMPa", &R::acrossBeadsMPa, "MPa"},
+                    Field{"acrossLayersMPa", &R::acrossLayersMPa, "MPa"}};
+}
 constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
   using R = plan::ToolpathStatistics;
   return std::tuple{Field{"paths", &R::paths},
@@ -110,7 +120,8 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"shots", &R::shots, "", true},
                     Field{"shotMm3", &R::shotMm3, "mm³", true},
                     Field{"items", &R::items, "", true},
-                    Field{"strength", &R::strength, "", true}};
+                    Field{"strength", &R::strength, "", true},
+                    Field{"load", &R::load, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ItemToolpaths>) {
   using R = plan::ItemToolpaths;

@@ -15,8 +15,22 @@ std::vector<ShapeField> direction() {
           {"DZ", "Direction Z"_text, -1.0, 1.0, 1.0}};
 }
 
+constexpr double kMostN = 1e6;
+
 std::string_view idOf(std::string_view text) {
   return text.substr(0, text.find(':'));
+}
+// Throws Error{Usage} for a vector of no length.
+Eigen::Vector3d vectorOf(std::string_view text) {
+  const RegionUse& use = findUse(text);
+  base::require(use.fields.size() == 3, "a use with a vector");
+  const std::vector<double> numbers = parsedNumbers(text, use.fields, formOf(use));
+  const Eigen::Vector3d vector(numbers[0], numbers[1], numbers[2]);
+  if (vector.norm() < 1e-6)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("use '{text}' of a region has no direction"_text, text), {},
+                      base::message("write {form}"_text, formOf(use)));
+  return vector;
 }
 } // namespace
 
@@ -34,6 +48,13 @@ const std::vector<RegionUse>& regionUses() {
        .label = "Layers that turn to a direction"_text,
        .layers = RegionLayers::Turning,
        .fields = direction()},
+      {.id = "hold", .label = "Held under load"_text, .load = RegionLoad::Held},
+      {.id = "load",
+       .label = "Force on the part"_text,
+       .load = RegionLoad::Force,
+       .fields = {{"FX", "Force X"_text, -kMostN, kMostN, 0.0},
+                  {"FY", "Force Y"_text, -kMostN, kMostN, 0.0},
+                  {"FZ", "Force Z"_text, -kMostN, kMostN, -10.0}}},
   };
   return kUses;
 }
@@ -68,15 +89,12 @@ bool tiltHead(const std::vector<project::Region>& regions) {
 }
 
 Eigen::Vector3d directionOf(std::string_view text) {
-  const RegionUse& use = findUse(text);
-  base::require(use.fields.size() == 3, "a use with a direction");
-  const std::vector<double> numbers = parsedNumbers(text, use.fields, formOf(use));
-  const Eigen::Vector3d direction(numbers[0], numbers[1], numbers[2]);
-  if (direction.norm() < 1e-6)
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("use '{text}' of a region has no direction"_text, text), {},
-                      base::message("write {form}"_text, formOf(use)));
-  return direction.normalized();
+  return vectorOf(text).normalized();
+}
+
+Eigen::Vector3d forceOf(std::string_view text) {
+  base::require(findUse(text).load == RegionLoad::Force, "a use with a force");
+  return vectorOf(text);
 }
 
 } // namespace voluta::regions

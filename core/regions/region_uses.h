@@ -20,14 +20,20 @@ enum class RegionLayers {
   Turning  // planes that turn from horizontal to a direction, thicker on one side
 };
 
+// What a region does under the part's load (docs/algorithms/loads.md).
+enum class RegionLoad { None, Held, Force };
+
 struct RegionUse {
   std::string_view id; // before the colon of its text
   base::Text label;
   bool cuts = false; // the part ends at the region
   RegionLayers layers = RegionLayers::None;
+  RegionLoad load = RegionLoad::None;
   std::vector<ShapeField> fields = {}; // of its text, as those of shapes
 
   bool hasLayers() const { return layers != RegionLayers::None; }
+  // Settings of its own hold in the region.
+  bool hasSettings() const { return !cuts && load == RegionLoad::None; }
 };
 
 // In the order shown to users.
@@ -44,5 +50,8 @@ bool tiltHead(const std::vector<project::Region>& regions);
 // Returns the unit direction that the text of a use states. Throws Error{Usage} for a direction of
 // no length. Precondition: the use has a direction.
 Eigen::Vector3d directionOf(std::string_view text);
+// Returns the force [N] that the text of a use states, in the axes of the part's file. Throws as
+// directionOf(). Precondition: the use is one with a force.
+Eigen::Vector3d forceOf(std::string_view text);
 
 } // namespace voluta::regions

@@ -105,6 +105,13 @@ base::ParameterTable toolpathParameters() {
                              "outer contour alone"_text,
                              "The spiral follows the largest contour of each layer; holes and "
                              "other contours are left out."_text),
+      base::ofRegion(base::withFile(
+          base::textParameter(
+              "infillField", "Tool-paths"_text, "field of the infill"_text,
+              "For infill along a field: a direction x,y,z, or x,y,z,dx,dy,dz in mm on the plate, "
+              "separated by spaces or lines, or a file of them. Empty: along the stress between "
+              "regions that hold the part and regions with a force."_text),
+          {"*.txt *.csv *.dat", "", tapeText})),
       base::numberParameter(
           "coolingSpeedMmPerS", "mm/s", ToolpathOptions{}.cooling.slowestMmPerS, 0.0, 500.0,
           "Cooling"_text, "slowest speed for cooling"_text,
@@ -186,6 +193,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.fibre.angleDeg = values.number("fibreAngle");
   o.fibre.rotationDeg = values.number("fibreRotation");
   o.fibre.endMm = values.number("fibreEndMm");
+  o.infillField = values.text("infillField");
   o.fibre.curves = values.text("fibreCurves");
   o.fibre.field = values.text("fibreField");
   o.stitches.excess = values.number("stitchExcess");
@@ -204,18 +212,20 @@ template <typename T> std::string changedKey(const T& value, const T& usual) {
 
 std::string optionsKey(const ToolpathOptions& options) {
   // The structured binding forces every new option to be considered here; add it with changedKey().
-  const auto& [walls, infill, density, pattern, top, bottom, skin, thin, angle, infillRotation,
-               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, islands,
-               spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches, infillTool, platform] =
-      options;
+  const auto& [walls, infill, density, pattern, field, strands, top, bottom, skin, thin, angle,
+               infillRotation, winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim,
+               seam, islands, spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches,
+               infillTool, platform] = options;
   static_cast<void>(platform);
+  static_cast<void>(strands);
   const std::string noPlatform;
   return base::keyText(walls, infill, density, pattern, top, bottom, skin, thin, angle,
                        infillRotation, winding, step, edge, maxBend, smooth, rims, prime,
                        primeLength, brim, seam, islands, spiral, cooling, fibre, infillTool,
                        noPlatform) +
          (tilts ? "" : "upright\n") + (maySag && density < 1.0 ? "sag\n" : "") +
-         changedKey(stitches, StitchOptions{}) + (spiralOuter ? "outer\n" : "");
+         changedKey(stitches, StitchOptions{}) + (spiralOuter ? "outer\n" : "") +
+         (infill == kFieldInfill ? base::keyText(field) : "");
 }
 
 } // namespace voluta::toolpath

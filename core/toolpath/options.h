@@ -4,10 +4,17 @@
 #include "base/parameters.h"
 #include "platform/platform_solid.h"
 
+#include <Eigen/Core>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voluta::toolpath {
+
+// Returns the dyad of a direction at a place in the work frame [mm], times its weight: the sign of
+// directions does not matter.
+using StrandDyads = std::function<Eigen::Matrix3d(const Eigen::Vector3d&)>;
 
 // How beads get the time to cool before others cover them.
 struct CoolingOptions {
@@ -34,6 +41,9 @@ struct StitchOptions {
   double depthMm = 0.0; // of the nozzle below the pocket's top
 };
 
+// Id of the infill along a field.
+inline constexpr std::string_view kFieldInfill = "field";
+
 struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
@@ -41,6 +51,10 @@ struct ToolpathOptions {
   // in sparsePatterns().
   double infillDensity = 1.0;
   std::string sparsePattern = "gyroid";
+  // Of the infill along a field: its directions as text (strand_text.h), and as a function; without
+  // a text, the principal stresses of the part's loads. Neither is part of the other's key.
+  std::string infillField = {};
+  StrandDyads strands = {};
   // Solid layers above and below the interior, at least skinMm thick.
   int topLayers = 3, bottomLayers = 3;
   double skinMm = 0.0;

@@ -37,6 +37,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"cells", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"toolpath",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
+    {"elastic", {"geometry", "voxel", "process", "plan"}},
     {"together", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"motion",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers",
@@ -58,7 +59,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process",   "voxel",   "plan",      "build3mf", "layers",
       "curved",   "planar",   "substrate", "support", "placement", "robot",    "collision",
       "cells",    "toolpath", "together",  "motion",  "program",   "record",   "replay",
-      "project",  "regions",  "modes",     "page",    "sliced",    "milling"}},
+      "elastic",  "project",  "regions",   "modes",   "page",      "sliced",   "milling"}},
 };
 
 struct Include {

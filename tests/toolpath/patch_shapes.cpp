@@ -160,4 +160,9 @@ Lift onSaddle(double r) {
   };
 }
 
+Eigen::Matrix3d oneDirection(const Eigen::Vector3d&) {
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.2, 1.0).normalized();
+  return direction * direction.transpose();
+}
+
 } // namespace voluta::test

@@ -24,6 +24,9 @@ layers::Patch patchOver(
     const Lift& lift = [](const Eigen::Vector2d& p) { return Eigen::Vector3d(p.x(), p.y(), 0.4); },
     const Height& height = [](const Eigen::Vector3d&) { return 0.8; }, unsigned seed = 1);
 
+// A field of one direction, inclined to all axes (toolpath::StrandDyads).
+Eigen::Matrix3d oneDirection(const Eigen::Vector3d& place);
+
 // Lifts. A disc of radius R a becomes a cap of half angle a (equidistant from the pole).
 Lift onSphere(double radius);
 Lift onCylinder(double radius);

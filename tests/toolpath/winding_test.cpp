@@ -10,6 +10,7 @@
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/infill/periodic_isolines.h"
+#include "toolpath/patch_shapes.h"
 #include "toolpath/surface_fields.h"
 
 #include <algorithm>
@@ -202,6 +203,7 @@ toolpath::PatchCover cover(const layers::Patch& patch, const char* infill, int w
   o.infill = infill;
   o.walls = walls;
   o.windingAngleDeg = 30.0;
+  o.strands = test::oneDirection;
   return toolpath::coverPatch(patch, thin(), o, base::RunContext{});
 }
 
@@ -248,8 +250,10 @@ TEST(WoundInfill, EveryRowOfTheTableCancelsWithinALayer) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       token.cancel();
     });
-    EXPECT_THROW(kind.fill({s, depth, hatchMm, 1.0, 0, 0.0, 0.5, 1.0}, base::RunContext(token, 1)),
-                 base::Cancelled);
+    const toolpath::StrandDyads strands = test::oneDirection;
+    EXPECT_THROW(
+        kind.fill({s, depth, hatchMm, 1.0, 0, 0.0, 0.5, 1.0, &strands}, base::RunContext(token, 1)),
+        base::Cancelled);
   }
 }
 

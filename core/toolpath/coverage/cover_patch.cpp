@@ -378,7 +378,8 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                             directionRad.value_or(base::degreesToRadians(std::remainder(
                                 o.infillAngleDeg + layer * o.infillRotationDeg, 180.0))),
                             base::degreesToRadians(o.windingAngleDeg),
-                            beadScale};
+                            beadScale,
+                            &o.strands};
   InfillLines infill;
   if (!isThinRing)
     infill = kind.fill(region, ctx);

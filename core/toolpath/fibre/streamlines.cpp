@@ -150,12 +150,7 @@ SurfacePoint middleOf(const PatchSurface& s) {
 
 Vector3d DirectionField::at(const PatchSurface& surface, const SurfacePoint& point,
                             const Vector3d& ahead) const {
-  constexpr double kNearMm2 = 1e-6;
-  Eigen::Matrix3d dyads = Eigen::Matrix3d::Zero();
-  for (const FieldSample& sample : samples_) {
-    const double weight = 1.0 / ((sample.place - point.position).squaredNorm() + kNearMm2);
-    dyads += weight * sample.direction * sample.direction.transpose();
-  }
+  const Eigen::Matrix3d dyads = dyads_(point.position);
   const Vector3d normal = surface.interpolate(surface.normal, point);
   const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - normal * normal.transpose();
   const Eigen::Matrix3d within = flat * dyads * flat;

@@ -2,27 +2,25 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "toolpath/fibre/tape_curves.h"
+#include "toolpath/options.h"
 #include "toolpath/patch_surface.h"
 
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace voluta::toolpath {
 
-// The direction, regardless of its sign, between the samples of a field: their dyads weighted by
-// the inverse square of the distance.
+// The direction of a field in a surface, regardless of its sign.
 class DirectionField {
 public:
-  // Precondition: one sample or more.
-  explicit DirectionField(std::span<const FieldSample> samples) : samples_(samples) {}
+  explicit DirectionField(StrandDyads dyads) : dyads_(std::move(dyads)) {}
   // Returns the unit direction in the surface at that point, on the side of `ahead`. Zero if the
   // field is normal to the surface.
   Eigen::Vector3d at(const PatchSurface& surface, const SurfacePoint& point,
                      const Eigen::Vector3d& ahead) const;
 
 private:
-  std::span<const FieldSample> samples_;
+  StrandDyads dyads_;
 };
 
 // Returns streamlines that are nowhere closer to each other than `apartMm`, and begin at that

@@ -4,6 +4,7 @@
 #include "toolpath/fibre/streamlines.h"
 #include "toolpath/fibre/tape_paths.h"
 #include "toolpath/infill/across_lines.h"
+#include "toolpath/infill/strand_text.h"
 #include "toolpath/surface_fields.h"
 
 #include <algorithm>
@@ -121,7 +122,7 @@ std::vector<TapeFamily> alongField(const PatchSurface& s, const process::Tape& t
     throw base::Error(
         base::ErrorCode::Usage, "there is no field of directions for tapes"_text, "fibreField"_name,
         "give place and direction as x,y,z,dx,dy,dz, separated by spaces or lines"_text);
-  const DirectionField field(choice.field);
+  const DirectionField field([&](const Vector3d& place) { return dyadsAt(choice.field, place); });
   std::vector<TapeFamily> families;
   for (int i = 0; i < kShifts; ++i) {
     const double first = tape.widthMm * i / kShifts;

@@ -7,8 +7,9 @@
 namespace voluta::toolpath {
 
 namespace {
-constexpr std::array<InfillKind, 7> kKinds{{
+constexpr std::array<InfillKind, 8> kKinds{{
     {"zigzag", "zigzag"_text, zigzagInfill, false, true},
+    {kFieldInfill, "along a field"_text, fieldInfill},
     {"concentric", "concentric"_text, concentricInfill},
     {"fermat", "Fermat spiral"_text, fermatInfill},
     {"woven", "woven"_text, wovenInfill, true},

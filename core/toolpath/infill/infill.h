@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "base/text.h"
+#include "toolpath/options.h"
 #include "toolpath/patch_surface.h"
 
 #include <span>
@@ -21,6 +22,7 @@ struct InfillRegion {
   double directionRad = 0.0; // Direction of straight lines on a flat layer, from x towards y
   double windingRad = 0.0;   // Angle of helical lines from the circumferential direction, [0, pi/2]
   double beadScale = 1.0;    // See bead_scale.h
+  const StrandDyads* strands = nullptr; // of fieldInfill
 };
 
 // The lines of an infill in its region.
@@ -54,6 +56,11 @@ const InfillKind& infillKind(std::string_view id);
 // Parallel curves at equal distances on the surface, joined end to end, in the region's direction.
 // Narrow parts of the region are filled as by concentricInfill.
 InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx);
+// As zigzagInfill, along the directions of a field instead of one direction: isolines of a function
+// whose gradient is across them, by least squares. Where they come closer than beads can be narrow,
+// every other line ends; where they are farther apart than beads can be wide, lines begin between
+// them. Throws Error{Usage} without a field.
+InfillLines fieldInfill(const InfillRegion& region, const base::RunContext& ctx);
 // Curves at equal distances from the boundary.
 InfillLines concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
 // The curves of concentricInfill joined to one closed curve per connected region: a double spiral

@@ -1,0 +1,241 @@
+#include "elastic/deposited.h"
+
+#include "base/units.h"
+#include "elastic/bead_stiffness.h"
+#include "elastic/elastic_solve.h"
+#include "process/bead_model.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace voluta::elastic {
+
+namespace {
+using Eigen::Vector3d;
+using plan::PathKind;
+
+constexpr double kAlignedDeg = 30.0;
+constexpr double kStepShare = 0.4; // of a cell's width, between places in a bead
+constexpr double kEmpty = 1e-3;    // of the beads around a cell: it has none of its own
+constexpr double kFull = 0.9;      // the rest is rounding of beads into cells
+constexpr double kSoft = 1e-3;     // of the matrix, where no bead is: no corner is loose
+constexpr double kExceeded = 0.01; // of the volume, by the tensions that are reported
+
+bool countsFor(const plan::ToolPath& path, int item) {
+  return path.item == item && !plan::isWaste(path.kind) && path.kind != PathKind::Support &&
+         path.kind != PathKind::Shot;
+}
+
+// Calls visit(path, i) for each segment from waypoint i - 1 to i of an item's beads and tapes.
+template <typename Visit> void eachSegment(const plan::ToolPlan& plan, int item, Visit visit) {
+  for (const plan::ToolPath& path : plan.paths)
+    if (countsFor(path, item))
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        if ((plan.position[i] - plan.position[i - 1]).squaredNorm() > 0.0)
+          visit(path, i);
+}
+
+// Returns the angle in degrees between a direction and the strongest of the dyads.
+double angleTo(const Eigen::Matrix3d& dyads, const Vector3d& along) {
+  Vector3d strongest = along;
+  // Power iteration: begins at the direction, and again beside it, which may be across the axis.
+  const auto iterated = [&](Vector3d v) {
+    for (int i = 0; i < 60 && !v.isZero(); ++i)
+      v = (dyads * v).normalized();
+    return v;
+  };
+  const Vector3d a = iterated(along), b = iterated(along + 0.1 * along.unitOrthogonal());
+  strongest = a.dot(dyads * a) >= b.dot(dyads * b) ? a : b;
+  if (strongest.isZero())
+    return 0.0;
+  return base::radiansToDegrees(std::acos(std::min(1.0, std::abs(strongest.dot(along)))));
+}
+
+void addAngles(const plan::ToolPlan& plan, int item, const PrincipalStress& principal,
+               plan::LoadStatistics& figures) {
+  double length = 0.0, inside = 0.0;
+  eachSegment(plan, item, [&](const plan::ToolPath& path, std::size_t i) {
+    const Vector3d step = plan.position[i] - plan.position[i - 1];
+    const Vector3d middle = 0.5 * (plan.position[i] + plan.position[i - 1]);
+    const double angle = angleTo(principal.dyadsAt(middle), step.normalized());
+    const double aligned = angle <= kAlignedDeg ? step.norm() : 0.0;
+    length += step.norm();
+    figures.angleMeanDeg += step.norm() * angle;
+    figures.alignedFraction += aligned;
+    if (path.kind != PathKind::Wall) {
+      inside += step.norm();
+      figures.infillAlignedFraction += aligned;
+    }
+  });
+  if (length <= 0.0)
+    return;
+  figures.angleMeanDeg /= length;
+  figures.alignedFraction /= length;
+  figures.infillAlignedFraction /= std::max(inside, 1e-9);
+}
+
+// What the beads within a cell are.
+struct CellBeads {
+  double mm3 = 0.0;
+  Stiffness6 stiffness = Stiffness6::Zero();       // times volume
+  Vector3d up = Vector3d::Zero();                  // normal of the layers
+  Eigen::Matrix3d along = Eigen::Matrix3d::Zero(); // dyads
+};
+
+class DepositedCells {
+public:
+  DepositedCells(const LoadCase& load, const process::Tooling& tooling)
+      : load_(load), tooling_(tooling), cells_(load.share.size()) {}
+
+  // Returns false if the elasticity of a material is unknown.
+  bool add(const plan::ToolPlan& plan, int item) {
+    bool isKnown = true;
+    eachSegment(plan, item, [&](const plan::ToolPath& path, std::size_t i) {
+      if (!isKnown)
+        return;
+      const std::optional<process::Elasticity> elasticity = elasticityOf(path);
+      isKnown = elasticity.has_value();
+      if (isKnown)
+        addSegment(plan, i, *elasticity);
+    });
+    return isKnown;
+  }
+
+  // Returns the stiffness of what fills a cell's part: that of the beads in it and around it, so
+  // that the rounding of beads into cells does not matter, times the share that they fill.
+  Stiffness6 stiffnessOf(std::size_t c) const {
+    double beadMm3 = 0.0, partMm3 = 0.0;
+    Stiffness6 stiffness = Stiffness6::Zero();
+    const Eigen::Vector3i cell = load_.grid.cell(c);
+    for (int n = 0; n < 27; ++n) {
+      const Eigen::Vector3i at = cell + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      if (!load_.grid.contains(at.x(), at.y(), at.z()))
+        continue;
+      const std::size_t other = load_.grid.index(at.x(), at.y(), at.z());
+      partMm3 += static_cast<double>(load_.share[other]) * std::pow(load_.grid.pitch, 3);
+      beadMm3 += cells_[other].mm3;
+      stiffness += cells_[other].stiffness;
+    }
+    if (cells_[c].mm3 > kEmpty * beadMm3)
+      stiffness = cells_[c].stiffness * (beadMm3 / cells_[c].mm3);
+    if (beadMm3 <= 0.0)
+      return Stiffness6::Zero();
+    const double fill = beadMm3 / partMm3;
+    return stiffness / beadMm3 * (fill >= kFull ? 1.0 : fill);
+  }
+
+  const std::vector<CellBeads>& cells() const { return cells_; }
+
+private:
+  std::optional<process::Elasticity> elasticityOf(const plan::ToolPath& path) const {
+    const process::Process& process = tooling_.of(path).process;
+    if (!process.tape)
+      return process.material.elasticity;
+    const std::optional<process::Elasticity>& matrix = tooling_.first().process.material.elasticity;
+    return matrix ? tapeElasticity(process, *matrix) : std::nullopt;
+  }
+
+  void addSegment(const plan::ToolPlan& plan, std::size_t i,
+                  const process::Elasticity& elasticity) {
+    const Vector3d from = plan.position[i - 1], step = plan.position[i] - from;
+    const Vector3d along = step.normalized();
+    const Vector3d up = (plan.direction[i] - plan.direction[i].dot(along) * along).normalized();
+    const Vector3d across = up.cross(along);
+    const auto width = static_cast<double>(plan.widthMm[i]),
+               height = static_cast<double>(plan.heightMm[i]);
+    const double mm3 = process::beadArea(width, height) * step.norm();
+    const Stiffness6 stiffness = beadStiffness(elasticity, along);
+    const auto places = [&](double mm) {
+      return static_cast<int>(std::max(1.0, std::ceil(mm / (kStepShare * load_.grid.pitch))));
+    };
+    const int steps = places(step.norm()), lanes = places(width), levels = places(height);
+    const double each = mm3 / (steps * lanes * levels);
+    for (int k = 0; k < steps; ++k)
+      for (int a = 0; a < lanes; ++a)
+        for (int h = 0; h < levels; ++h) {
+          const Vector3d place = from + (k + 0.5) / steps * step +
+                                 ((a + 0.5) / lanes - 0.5) * width * across -
+                                 (h + 0.5) / levels * height * up;
+          const Eigen::Vector3i cell = load_.grid.cellOf(place);
+          if (!load_.grid.contains(cell.x(), cell.y(), cell.z()))
+            continue;
+          CellBeads& beads = cells_[load_.grid.index(cell.x(), cell.y(), cell.z())];
+          beads.mm3 += each;
+          beads.stiffness += each * stiffness;
+          beads.up += each * up;
+          beads.along += each * along * along.transpose();
+        }
+  }
+
+  const LoadCase& load_;
+  const process::Tooling& tooling_;
+  std::vector<CellBeads> cells_;
+};
+
+// Returns the value that a share of the weights exceeds.
+double exceededBy(std::vector<std::pair<double, double>> values, double share) {
+  std::ranges::sort(values, std::greater());
+  double weight = 0.0;
+  for (const auto& [value, w] : values)
+    weight += w;
+  double above = 0.0;
+  for (const auto& [value, w] : values) {
+    above += w;
+    if (above >= share * weight)
+      return std::max(0.0, value);
+  }
+  return 0.0;
+}
+
+void addTensions(const LoadCase& load, const std::vector<CellBeads>& cells,
+                 const ElasticState& state, plan::LoadStatistics& figures) {
+  std::vector<std::pair<double, double>> beads, layers; // tension and volume
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!load.isSolid(c) || cells[c].mm3 <= 0.0 || std::ranges::binary_search(load.held, c))
+      continue;
+    const Eigen::Matrix3d stress = stressMatrix(state.stress[c]);
+    const Vector3d up = cells[c].up.normalized();
+    const double volume = static_cast<double>(load.share[c]);
+    layers.emplace_back(up.dot(stress * up), volume);
+    // Across the beads: the mean over their directions.
+    const Eigen::Matrix3d within = Eigen::Matrix3d::Identity() - up * up.transpose();
+    const Eigen::Matrix3d across = within - cells[c].along / cells[c].mm3;
+    beads.emplace_back((across * stress).trace(), volume);
+  }
+  figures.acrossBeadsMPa = exceededBy(std::move(beads), kExceeded);
+  figures.acrossLayersMPa = exceededBy(std::move(layers), kExceeded);
+}
+
+double forceOf(const LoadCase& load) {
+  return std::accumulate(
+      load.forces.begin(), load.forces.end(), 0.0,
+      [](double sum, const CellForce& force) { return sum + force.newton.norm(); });
+}
+} // namespace
+
+plan::LoadStatistics loadFigures(const plan::ToolPlan& plan, int item,
+                                 const process::Tooling& tooling, const LoadCase& load,
+                                 const PrincipalStress& principal, const base::RunContext& ctx) {
+  plan::LoadStatistics figures{.forceN = forceOf(load)};
+  addAngles(plan, item, principal, figures);
+  ctx.checkpoint();
+  DepositedCells deposited(load, tooling);
+  if (!deposited.add(plan, item))
+    return figures;
+  const process::Elasticity matrix =
+      tooling.first().process.material.elasticity.value_or(process::Elasticity{});
+  const Stiffness6 soft = isotropicStiffness(kSoft * matrix.acrossMPa, matrix.poisson);
+  const ElasticState state = solved(
+      load, [&](std::size_t c) { return Stiffness6(deposited.stiffnessOf(c) + soft); }, ctx);
+  if (state.workNmm > 0.0)
+    figures.stiffnessNPerMm = figures.forceN * figures.forceN / state.workNmm;
+  addTensions(load, deposited.cells(), state, figures);
+  return figures;
+}
+
+} // namespace voluta::elastic
