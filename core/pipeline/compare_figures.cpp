@@ -74,6 +74,18 @@ Figure strengthFigure(std::string_view key, base::Text label, base::Text head) {
   return {key, label, head, project::unitOf(kMember), 0.0, ofStrength<kMember>, false, false};
 }
 
+// Returns a figure of the part between its holds and forces; nullopt without forces.
+template <auto kMember> Value ofLoad(const CompareRow& row) {
+  const plan::LoadStatistics& load = row.report.toolpath.load;
+  return came(row, Stage::Toolpath) && load.forceN > 0.0 ? Value(load.*kMember) : std::nullopt;
+}
+// By how much the forces move their places, along them [mm].
+Value deflection(const CompareRow& row) {
+  const Value stiffness = ofLoad<&plan::LoadStatistics::stiffnessNPerMm>(row);
+  return stiffness && *stiffness > 0.0 ? Value(row.report.toolpath.load.forceN / *stiffness)
+                                       : std::nullopt;
+}
+
 double weightOf(const Figure& figure, const Weights& weights) {
   const auto set = weights.find(figure.key);
   return set == weights.end() ? figure.weight : set->second;
@@ -119,6 +131,12 @@ const std::vector<Figure>& figures() {
       strengthFigure<&plan::StrengthStatistics::maxInterfaceFraction>(
           "mostInterfaceFraction", "interfaces in the weakest section"_text,
           "Weakest\n% interf."_text),
+      {"deflectionMm", "deflection under the forces"_text, "Deflec-\ntion mm"_text, "mm", 1.0,
+       deflection, false, false},
+      {"acrossLayersMPa", "tension across layers"_text, "Across\nlayers MPa"_text, "MPa", 1.0,
+       ofLoad<&plan::LoadStatistics::acrossLayersMPa>, false, false},
+      {"infillAlignedFraction", "infill along the stress"_text, "Along\nstress %"_text, "%", 0.0,
+       ofLoad<&plan::LoadStatistics::infillAlignedFraction>, true, false},
   };
   return kFigures;
 }

@@ -337,7 +337,8 @@ std::shared_ptr<const modes::LoadStage> ItemStages::withoutLayeredRegions() cons
 }
 
 toolpath::ItemLayers ItemStages::forToolpaths() const {
-  toolpath::ItemLayers all{result_.job.item(index_).layers, coverRules(resolved_, regions_ ? regions_->load : nullptr)};
+  toolpath::ItemLayers all{result_.job.item(index_).layers,
+                           coverRules(resolved_, regions_ ? regions_->load : nullptr)};
   if (hasGivenPaths_)
     all.options().spiral = false; // it is not covered
   return all;

@@ -68,8 +68,15 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
           base::message("region {region} follows no surface: it has no layers of its own"_text,
                         region.shape),
           {}, "give it as a skin, or use it for settings"_text);
+    if (use.load == regions::RegionLoad::Force)
+      regions::forceOf(region.use);
     for (const auto& [key, value] : region.parameters)
       requireRegionSetting(table, key, value);
+    if (use.load != regions::RegionLoad::None && !region.parameters.empty())
+      throw Error(
+          ErrorCode::Usage,
+          base::message("region {region} carries the load: it has no settings"_text, region.shape),
+          {}, "add a second region of that shape for its settings"_text);
   }
   const modes::Mode* mode = modes::modeNamed(item.mode);
   if (mode && mode->onPart && !item.automatic && !item.regions.empty())

@@ -134,6 +134,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"seam", {"corner", 3}},
     {"thinWalls", {"omit", 3}},
     {"loadDirection", {"1,0,0", 3}},
+    {"infillField", {"1,0,0", kStageCount}}, // of another infill
     {"fibreLayers", {"1", 3}},
     {"fibreFirstLayer", {"2", 3}},
     {"fibreCount", {"1", 3}},

@@ -145,7 +145,7 @@ TEST(FieldInfill, ContinuesWhereTheFieldIsWeak) {
 }
 
 TEST(FieldInfill, FollowsRandomFieldsOnRandomShapes) {
-  const int kFields = test::ofSeeds(60, 20);
+  const int kFields = test::ofSeeds(20, 60);
   int followed = 0;
   for (int seed = 0; seed < kFields; ++seed) {
     std::mt19937 random(static_cast<unsigned>(seed));

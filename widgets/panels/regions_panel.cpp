@@ -346,7 +346,7 @@ void RegionsPanel::refresh() {
   const auto at = selected();
   details_->setVisible(at.has_value());
   const RegionUse* use = at ? useOf(regions_[*at]) : nullptr;
-  settings_->setVisible(use && !use->cuts);
+  settings_->setVisible(use && use->hasSettings());
   remove_->setEnabled(at.has_value());
   up_->setEnabled(at && *at > 0);
   down_->setEnabled(at && *at + 1 < regions_.size());

@@ -1,0 +1,123 @@
+// Parts that are held and pushed: beads along the stress, from the regions to the report.
+#include "base/error.h"
+#include "base/units.h"
+#include "box_request.h"
+#include "helpers/given_parameters.h"
+#include "helpers/loaded_box.h"
+#include "helpers/made_solids.h"
+#include "helpers/shapes.h"
+#include "pipeline/compare_figures.h"
+#include "pipeline/plan_reasons.h"
+#include "pipeline/road.h"
+#include "plan/tool_plan.h"
+#include "project/job.h"
+#include "regions/region_text.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace voluta::pipeline {
+namespace {
+
+using Eigen::Vector3d;
+using test::reasons;
+using test::operator+;
+
+const std::vector<std::string> kBending{"box:-29,0,4,6,16,8;use=hold",
+                                        "box:29,0,4,6,16,8;use=load:0,-20,0"};
+
+PlanRequest bar(const std::vector<std::string>& regions, const std::string& infill) {
+  PlanRequest request;
+  request.item().loaded = test::loadedBox({-32, -8, 0}, {32, 8, 6.4});
+  request.choices.item().mode = "flat";
+  request.choices.formats = {"gcode-extended"};
+  test::giveParameters(request.choices, {{"infill", infill}});
+  for (const std::string& text : regions)
+    request.choices.item().regions.push_back(regions::parsedRegion(text, {}));
+  request.until = project::Stage::Toolpath;
+  return request;
+}
+
+TEST(LoadPlan, FieldInfillRunsAlongTheStressOfABentBar) {
+  const PlanResult zigzag = planPart(bar(kBending, "zigzag"), {}),
+                   field = planPart(bar(kBending, "field"), {});
+  const plan::LoadStatistics &before = zigzag.job.report.toolpath.load,
+                             &after = field.job.report.toolpath.load;
+  EXPECT_EQ(after.forceN, 20.0);
+  EXPECT_GE(after.infillAlignedFraction, 2.0 * before.infillAlignedFraction);
+  EXPECT_GT(after.alignedFraction, before.alignedFraction);
+  EXPECT_GT(after.stiffnessNPerMm, before.stiffnessNPerMm);
+  EXPECT_LT(after.acrossBeadsMPa, 0.7 * before.acrossBeadsMPa);
+  EXPECT_GE(field.job.report.toolpath.coveredFraction, 0.985);
+  // Euler and Bernoulli, between the moduli across and along.
+  const double bending = std::pow(16.0, 3) * 6.4 / 12.0 * 3.0 / std::pow(55.0, 3);
+  EXPECT_GT(after.stiffnessNPerMm, 0.8 * 2770.0 * bending);
+  EXPECT_LT(after.stiffnessNPerMm, 1.1 * 3120.0 * bending);
+}
+
+TEST(LoadPlan, AForceTurnsWithThePart) {
+  PlanRequest request = bar(kBending, "field");
+  const double straight = planPart(request, {}).job.report.toolpath.load.stiffnessNPerMm;
+  request.choices.item().placement.rotation = Eigen::AngleAxisd(0.5 * base::kPi, Vector3d::UnitZ());
+  const double turned = planPart(request, {}).job.report.toolpath.load.stiffnessNPerMm;
+  EXPECT_NEAR(turned, straight, 0.05 * straight);
+}
+
+TEST(LoadPlan, AGivenDirectionNeedsNoLoad) {
+  PlanRequest request = bar({}, "field");
+  test::giveParameters(request.choices, {{"infill", "field"}, {"infillField", "1,0.2,0"}});
+  const PlanResult result = planPart(request, {});
+  const plan::ToolPlan& plan = *result.job.toolPlan;
+  const Vector3d along = Vector3d(1, 0.2, 0).normalized();
+  double length = 0.0, aligned = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      if (path.kind == plan::PathKind::Infill) {
+        const Vector3d step = plan.position[i] - plan.position[i - 1];
+        length += step.norm();
+        aligned += std::abs(step.dot(along)) > std::cos(0.1) * step.norm() ? step.norm() : 0.0;
+      }
+  EXPECT_GT(aligned, 0.8 * length);
+  EXPECT_EQ(result.job.report.toolpath.load.forceN, 0.0);
+}
+
+TEST(LoadPlan, WholePlansWithFieldInfillPass) {
+  PlanRequest request = bar(kBending, "field");
+  request.until = project::Stage::Replay;
+  const PlanResult result = planPart(request, {});
+  ASSERT_EQ(result.checked.size(), 1u);
+  EXPECT_TRUE(result.checked[0]->verdict.passed) << reasons(result);
+}
+
+void expectRefused(const PlanRequest& request, const std::string& part) {
+  try {
+    planPart(request, {});
+    ADD_FAILURE() << part;
+  } catch (const base::Error& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(LoadPlan, NamesTheHoldTheForceOrTheFieldThatIsMissing) {
+  expectRefused(bar({kBending[1]}, "field"), "none that holds");
+  expectRefused(bar({kBending[0]}, "field"), "no field of directions");
+  expectRefused(bar({}, "field"), "no field of directions");
+  expectRefused(bar({kBending[0], "box:29,0,4,6,16,8;use=load:0,0,0"}, "zigzag"), "no direction");
+  expectRefused(bar({kBending[0], "box:90,0,4,6,16,8;use=load:0,0,-1"}, "zigzag"),
+                "nothing of the part");
+  expectRefused(bar({kBending[0], kBending[1] + ";walls=3"}, "zigzag"), "no settings");
+}
+
+TEST(LoadPlan, CompareWeighsTheDeflection) {
+  int found = 0;
+  for (const Figure& figure : figures())
+    if (figure.key == "deflectionMm" || figure.key == "acrossLayersMPa") {
+      EXPECT_GT(figure.weight, 0.0);
+      ++found;
+    }
+  EXPECT_EQ(found, 2);
+}
+
+} // namespace
+} // namespace voluta::pipeline
