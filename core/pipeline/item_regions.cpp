@@ -178,7 +178,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
   const substrate::LevelOptions levels = modes::levelOptions(resolved.modeChoices());
   const std::vector<Region>& all = regionsOf(resolved);
   auto stage = std::make_shared<RegionStage>();
-  stage->rest = whole;
+  stage->whole = stage->rest = whole;
   if (any(resolved, &regions::RegionUse::hasLayers)) {
     requireNoCorrection(resolved.process());
     regions::PartRegions made = regions::divided(part, all, levels, ctx);
@@ -210,8 +210,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
 
 std::shared_ptr<const modes::LayersStage>
 withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionStage& regions,
-                 const geometry::TriangleMesh& part, const Resolved& resolved,
-                 const base::RunContext& ctx) {
+                 const Resolved& resolved, const base::RunContext& ctx) {
   if (!stage->layers || regions.layered.empty())
     return stage;
   const base::Stopwatch watch;
@@ -219,8 +218,8 @@ withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   auto made = std::make_shared<modes::LayersStage>(*stage);
   layers::LayerStack stack = *stage->layers;
   for (const regions::LayeredRegion& region : regions.layered) {
-    substrate::StackedLevels own = regions::layersOf(
-        regionsOf(resolved)[region.index], region.solid, {part, *regions.rest}, levels, ctx);
+    substrate::StackedLevels own = regions::layersOf(regionsOf(resolved)[region.index], region,
+                                                     {*regions.whole, *regions.rest}, levels, ctx);
     for (layers::Patch& patch : own.stack.patches) {
       patch.layer += stack.layerCount;
       patch.region = static_cast<int>(region.index) + 1;

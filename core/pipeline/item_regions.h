@@ -28,6 +28,7 @@ withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::Tr
 // The solids of an item's regions, part of the stage Decompose.
 struct RegionStage {
   static constexpr project::Stage kStage = project::Stage::Decompose;
+  std::shared_ptr<const geometry::TriangleMesh> whole;
   std::shared_ptr<const geometry::TriangleMesh> rest; // has the layers of the item's mode
   std::vector<regions::LayeredRegion> layered;
   std::vector<geometry::TriangleMesh> bodies; // of every region; empty: with layers, or cut away
@@ -44,8 +45,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
 // Returns the layers of the mode followed by those of the regions. Throws as regions::layersOf().
 std::shared_ptr<const modes::LayersStage>
 withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionStage& regions,
-                 const geometry::TriangleMesh& part, const Resolved& resolved,
-                 const base::RunContext& ctx);
+                 const Resolved& resolved, const base::RunContext& ctx);
 
 // Returns the layers with their patches divided at the regions that have settings of their own, and
 // with the tools and the figures of the regions. Throws Cancelled.

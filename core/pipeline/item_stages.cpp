@@ -66,6 +66,32 @@ std::shared_ptr<const modes::LayersStage> withSteps(std::shared_ptr<const modes:
   return measured;
 }
 
+// Flat layers make steps on gentle slopes, which layers along the surface would not.
+std::shared_ptr<const modes::LayersStage>
+withStaircase(std::shared_ptr<const modes::LayersStage> stage, const geometry::TriangleMesh& part,
+              const base::RunContext& ctx) {
+  constexpr double kFlattest = 0.9986, kSteepest = 0.7071; // cosines of 3 and 45 degrees
+  constexpr double kWorthwhile = 0.1;                      // of the surface
+  if (!stage->layers)
+    return stage;
+  std::vector<char> isGentle(part.triangles.size());
+  double gentle = 0.0;
+  for (std::size_t t = 0; t < isGentle.size(); ++t) {
+    const double upward = geometry::triangleNormal(part, t).z();
+    isGentle[t] = upward > kSteepest && upward < kFlattest ? 1 : 0;
+    gentle += isGentle[t] ? geometry::triangleArea(part, t) : 0.0;
+  }
+  const double share = gentle / geometry::area(part);
+  if (share < kWorthwhile)
+    return stage;
+  auto found = std::make_shared<modes::LayersStage>(*stage);
+  found->findings.push_back(plan::makeFinding(
+      plan::FindingKind::Staircase,
+      {{"share", base::percent(share)},
+       {"mean", base::mm(layers::stepsOn(*stage->layers, part, isGentle, ctx).meanMm)}}));
+  return found;
+}
+
 std::shared_ptr<const modes::LayersStage>
 withWalledSupport(std::shared_ptr<const modes::LayersStage> stage,
                   const geometry::TriangleMesh& part) {
@@ -309,9 +335,11 @@ ItemOutcome ItemStages::layers() {
                              span.sub(0.0, 0.9));
     made = withWalledSupport(std::move(made), printed);
     if (regions_)
-      made = withRegionLayers(std::move(made), *regions_, printed, resolved_, span.sub(0.9, 0.95));
+      made = withRegionLayers(std::move(made), *regions_, resolved_, span.sub(0.9, 0.95));
     made = withTools(std::move(made), resolved_.tools);
     made = withSteps(std::move(made), printed, span.sub(0.95, 1.0).quiet());
+    if (mode_.id == modes::findMode("flat").id && !(regions_ && !regions_->layered.empty()))
+      made = withStaircase(std::move(made), printed, span.quiet());
     return regions_ ? dividedByRegions(std::move(made), *regions_, printed, resolved_, span.quiet())
                     : made;
   });

@@ -55,19 +55,18 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
     if (shape.kind->mesh != regions::ShapeMesh::None && !region.mesh)
       throw Error(ErrorCode::Usage, base::message("region {region} has no mesh"_text, region.shape),
                   {}, "add it from its file again"_text);
-    const bool followsSurface = shape.kind->frame == regions::ShapeFrame::Part;
     if (use.layers == regions::RegionLayers::Turning &&
         regions::directionOf(region.use).cross(Eigen::Vector3d::UnitZ()).norm() < 1e-3)
       throw Error(ErrorCode::Usage,
                   base::message("layers of region {region} turn to a vertical direction"_text,
                                 region.shape),
                   {}, "give a tilted direction"_text);
-    if (use.layers == regions::RegionLayers::Surface && !followsSurface)
+    if (use.layers == regions::RegionLayers::Surface && !regions::followsSurface(*shape.kind))
       throw Error(
           ErrorCode::Usage,
           base::message("region {region} follows no surface: it has no layers of its own"_text,
                         region.shape),
-          {}, "give it as a skin, or use it for settings"_text);
+          {}, "give it as a skin or a painted surface, or use it for settings"_text);
     if (use.load == regions::RegionLoad::Force)
       regions::forceOf(region.use);
     for (const auto& [key, value] : region.parameters)

@@ -11,6 +11,7 @@
 #include "plan/finding_kinds.h"
 #include "process/library.h"
 #include "project/turn_text.h"
+#include "regions/region_uses.h"
 
 #include <algorithm>
 #include <array>
@@ -404,6 +405,20 @@ Edited acceptShare(const plan::Finding& finding, const project::Choices& choices
   return accepted ? withParameter(choices, "accept", *accepted) : std::nullopt;
 }
 
+// Three layers along the upper surface.
+Edited addSkin(const plan::Finding&, const project::Choices& choices) {
+  const std::vector<project::Region>& regions = choices.item().regions;
+  if (std::ranges::any_of(regions, [](const project::Region& region) {
+        return regions::findUse(region.use).layers == regions::RegionLayers::Surface;
+      }))
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.item().regions.push_back(
+      {.shape = "skin:" + base::formatParameter(3.0 * resolve(choices).process().layerHeightMm),
+       .use = "surface"});
+  return changed;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -429,6 +444,8 @@ std::span<const Remedy> remedies() {
         "By 20 mm on all sides, to give supports a base"_text, widenPlatform},
        {AdaptLayers, "adaptLayers", "Adapt the layers"_text,
         "Thinner layers on sloping surfaces, to reduce the gaps at steps"_text, adaptLayers},
+       {AddSkin, "addSkin", "Add a skin"_text,
+        "Three curved layers along the upper surface, over the flat ones"_text, addSkin},
        {LowerLayers, "lowerLayers", "Print thinner layers"_text,
         "Half the layer height, within the process's range"_text, lowerLayers},
        {MoreTurns, "moreTurns", "Try more rotations"_text,

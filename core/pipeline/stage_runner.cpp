@@ -168,6 +168,10 @@ private:
 
   bool layers() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
+    if (!canTilt(resolved_.choices, *result_.cell)) // nor print along a surface
+      std::erase_if(all.findings, [](const plan::Finding& finding) {
+        return finding.kind == plan::FindingKind::Staircase;
+      });
     const bool isByLayer =
         items_.size() > 1 && resolved_.choices.printOrder == layers::PrintOrder::ByLayer;
     if (isByLayer && std::ranges::any_of(job().items, [](const project::JobItem& item) {

@@ -87,6 +87,7 @@ enum class FindingKind : std::uint8_t {
   HeightBeyondLimits,
   PartsHinder,
   RegionOutside,
+  Staircase,
   // toolpath
   GivenWithoutSection,
   GivenTooFast,

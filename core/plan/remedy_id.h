@@ -17,6 +17,7 @@ enum class RemedyId : std::uint8_t {
   AddSupports,
   WidenPlatform,
   AdaptLayers,
+  AddSkin,
   LowerLayers,
   MoreTurns,
   LessClearance,

@@ -61,8 +61,17 @@ TriangleMesh combined(BooleanOperation operation, const TriangleMesh& part,
   return withoutFilms(*made);
 }
 
-substrate::Skin skinOf(const Shape& shape) {
-  return {shape.numbers[0], base::degreesToRadians(shape.numbers[1])};
+bool isSkin(const project::Region& region) {
+  return findUse(region.use).layers == RegionLayers::Surface;
+}
+
+// Returns per face of the part whether a skin follows it.
+std::vector<char> followedFaces(const project::Region& region, const Shape& shape,
+                                const PlacedPart& part) {
+  if (shape.kind->mesh != ShapeMesh::Painted)
+    return substrate::upperFaces(part.mesh, base::degreesToRadians(shape.numbers[1]));
+  base::require(region.mesh != nullptr, "the region has its mesh");
+  return substrate::paintedFaces(part.mesh, moved(*region.mesh, part));
 }
 
 // A plane is exact on any grid, and a large curved surface nearly so.
@@ -72,9 +81,10 @@ double skinGridMm(const TriangleMesh& part, double depthMm, const substrate::Lev
   return std::min(depthMm, std::max(substrate::offsetGridMm(levels), coarse));
 }
 
-TriangleMesh skinBody(const project::Region& region, const Shape& shape, const TriangleMesh& part,
+TriangleMesh skinBody(const project::Region& region, const Shape& shape, const PlacedPart& placed,
                       const substrate::LevelOptions& levels, const base::RunContext& ctx) {
-  const substrate::Skin skin = skinOf(shape);
+  const TriangleMesh& part = placed.mesh;
+  const substrate::Skin skin{followedFaces(region, shape, placed), shape.numbers[0]};
   if (skin.depthMm < levels.heightMinMm)
     throw base::Error(
         base::ErrorCode::UnusableInput,
@@ -86,8 +96,14 @@ TriangleMesh skinBody(const project::Region& region, const Shape& shape, const T
   if (surface.empty())
     throw base::Error(
         base::ErrorCode::UnusableInput,
-        base::message("region {region}: no face of the part is as flat as that"_text, region.shape),
-        {}, "give a steeper slope"_text);
+        shape.kind->mesh == ShapeMesh::Painted
+            ? base::message("region {region}: half of no face of the part is painted"_text,
+                            region.shape)
+            : base::message("region {region}: no face of the part is as flat as that"_text,
+                            region.shape),
+        {},
+        shape.kind->mesh == ShapeMesh::Painted ? "paint whole faces"_text
+                                               : "give a steeper slope"_text);
   // Only what is in the part matters.
   Eigen::AlignedBox3d box = geometry::bounds(part);
   box.min().array() -= kBoxMargin * gridMm;
@@ -109,13 +125,15 @@ TriangleMesh bodyOf(const project::Region& region, const PlacedPart& part,
   case ShapeFrame::Plate:
     return shape.kind->body(shape.numbers, geometry::bounds(part.mesh));
   case ShapeFrame::Part:
-    return skinBody(region, shape, part.mesh, levels, ctx);
+    return skinBody(region, shape, part, levels, ctx);
   case ShapeFrame::File:
     break;
   }
   if (shape.kind->mesh == ShapeMesh::None)
     return moved(shape.kind->body(shape.numbers, geometry::bounds(part.mesh)), part);
   base::require(region.mesh != nullptr, "the region has its mesh");
+  if (isSkin(region))
+    return skinBody(region, shape, part, levels, ctx);
   const TriangleMesh mesh = moved(*region.mesh, part);
   return shape.kind->mesh == ShapeMesh::Painted
              ? substrate::bodyAround(mesh, shape.numbers[0],
@@ -163,20 +181,24 @@ PartRegions divided(const PlacedPart& part, std::span<const project::Region> all
                         region.shape),
           {}, "make the region smaller"_text);
     result.layered.push_back({i, std::move(solid)});
+    if (isSkin(region))
+      result.layered.back().followed = followedFaces(region, parsedShape(region.shape), part);
     ctx.checkpoint();
   }
   std::erase_if(result.layered, [](const LayeredRegion& region) { return region.solid.empty(); });
   return result;
 }
 
-substrate::StackedLevels layersOf(const project::Region& region, const TriangleMesh& solid,
+substrate::StackedLevels layersOf(const project::Region& region, const LayeredRegion& layered,
                                   const RegionGround& ground, const substrate::LevelOptions& levels,
                                   const base::RunContext& ctx) {
+  const TriangleMesh& solid = layered.solid;
   switch (findUse(region.use).layers) {
   case RegionLayers::Surface:
     return substrate::stackLevels(
         solid,
-        substrate::skinLevels(solid, ground.whole, skinOf(parsedShape(region.shape)), levels),
+        substrate::skinLevels(solid, ground.whole,
+                              {layered.followed, parsedShape(region.shape).numbers[0]}, levels),
         levels, ctx);
   case RegionLayers::Around: {
     substrate::SubstrateOptions offset;

@@ -36,6 +36,7 @@ geometry::TriangleMesh withoutCuts(const PlacedPart& part, std::span<const proje
 struct LayeredRegion {
   std::size_t index = 0; // among the item's regions
   geometry::TriangleMesh solid;
+  std::vector<char> followed = {}; // of a skin: per face of the part, whether it follows it
 };
 
 struct PartRegions {
@@ -57,9 +58,8 @@ struct RegionGround {
 
 // Returns the layers of a region, numbered from 0. Throws Error{UnusableInput} if it has no room
 // for a layer, or for the turn of its layers; Cancelled.
-substrate::StackedLevels layersOf(const project::Region& region,
-                                  const geometry::TriangleMesh& solid, const RegionGround& ground,
-                                  const substrate::LevelOptions& levels,
+substrate::StackedLevels layersOf(const project::Region& region, const LayeredRegion& layered,
+                                  const RegionGround& ground, const substrate::LevelOptions& levels,
                                   const base::RunContext& ctx);
 
 } // namespace voluta::regions

@@ -149,6 +149,10 @@ std::string formOf(const std::vector<ShapeField>& fields) {
   return form;
 }
 
+bool followsSurface(const RegionKind& kind) {
+  return kind.frame == ShapeFrame::Part || kind.mesh == ShapeMesh::Painted;
+}
+
 std::string formOf(const RegionKind& kind) {
   return fmt::format("{}:{}", kind.word,
                      kind.mesh == ShapeMesh::File ? std::string("FILE") : formOf(kind.fields));

@@ -50,6 +50,9 @@ struct RegionKind {
 // In the order shown to users.
 const std::vector<RegionKind>& regionKinds();
 
+// Returns whether layers can be parallel to the part's surface in a shape: it says which faces.
+bool followsSurface(const RegionKind& kind);
+
 // Returns the form of a shape, for example "sphere:X,Y,Z,DIAMETER".
 std::string formOf(const RegionKind& kind);
 // Returns the forms of all kinds, separated by commas.

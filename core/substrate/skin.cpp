@@ -224,21 +224,36 @@ std::vector<char> upperFaces(const TriangleMesh& part, double maxSlopeRad) {
   return isUpper;
 }
 
+std::vector<char> paintedFaces(const TriangleMesh& part, const TriangleMesh& painted) {
+  const geometry::MeshQuery query(part, geometry::MeshQuery::Of::Surface);
+  std::vector<double> paintedMm2(part.triangles.size(), 0.0);
+  for (std::size_t t = 0; t < painted.triangles.size(); ++t) {
+    const Vector3d middle =
+        (painted.corner(t, 0) + painted.corner(t, 1) + painted.corner(t, 2)) / 3.0;
+    paintedMm2[static_cast<std::size_t>(query.closest(middle).triangle)] +=
+        geometry::triangleArea(painted, t);
+  }
+  std::vector<char> isPainted(part.triangles.size());
+  for (std::size_t t = 0; t < isPainted.size(); ++t)
+    isPainted[t] = paintedMm2[t] > 0.0 && paintedMm2[t] >= 0.5 * geometry::triangleArea(part, t);
+  return isPainted;
+}
+
 SkinSurface::SkinSurface(const TriangleMesh& part, const Skin& skin, double gridMm)
     : depthMm_(skin.depthMm), gridMm_(gridMm) {
   base::require(skin.depthMm > 0.0 && gridMm > 0.0, "a skin with a depth");
-  const std::vector<char> isUpper = upperFaces(part, skin.maxSlopeRad);
-  surface_ = facesOf(part, isUpper);
+  const std::vector<char>& isFollowed = skin.faces;
+  surface_ = facesOf(part, isFollowed);
   if (surface_.empty())
     return;
   outward_.resize(surface_.triangles.size(),
                   {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()});
-  const std::vector<std::size_t> number = numbersOf(isUpper);
-  forEachRim(part, isUpper, [&](const Rim& rim) {
+  const std::vector<std::size_t> number = numbersOf(isFollowed);
+  forEachRim(part, isFollowed, [&](const Rim& rim) {
     if (rim.ahead < 0.0)
       outward_[number[rim.triangle]][rim.side] = rim.outward;
   });
-  continueAhead(part, isUpper, depthMm_, 2.0 * gridMm, surface_);
+  continueAhead(part, isFollowed, depthMm_, 2.0 * gridMm, surface_);
   outward_.resize(surface_.triangles.size(),
                   {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()});
   query_ = queryOf(surface_);
@@ -261,7 +276,7 @@ double SkinSurface::excess(const Vector3d& p) const {
 
 LevelFamily skinLevels(const TriangleMesh& solid, const TriangleMesh& part, const Skin& skin,
                        const LevelOptions& options) {
-  std::vector<char> followed = upperFaces(part, skin.maxSlopeRad);
+  std::vector<char> followed = skin.faces;
   addSmoothNeighbours(part, followed);
   const auto surface =
       std::make_shared<const Followed>(part, followed, skin.depthMm, 2.0 * offsetGridMm(options));

@@ -17,19 +17,25 @@ class MeshQuery;
 namespace voluta::substrate {
 
 struct Skin {
+  std::vector<char> faces; // per face of the part, whether the skin follows it
   double depthMm = 0.0;
-  double maxSlopeRad = 0.0; // faces whose normals are farther from z are no upper surface
 };
 
-// Returns per face of a part whether it is one of its upper surface.
+// Returns per face of a part whether it is one of its upper surface: its normal is no farther from
+// z than that.
 std::vector<char> upperFaces(const geometry::TriangleMesh& part, double maxSlopeRad);
+// Returns per face of a part whether at least half of it is painted. `painted`: triangles on the
+// part's surface.
+std::vector<char> paintedFaces(const geometry::TriangleMesh& part,
+                               const geometry::TriangleMesh& painted);
 
-// The upper surface of a part, for the body of a skin. Where it ends at a ridge, it is continued
-// straight ahead, so that the skin ends at the part's side without a bend; elsewhere the skin ends
-// along the normals of its edge.
+// The surface of a part that a skin follows, for the body of the skin. Where it ends at a ridge, it
+// is continued straight ahead, so that the skin ends at the part's side without a bend; elsewhere
+// the skin ends along the normals of its edge.
 class SkinSurface {
 public:
-  // Precondition: depthMm > 0; gridMm > 0 is the resolution at which excess() is looked at.
+  // Precondition: depthMm > 0; gridMm > 0 is the resolution at which excess() is looked at; an
+  // entry for each face.
   SkinSurface(const geometry::TriangleMesh& part, const Skin& skin, double gridMm);
 
   bool empty() const { return surface_.empty(); }
@@ -52,7 +58,7 @@ private:
 
 // Returns levels at constant distance from the surface of `part`, the outermost one half a layer
 // below it, the innermost on the core, depthMm below it. Directions point to the surface. `solid`:
-// what the levels fill. Preconditions: it is not empty; the part has an upper surface.
+// what the levels fill. Preconditions: it is not empty; the skin follows a face.
 LevelFamily skinLevels(const geometry::TriangleMesh& solid, const geometry::TriangleMesh& part,
                        const Skin& skin, const LevelOptions& options);
 

@@ -59,7 +59,7 @@ TEST(PartRegions, ASkinAndItsCoreAreThePart) {
     EXPECT_NEAR(geometry::volume(made.rest) + geometry::volume(made.layered[0].solid), a * b * h,
                 1e-3);
     const substrate::StackedLevels layers =
-        layersOf(skin[0], made.layered[0].solid, {box, made.rest}, kLevels, {});
+        layersOf(skin[0], made.layered[0], {box, made.rest}, kLevels, {});
     EXPECT_EQ(layers.stack.layerCount,
               std::clamp(static_cast<int>(std::lround(d / 0.8)), static_cast<int>(std::ceil(d)),
                          static_cast<int>(std::floor(d / 0.4))));
@@ -74,7 +74,7 @@ TEST(PartRegions, LayersOfASkinAreParallelToADome) {
   const PartRegions made = divided({part}, skin, kLevels, {});
   ASSERT_EQ(made.layered.size(), 1u);
   const substrate::StackedLevels layers =
-      layersOf(skin[0], made.layered[0].solid, {part, made.rest}, kLevels, {});
+      layersOf(skin[0], made.layered[0], {part, made.rest}, kLevels, {});
   ASSERT_EQ(layers.stack.layerCount, 3);
   const Vector3d middle(0.0, 0.0, base - std::sqrt(radius * radius - edge * edge));
   std::size_t vertices = 0, askew = 0;
@@ -109,7 +109,8 @@ TEST(PartRegions, AJacketIsWoundAroundItsCore) {
   const TriangleMesh core = test::cylinder({0, 0, 0}, {0, 0, 30}, 9.6);
   const TriangleMesh solid =
       test::cylinder({0, 0, 5}, {0, 0, 25}, 12.0) - test::cylinder({0, 0, -1}, {0, 0, 31}, 9.6);
-  const substrate::StackedLevels layers = layersOf(jacket[0], solid, {part, core}, kLevels, {});
+  const substrate::StackedLevels layers =
+      layersOf(jacket[0], {0, solid}, {part, core}, kLevels, {});
   EXPECT_EQ(layers.stack.layerCount, 3);
   for (const layers::Patch& patch : layers.stack.patches)
     for (std::size_t v = 0; v < patch.surface.vertices.size(); ++v) {
@@ -120,10 +121,46 @@ TEST(PartRegions, AJacketIsWoundAroundItsCore) {
   EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(solid), 1.0, 0.02);
 }
 
+// The faces of a dome on one side of a plane are painted: their skin ends there.
+TEST(PartRegions, ASkinFollowsPaintedFaces) {
+  const double radius = 25.0, edge = 15.0, base = 6.0, depth = 2.4;
+  const TriangleMesh part = dome(radius, edge, base);
+  for (const bool isWhole : {true, false}) {
+    std::vector<bool> isPainted(part.triangles.size());
+    for (std::size_t t = 0; t < isPainted.size(); ++t) {
+      const Vector3d middle = (part.corner(t, 0) + part.corner(t, 1) + part.corner(t, 2)) / 3.0;
+      isPainted[t] = geometry::triangleNormal(part, t).z() > 0.5 && (isWhole || middle.x() > 0.0);
+    }
+    auto painted = std::make_shared<TriangleMesh>(geometry::subMesh(part, isPainted));
+    const std::vector<project::Region> skin{
+        {.shape = "painted:2.4", .use = "surface", .mesh = painted}};
+    const PartRegions made = divided({part}, skin, kLevels, {});
+    ASSERT_EQ(made.layered.size(), 1u);
+    // A shell of a ball below the dome, and what continues it to the cylinder's side.
+    const double inside = radius - depth,
+                 height = radius - std::sqrt(radius * radius - edge * edge);
+    const double cap = base::kPi * height * height * (radius - height / 3.0);
+    const double lower = height - depth, core = base::kPi * lower * lower * (inside - lower / 3.0);
+    const double closed = (isWhole ? 1.0 : 0.5) * (cap - core);
+    EXPECT_GT(geometry::volume(made.layered[0].solid), 0.97 * closed);
+    EXPECT_LT(geometry::volume(made.layered[0].solid), 1.2 * closed);
+    EXPECT_NEAR(geometry::volume(made.rest) + geometry::volume(made.layered[0].solid),
+                geometry::volume(part), 1e-3 * geometry::volume(part));
+    const substrate::StackedLevels layers =
+        layersOf(skin[0], made.layered[0], {part, made.rest}, kLevels, {});
+    EXPECT_EQ(layers.stack.layerCount, 3);
+    EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(made.layered[0].solid), 1.0, 0.03);
+    for (const layers::Patch& patch : layers.stack.patches)
+      for (const Vector3d& v : patch.surface.vertices)
+        EXPECT_TRUE(isWhole || v.x() > -depth) << v.transpose(); // at the ridge it rounds the end
+  }
+}
+
 TEST(PartRegions, FlatLayersFollowTheirDirection) {
   const TriangleMesh solid = test::box({0, 0, 10}, {16, 12, 26});
   const std::vector<project::Region> flat{{.shape = "height:10,26", .use = "flat:1,0,0"}};
-  const substrate::StackedLevels layers = layersOf(flat[0], solid, {solid, solid}, kLevels, {});
+  const substrate::StackedLevels layers =
+      layersOf(flat[0], {0, solid}, {solid, solid}, kLevels, {});
   EXPECT_EQ(layers.stack.layerCount, 20);
   EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(solid), 1.0, 1e-3);
   for (const layers::Patch& patch : layers.stack.patches)
@@ -151,7 +188,7 @@ TEST(PartRegions, TurningLayersFillAWedge) {
     const double nearest = r0 * std::cos(0.5 * tilt);
     const bool fits = std::ceil(r1 * tilt / 1.0 - 1e-4) <= std::floor(nearest * tilt / 0.4 + 1e-4);
     try {
-      const auto layers = layersOf(turn[0], wedge, {wedge, wedge}, kLevels, {});
+      const auto layers = layersOf(turn[0], {0, wedge}, {wedge, wedge}, kLevels, {});
       EXPECT_TRUE(fits) << r0 << " " << r1;
       EXPECT_NEAR(test::volumeOf(layers.stack) / geometry::volume(wedge), 1.0, 0.02);
       for (const layers::Patch& patch : layers.stack.patches)

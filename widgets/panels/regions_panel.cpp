@@ -386,13 +386,13 @@ void RegionsPanel::showList() {
 void RegionsPanel::showFields(const Region& region) {
   const auto shape = shapeOf(region);
   const RegionUse* use = useOf(region);
-  const bool followsSurface = shape && shape->kind->frame == regions::ShapeFrame::Part;
+  const bool followsSurface = shape && regions::followsSurface(*shape->kind);
   auto* model = qobject_cast<QStandardItemModel*>(use_->model());
   for (int i = 0; i < use_->count(); ++i) {
     const RegionUse& one = regions::regionUses()[static_cast<std::size_t>(i)];
     const bool makesSense = one.layers != regions::RegionLayers::Surface || followsSurface;
     model->item(i)->setEnabled(makesSense);
-    model->item(i)->setToolTip(makesSense ? QString() : tr("Only a skin follows the surface"));
+    model->item(i)->setToolTip(makesSense ? QString() : tr("Only a skin or a painted surface says which faces the layers follow"));
   }
   use_->setCurrentIndex(use ? use_->findData(qString(use->id)) : -1);
   const auto fill = [](const std::vector<Field>& fields, const std::vector<ShapeField>& specs,

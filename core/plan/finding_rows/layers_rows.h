@@ -60,6 +60,9 @@ inline constexpr FindingRow kLayersRows[] = {
     info(RegionOutside, "regionOutside",
          "region {region} is outside the part, or behind later regions: it has no effect"_text,
          "move it into the part, or remove it"_text),
+    info(Staircase, "staircase",
+         "{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average"_text,
+         "a skin of layers along the surface has none"_text, {.remedies = kOffers<AddSkin>}),
 };
 
 } // namespace voluta::plan::finding_rows
