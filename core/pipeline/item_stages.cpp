@@ -87,7 +87,7 @@ withStaircase(std::shared_ptr<const modes::LayersStage> stage, const geometry::T
   auto found = std::make_shared<modes::LayersStage>(*stage);
   found->findings.push_back(plan::makeFinding(
       plan::FindingKind::Staircase,
-      {{"share", base::percent(share)},
+      {{"share", base::percent(100.0 * share)},
        {"mean", base::mm(layers::stepsOn(*stage->layers, part, isGentle, ctx).meanMm)}}));
   return found;
 }

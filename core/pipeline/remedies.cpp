@@ -408,6 +408,8 @@ Edited acceptShare(const plan::Finding& finding, const project::Choices& choices
 // Three layers along the upper surface.
 Edited addSkin(const plan::Finding&, const project::Choices& choices) {
   const std::vector<project::Region>& regions = choices.item().regions;
+  if (choices.item().mode != modes::findMode("flat").id)
+    return std::nullopt;
   if (std::ranges::any_of(regions, [](const project::Region& region) {
         return regions::findUse(region.use).layers == regions::RegionLayers::Surface;
       }))

@@ -209,6 +209,7 @@ Material readMaterialNode(const JsonNode& top) {
   readLimits(top, m);
   readLayerTimes(top, m);
   readLooks(top, m);
+  m.elasticity.reset();
   if (top.has("elasticity"))
     m.elasticity = readElasticity(top.at("elasticity"));
   m.comesWithProgram = false;
@@ -265,6 +266,7 @@ Material materialNamed(const std::string& name) {
   forgetTemperatures(unknown);
   unknown.fan = 0.0;
   unknown.bridges.clear();
+  unknown.elasticity.reset();
   unknown.pricePerKg = 0.0;
   unknown.comesWithProgram = false;
   return unknown;

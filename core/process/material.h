@@ -17,11 +17,11 @@ struct BridgedLength {
 // Those of PLA.
 std::vector<BridgedLength> bridgesOfPla();
 
-// How beads give way under a load.
+// How beads give way under a load. The default is that of PLA (Casavola 2016).
 struct Elasticity {
-  double alongMPa = 0.0;  // modulus along a bead
-  double acrossMPa = 0.0; // and across: to the beads beside it, and to the layers
-  double shearMPa = 0.0;  // between them
+  double alongMPa = 3120.0;  // modulus along a bead
+  double acrossMPa = 2770.0; // and across: to the beads beside it, and to the layers
+  double shearMPa = 1050.0;  // between them
   double poisson = 0.33;  // within [0, 0.5)
 
   bool operator==(const Elasticity&) const = default;
@@ -41,7 +41,7 @@ struct Material {
   std::optional<double> bridgeMm; // longest bridge, whatever the process allows; none: any
   // Spans that bridge with a sag of up to 0.2 mm, by ascending bead width; none: unknown
   std::vector<BridgedLength> bridges = bridgesOfPla();
-  std::optional<Elasticity> elasticity; // none: unknown
+  std::optional<Elasticity> elasticity = Elasticity{}; // none: unknown
   // Age [s] that a bead must, and may at most, have when the next layer covers it; none: any
   std::optional<double> minLayerTimeS, maxLayerTimeS;
   double pricePerKg = 20.0;       // in the user's currency; 0: unknown

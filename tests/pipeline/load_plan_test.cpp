@@ -24,12 +24,12 @@ using Eigen::Vector3d;
 using test::reasons;
 using test::operator+;
 
-const std::vector<std::string> kBending{"box:-29,0,4,6,16,8;use=hold",
-                                        "box:29,0,4,6,16,8;use=load:0,-20,0"};
+const std::vector<std::string> kBending{"box:-42,0,2,6,20,4;use=hold",
+                                        "box:42,0,2,6,20,4;use=load:0,-20,0"};
 
 PlanRequest bar(const std::vector<std::string>& regions, const std::string& infill) {
   PlanRequest request;
-  request.item().loaded = test::loadedBox({-32, -8, 0}, {32, 8, 6.4});
+  request.item().loaded = test::loadedBox({-45, -10, 0}, {45, 10, 4});
   request.choices.item().mode = "flat";
   request.choices.formats = {"gcode-extended"};
   test::giveParameters(request.choices, {{"infill", infill}});
@@ -51,7 +51,7 @@ TEST(LoadPlan, FieldInfillRunsAlongTheStressOfABentBar) {
   EXPECT_LT(after.acrossBeadsMPa, 0.7 * before.acrossBeadsMPa);
   EXPECT_GE(field.job.report.toolpath.coveredFraction, 0.985);
   // Euler and Bernoulli, between the moduli across and along.
-  const double bending = std::pow(16.0, 3) * 6.4 / 12.0 * 3.0 / std::pow(55.0, 3);
+  const double bending = std::pow(20.0, 3) * 4.0 / 12.0 * 3.0 / std::pow(81.0, 3);
   EXPECT_GT(after.stiffnessNPerMm, 0.8 * 2770.0 * bending);
   EXPECT_LT(after.stiffnessNPerMm, 1.1 * 3120.0 * bending);
 }
@@ -103,8 +103,8 @@ TEST(LoadPlan, NamesTheHoldTheForceOrTheFieldThatIsMissing) {
   expectRefused(bar({kBending[1]}, "field"), "none that holds");
   expectRefused(bar({kBending[0]}, "field"), "no field of directions");
   expectRefused(bar({}, "field"), "no field of directions");
-  expectRefused(bar({kBending[0], "box:29,0,4,6,16,8;use=load:0,0,0"}, "zigzag"), "no direction");
-  expectRefused(bar({kBending[0], "box:90,0,4,6,16,8;use=load:0,0,-1"}, "zigzag"),
+  expectRefused(bar({kBending[0], "box:42,0,2,6,20,4;use=load:0,0,0"}, "zigzag"), "no direction");
+  expectRefused(bar({kBending[0], "box:90,0,2,6,20,4;use=load:0,0,-1"}, "zigzag"),
                 "nothing of the part");
   expectRefused(bar({kBending[0], kBending[1] + ";walls=3"}, "zigzag"), "no settings");
 }

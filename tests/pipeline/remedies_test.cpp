@@ -42,7 +42,7 @@ Choices choicesFor(RemedyId id) {
     choices.item().placement.liftMm = 4.0;
   if (id == RemedyId::AddSupports)
     choices.item().parameters["supports"] = "none";
-  if (id == RemedyId::AdaptLayers)
+  if (id == RemedyId::AdaptLayers || id == RemedyId::AddSkin)
     choices.item().mode = "flat";
   if (id == RemedyId::CentrePart)
     choices.item().placement.centreMm = {30.0, 0.0};
@@ -112,6 +112,7 @@ TEST(Remedies, EveryRemedyCuresItsFindingsAndIsThenDone) {
       unchanged.parameters = choices.parameters;
       unchanged.item().platform = choices.item().platform;
       unchanged.item().placement = choices.item().placement;
+      unchanged.item().regions = choices.item().regions;
       unchanged.item().scale = choices.item().scale;
       unchanged.item().units = choices.item().units;
       unchanged.tool().process = choices.tool().process;
