@@ -21,8 +21,11 @@ constexpr std::array kWords{std::pair(std::string_view("pause"), LayerEventKind:
                             std::pair(std::string_view("wait"), LayerEventKind::Wait),
                             std::pair(std::string_view("output"), LayerEventKind::Output),
                             std::pair(std::string_view("tool"), LayerEventKind::Tool),
-                            std::pair(std::string_view("statement"), LayerEventKind::Statement)};
+                            std::pair(std::string_view("statement"), LayerEventKind::Statement),
+                            std::pair(std::string_view("photo"), LayerEventKind::Photo)};
 constexpr double kLongestS = 36000.0, kHighestMm = 10000.0;
+// A check of a program tells such a pulse from a shorter one.
+constexpr double kShortestPulseS = 0.2, kLongestPulseS = 60.0, kUsualPulseS = 0.5;
 constexpr int kMaxOutput = 4095, kMaxTool = 99;
 
 std::string_view withoutBlanks(std::string_view text) {
@@ -94,6 +97,14 @@ bool takeValue(LayerEvent& event, std::string_view text) {
     event.number = output.value_or(0);
     event.on = text == "on";
     return output && (text == "on" || text == "off");
+  }
+  case LayerEventKind::Photo: {
+    const auto output = numberIn(takeWord(text), 0, kMaxOutput);
+    const auto pulse = text.empty() ? std::optional(kUsualPulseS)
+                                    : numberIn(text, kShortestPulseS, kLongestPulseS);
+    event.number = output.value_or(0);
+    event.seconds = pulse.value_or(0.0);
+    return output && pulse;
   }
   case LayerEventKind::Tool: {
     const auto tool = numberIn(text, 1, kMaxTool);
@@ -191,7 +202,7 @@ std::vector<LayerEvent> layerEventsOf(std::string_view text) {
           base::ErrorCode::Usage,
           base::message("'{text}' is not an event of a layer"_text, std::string(whole)),
           std::string(kLayerEvents),
-          "give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE"_text);
+          "give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINE"_text);
     events.push_back(std::move(*event));
   }
   return events;
@@ -220,7 +231,7 @@ std::string eventsWithoutTool(std::string_view text, int number) {
 std::vector<LayerEvent> eventsAsked(const base::ParameterValues& values) {
   std::vector<LayerEvent> events;
   for (const int layer : pauseLayersOf(values.text(kPauseLayers)))
-    events.push_back({.layer = layer});
+    events.push_back({.layer = layer, .isListed = true});
   std::ranges::move(layerEventsOf(values.text(kLayerEvents)), std::back_inserter(events));
   return events;
 }

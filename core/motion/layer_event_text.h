@@ -26,7 +26,7 @@ std::string pauseLayersText(const std::vector<int>& layers);
 
 // Returns the events that a value of layerEvents lists, of item 0. Each begins with a layer or a
 // height, behind the first they are separated by semicolons:
-//   12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2;
+//   12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2;
 //   50 statement urscript set_tool_voltage(24)
 // A semicolon that no event follows belongs to the text before it. Throws Error{Usage} that names
 // the event that is none.

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace voluta::motion {
 
@@ -57,13 +60,50 @@ bool begins(const plan::LayerEvent& event, const ItemLayers& layers, const plan:
   return bead >= event.bead;
 }
 
-std::string pauseText(const plan::ToolPlan& plan, const plan::LayerEvent& event,
+// The texts of the pauses of a stop, each once.
+std::string textsOf(const std::vector<plan::LayerEvent>& events, const EventPlace& place) {
+  std::vector<std::string_view> texts;
+  const auto add = [&](std::size_t event) {
+    const std::string& text = events[event].text;
+    if (!text.empty() && std::ranges::find(texts, text) == texts.end())
+      texts.push_back(text);
+  };
+  add(place.event);
+  std::ranges::for_each(place.also, add);
+  return fmt::format("{}", fmt::join(texts, " / "));
+}
+
+std::string pauseText(const plan::ToolPlan& plan, const std::vector<plan::LayerEvent>& events,
                       const EventPlace& place) {
+  const plan::LayerEvent& event = events[place.event];
+  const std::string own = textsOf(events, place);
   const std::string part = isOneItem(plan) ? "" : fmt::format(" of part {}", event.item + 1);
   const std::string where = fmt::format("layer {} of {}{}", place.layer, place.layers, part);
-  if (!event.text.empty())
-    return fmt::format("{} ({}, z {:.2f} mm)", event.text, where, place.heightMm);
+  if (!own.empty())
+    return fmt::format("{} ({}, z {:.2f} mm)", own, where, place.heightMm);
   return fmt::format("Paused before {} (z {:.2f} mm)", where, place.heightMm);
+}
+
+std::vector<EventPlace> withJoinedPauses(const plan::ToolPlan& plan,
+                                         const std::vector<plan::LayerEvent>& events,
+                                         std::vector<EventPlace> places) {
+  std::vector<EventPlace> joined;
+  for (EventPlace& place : places) {
+    const auto isPause = [&](const EventPlace& one) {
+      return events[one.event].kind == plan::LayerEventKind::Pause;
+    };
+    if (!joined.empty() && joined.back().path == place.path && isPause(joined.back()) &&
+        isPause(place)) {
+      EventPlace both = joined.back();
+      both.also.push_back(place.event);
+      if (pauseText(plan, events, both).size() <= kStopTextLength) {
+        joined.back() = std::move(both);
+        continue;
+      }
+    }
+    joined.push_back(std::move(place));
+  }
+  return joined;
 }
 } // namespace
 
@@ -80,12 +120,12 @@ std::vector<EventPlace> eventPlaces(const plan::ToolPlan& plan,
       if (path.item != event.item || !begins(event, layers, path, ++bead))
         continue;
       places.push_back(
-          {p, e, layers.numberOf(path.layer), layers.count(), plan.position[path.first].z()});
+          {p, e, {}, layers.numberOf(path.layer), layers.count(), plan.position[path.first].z()});
       break;
     }
   }
   std::ranges::stable_sort(places, {}, &EventPlace::path);
-  return places;
+  return withJoinedPauses(plan, events, std::move(places));
 }
 
 int layersOfItem(const plan::ToolPlan& plan, int item) {
@@ -109,23 +149,31 @@ std::vector<LayerOfItem> itemsInLayer(const plan::ToolPlan& plan, int layer) {
 }
 
 bool waitsAside(plan::LayerEventKind kind) {
-  return kind == plan::LayerEventKind::Pause || kind == plan::LayerEventKind::Wait;
+  using enum plan::LayerEventKind;
+  return kind == Pause || kind == Wait || kind == Photo;
 }
 
-plan::TrajectoryEvent trajectoryEvent(const plan::ToolPlan& plan, const plan::LayerEvent& event,
-                                      const EventPlace& place) {
+std::vector<plan::TrajectoryEvent> trajectoryEvents(const plan::ToolPlan& plan,
+                                                    const std::vector<plan::LayerEvent>& events,
+                                                    const EventPlace& place) {
+  using plan::EventKind;
+  const plan::LayerEvent& event = events[place.event];
   switch (event.kind) {
   case plan::LayerEventKind::Wait:
-    return {.kind = plan::EventKind::Wait, .seconds = event.seconds};
+    return {{.kind = EventKind::Wait, .seconds = event.seconds}};
   case plan::LayerEventKind::Output:
-    return {.kind = plan::EventKind::Output, .tool = event.number, .on = event.on};
+    return {{.kind = EventKind::Output, .tool = event.number, .on = event.on}};
   case plan::LayerEventKind::Statement:
-    return {.kind = plan::EventKind::Statement, .text = event.text, .format = event.format};
+    return {{.kind = EventKind::Statement, .text = event.text, .format = event.format}};
+  case plan::LayerEventKind::Photo:
+    return {{.kind = EventKind::Output, .tool = event.number, .on = true},
+            {.kind = EventKind::Wait, .seconds = event.seconds},
+            {.kind = EventKind::Output, .tool = event.number, .on = false}};
   case plan::LayerEventKind::Pause:
   case plan::LayerEventKind::Tool:
     break;
   }
-  return {.kind = plan::EventKind::Pause, .text = pauseText(plan, event, place)};
+  return {{.kind = EventKind::Pause, .text = pauseText(plan, events, place)}};
 }
 
 } // namespace voluta::motion

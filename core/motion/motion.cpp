@@ -384,8 +384,9 @@ private:
         add(*purge);
       break;
     case ToolStep::Kind::Event: {
-      const EventPlace& place = places_.at(step.event);
-      add(trajectoryEvent(plan_, options_.layerEvents.at(place.event), place));
+      for (plan::TrajectoryEvent& event :
+           trajectoryEvents(plan_, options_.layerEvents, places_.at(step.event)))
+        add(std::move(event));
     }
     }
   }

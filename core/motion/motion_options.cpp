@@ -78,7 +78,7 @@ base::ParameterTable motionParameters() {
            "Numbers of layers of the part, separated by commas: before each of them the arm goes beside the part and waits until the operator continues, for example to put in an insert. Then it primes the nozzle there."_text)),
        base::ofItem(base::textParameter(
            kLayerEvents, "Motion"_text, "events before layers"_text,
-           "What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE."_text)),
+           "What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 35 photo OUTPUT SECONDS; 40 tool NUMBER; 50 statement FORMAT LINE."_text)),
        base::numberParameter(
            kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),

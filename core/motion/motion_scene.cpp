@@ -1,6 +1,7 @@
 #include "motion/motion_scene.h"
 
 #include "collision/shape_distance.h"
+#include "motion/motion_options.h"
 #include "motion/nozzle_frame.h"
 #include "plan/tool_plan.h"
 

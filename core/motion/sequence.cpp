@@ -230,6 +230,13 @@ private:
     return scene_.options.layerEvents[places_[place].event];
   }
 
+  // Returns whether it is so for each event that happens at a place.
+  template <typename Is> bool isEach(std::size_t place, const Is& is) const {
+    return is(eventAt(place)) && std::ranges::all_of(places_[place].also, [&](std::size_t event) {
+             return is(scene_.options.layerEvents[event]);
+           });
+  }
+
   // Returns the events between two runs, as indices of their places; `a`: nullptr before the first
   // run. Where the operator changes the tool the arm stops anyway.
   std::vector<std::size_t> eventsBetween(const Run* a, const Run& b) const {
@@ -239,7 +246,9 @@ private:
     for (std::size_t k = 0; k < places_.size() && places_[k].path <= b.path; ++k) {
       const plan::LayerEvent& event = eventAt(k);
       const bool isUsualPause =
-          event.kind == plan::LayerEventKind::Pause && event.text.empty() && !event.changesFilament;
+          event.kind == plan::LayerEventKind::Pause && isEach(k, [](const plan::LayerEvent& one) {
+            return one.text.empty() && !one.changesFilament;
+          });
       if ((!a || places_[k].path > a->path) && event.kind != plan::LayerEventKind::Tool &&
           !(stopsAnyway && isUsualPause))
         between.push_back(k);
@@ -280,8 +289,9 @@ private:
         join(all, prime(before));
       return all;
     }
-    const bool changesFilament =
-        std::ranges::any_of(places, [&](std::size_t k) { return eventAt(k).changesFilament; });
+    const bool changesFilament = std::ranges::any_of(places, [&](std::size_t k) {
+      return !isEach(k, [](const plan::LayerEvent& one) { return !one.changesFilament; });
+    });
     if (!isBeforeChange && !(isFirst && scene_.plan.primes()))
       steps.push_back({0, changesFilament ? Kind::Purge : Kind::Prime});
     doBeside(all, std::move(steps), before);

@@ -1,5 +1,5 @@
 // What the user asks for before a layer of a part: a pause, a wait, another tool, an output, a
-// statement of his own.
+// statement of his own, a photo.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 namespace voluta::plan {
 
 enum class LayerEventKind : std::uint8_t {
-  Pause,    // the arm waits beside the part until the operator continues
-  Wait,     // the arm waits beside the part for `seconds`
-  Output,   // the machine's digital output `number` is set to `on`
-  Tool,     // from here on tool `number` prints, from 1
-  Statement // `text` is a line of programs of `format`
+  Pause,     // the arm waits beside the part until the operator continues
+  Wait,      // the arm waits beside the part for `seconds`
+  Output,    // the machine's digital output `number` is set to `on`
+  Tool,      // from here on tool `number` prints, from 1
+  Statement, // `text` is a line of programs of `format`
+  Photo      // the arm waits beside the part while output `number` is on for `seconds`
 };
 
 // The first of `layer`, `heightMm` and `bead` that is positive says where.
@@ -25,6 +26,7 @@ struct LayerEvent {
   double seconds = 0.0;
   int number = 0;
   bool on = false;
+  bool isListed = false;        // Pause: of the list pauseLayers
   bool changesFilament = false; // Pause: the nozzle is purged as after a change of the tool
   std::string text = {};        // Pause: shown to the operator; empty: the usual text
   std::string format = {};

@@ -114,7 +114,9 @@ TEST(LayerEvents, CountTheLayersOfTheirPart) {
   EXPECT_EQ(places[1].path, 6u);
   EXPECT_EQ(places[1].layer, 3);
   EXPECT_EQ(places[1].layers, 4);
-  const auto pause = motion::trajectoryEvent(plan, {.item = 1, .layer = 3}, places[1]);
+  motion::EventPlace place = places[1];
+  place.event = 0;
+  const auto pause = motion::trajectoryEvents(plan, {{.item = 1, .layer = 3}}, place).front();
   EXPECT_NE(pause.text.find("layer 3 of 4 of part 2"), std::string::npos) << pause.text;
 }
 
@@ -166,10 +168,62 @@ TEST(LayerEvents, APrimeInTheAirIsNoHeightOfThePart) {
 TEST(LayerEvents, ThePauseNamesItsLayerAndItsText) {
   const plan::ToolPlan plan = test::cylinder(15, 4);
   const motion::EventPlace place{.path = 2, .layer = 3, .layers = 4, .heightMm = 5.5};
-  EXPECT_EQ(motion::trajectoryEvent(plan, {.layer = 3}, place).text,
+  EXPECT_EQ(motion::trajectoryEvents(plan, {{.layer = 3}}, place).front().text,
             "Paused before layer 3 of 4 (z 5.50 mm)");
-  EXPECT_EQ(motion::trajectoryEvent(plan, {.layer = 3, .text = "Put in the nut"}, place).text,
-            "Put in the nut (layer 3 of 4, z 5.50 mm)");
+  EXPECT_EQ(
+      motion::trajectoryEvents(plan, {{.layer = 3, .text = "Put in the nut"}}, place).front().text,
+      "Put in the nut (layer 3 of 4, z 5.50 mm)");
+}
+
+// The operator answers one question where several stops fall together, with each text once.
+TEST(LayerEvents, StopsAtOnePlaceAreOneQuestion) {
+  const plan::ToolPlan plan = test::cylinder(15, 4);
+  const auto stop = [](const std::string& text) { return LayerEvent{.layer = 3, .text = text}; };
+  const LayerEvent output{.layer = 3, .kind = LayerEventKind::Output, .number = 3, .on = true};
+  const auto textsOf = [&](const std::vector<LayerEvent>& events) {
+    std::vector<std::string> texts;
+    for (const motion::EventPlace& place : motion::eventPlaces(plan, events))
+      for (const plan::TrajectoryEvent& event : motion::trajectoryEvents(plan, events, place))
+        texts.push_back(event.kind == EventKind::Pause ? event.text : "output");
+    return texts;
+  };
+  std::vector<std::string> texts = textsOf({{.layer = 3, .isListed = true},
+                                            stop("Put in the nut"),
+                                            stop("Turn the plate"),
+                                            stop("Put in the nut")});
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_TRUE(texts[0].starts_with("Put in the nut / Turn the plate (layer 3 of 4, z "))
+      << texts[0];
+  // What lies between them stays between them.
+  texts = textsOf({stop("Put in the nut"), output, stop("Turn the plate")});
+  ASSERT_EQ(texts.size(), 3u);
+  EXPECT_EQ(texts[1], "output");
+  // Texts for which there is no room are a stop of their own.
+  const std::string longest(motion::kOwnTextLength, 'x');
+  texts = textsOf({stop(longest), stop("Turn the plate")});
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_TRUE(texts[1].starts_with("Turn the plate (")) << texts[1];
+}
+
+TEST(LayerEvents, APhotoIsAPulseAtRest) {
+  const plan::ToolPlan plan = test::cylinder(15, 4);
+  const std::vector<LayerEvent> events = layerEventsOf("3 photo 4; 4 photo 5 1.5");
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_TRUE(motion::waitsAside(events[0].kind));
+  EXPECT_DOUBLE_EQ(events[0].seconds, 0.5);
+  const auto places = motion::eventPlaces(plan, events);
+  ASSERT_EQ(places.size(), 2u);
+  const auto pulse = motion::trajectoryEvents(plan, events, places[1]);
+  ASSERT_EQ(pulse.size(), 3u);
+  EXPECT_EQ(pulse[0].kind, EventKind::Output);
+  EXPECT_EQ(pulse[0].tool, 5);
+  EXPECT_TRUE(pulse[0].on);
+  EXPECT_EQ(pulse[1].kind, EventKind::Wait);
+  EXPECT_DOUBLE_EQ(pulse[1].seconds, 1.5);
+  EXPECT_EQ(pulse[2].tool, 5);
+  EXPECT_FALSE(pulse[2].on);
+  for (const char* wrong : {"3 photo", "3 photo x", "3 photo 4 0.05", "3 photo 4 100"})
+    EXPECT_THROW(layerEventsOf(wrong), base::Error) << wrong;
 }
 
 class LayerEventMotion : public ::testing::Test {
