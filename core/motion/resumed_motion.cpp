@@ -104,6 +104,23 @@ std::vector<double> timesFromRest(const plan::Trajectory& t, std::size_t point, 
   return timesOf(timedPoints(cell, run), limits);
 }
 
+// Returns the pauses, waits and outputs before the bead that begins at the point, in their order:
+// nobody knows which of them have been before the print stopped. The pause for a change of the tool
+// is not among them, since the operator fits the tool before the rest.
+std::vector<plan::TrajectoryEvent> eventsAhead(const plan::Trajectory& t, std::size_t point) {
+  using enum plan::EventKind;
+  std::size_t printed = point; // the last point of the bead before
+  while (printed > 0 && t.move[printed] != MoveKind::Print)
+    --printed;
+  std::vector<plan::TrajectoryEvent> ahead;
+  for (const plan::TrajectoryEvent& event : t.events)
+    if (event.point > printed && event.point <= point &&
+        (event.kind == Wait || event.kind == Output ||
+         (event.kind == Pause && !t.changeAfter(event))))
+      ahead.push_back(event);
+  return ahead;
+}
+
 } // namespace
 
 std::optional<std::size_t> resumePoint(const plan::Trajectory& t, std::size_t point) {
@@ -219,7 +236,16 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
     all.events.push_back(
         {.point = resumed.firstPoint, .kind = plan::EventKind::ToolChange, .tool = tool});
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
-  if (!tooling.isOne() || (options.purge.primesBeside && dropsOnPart(scene, home.q)))
+  const std::vector<plan::TrajectoryEvent> again = t.move[point] == MoveKind::Print
+                                                       ? std::vector<plan::TrajectoryEvent>()
+                                                       : eventsAhead(t, point);
+  bool isWaiting = false; // the nozzle drips meanwhile
+  for (plan::TrajectoryEvent event : again) {
+    isWaiting = isWaiting || event.kind != plan::EventKind::Output;
+    event.point = all.pointCount();
+    all.events.push_back(std::move(event));
+  }
+  if (isWaiting || !tooling.isOne() || (options.purge.primesBeside && dropsOnPart(scene, home.q)))
     purgeBeside(all, scene, home, tooling.of(plan.paths[path]).process, !tooling.isOne(),
                 waypoint + 1, limits, ctx);
   appendTransfer(all, home, *transfer, waypoint, first.travelSpeedMmPerS, limits);

@@ -52,7 +52,9 @@ struct Resumed {
   // approach, and all remaining motions as planned. The rest begins with the tool of its first bead
   // (plan::Trajectory::toolAt(firstPoint)). In a job of several tools, and with purge.primesBeside
   // where a prime at home would drop onto the part, the arm first goes to a place beside the part,
-  // where the nozzle is purged (change_place.h).
+  // where the nozzle is purged (change_place.h). If the rest begins with a bead, the pauses, waits
+  // and outputs before that bead come again before the first move from home; a wait there is
+  // followed by a prime.
   plan::Trajectory trajectory;
   std::size_t firstPoint = 0; // Start of the rest: home
 };

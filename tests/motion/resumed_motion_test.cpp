@@ -277,3 +277,34 @@ TEST_F(ResumeMotion, OutputsAreSetAgain) {
   EXPECT_TRUE(own[3].on);
   EXPECT_GT(own[3].point, 0u);
 }
+
+// Nobody knows whether the print stopped before or behind them.
+TEST_F(ResumeMotion, EventsBeforeTheFirstBeadOfTheRestComeAgain) {
+  using enum plan::EventKind;
+  const std::size_t point = pointOf(plan_.paths[1].first);
+  std::size_t printed = point;
+  while (t_.move[printed] != MoveKind::Print)
+    --printed;
+  t_.events = {{.point = printed, .kind = Wait, .seconds = 7.0}, // before the last bead's end
+               {.point = printed + 1, .kind = Output, .tool = 3, .on = true},
+               {.point = printed + 1, .kind = Pause, .text = "Put in the nut"},
+               {.point = printed + 1, .kind = Wait, .seconds = 60.0},
+               {.point = printed + 1, .kind = Statement, .text = "own()", .format = "urscript"},
+               {.point = printed + 1, .kind = Output, .tool = 3, .on = false}};
+  const auto eventsOf = [](const motion::Resumed& r) {
+    return motion::partOf(r.trajectory, r.firstPoint, r.trajectory.pointCount()).events;
+  };
+  const std::vector<plan::TrajectoryEvent> rest = eventsOf(resumed(point));
+  const plan::EventKind wanted[] = {Output, Output, Pause, Wait, Output, Purge};
+  ASSERT_EQ(rest.size(), std::size(wanted));
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    EXPECT_EQ(rest[k].kind, wanted[k]) << k;
+    EXPECT_EQ(rest[k].point == 0, k == 0) << "the state of the output, before the first motion";
+  }
+  EXPECT_EQ(rest[2].text, "Put in the nut");
+  EXPECT_DOUBLE_EQ(rest[3].seconds, 60.0);
+  EXPECT_EQ(rest[1].point, rest[4].point);
+  // Where the bead goes on, they have been.
+  for (const plan::TrajectoryEvent& event : eventsOf(resumed(pointOf(plan_.paths[1].first + 3))))
+    EXPECT_TRUE(event.kind != Pause && event.kind != Wait);
+}

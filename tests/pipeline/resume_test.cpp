@@ -275,6 +275,35 @@ TEST(Resume, TheRestBeginsWithTheToolOfItsBead) {
   }
 }
 
+// The print may have stopped before them.
+TEST(Resume, EventsBeforeTheFirstBeadOfTheRestComeAgain) {
+  const std::vector<std::string> formats = {"urscript", "rapid",    "krl",           "melfa",
+                                            "spel",     "tmscript", "gcode-extended"};
+  PlanRequest request = test::boxRequest(
+      {{"pauseLayers", "3"}, {"layerEvents", "3 wait 20; 3 output 33 on; 3 photo 34"}});
+  request.choices.item().mode = "flat";
+  request.choices.formats = {"gcode-extended"};
+  const PlanResult whole = planPart(request, kCtx);
+  const std::vector<plan::ToolPath>& paths = whole.job.toolPlan->paths;
+  const auto bead =
+      static_cast<std::size_t>(std::ranges::find(paths, 2, &plan::ToolPath::layer) - paths.begin());
+  const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead);
+  ASSERT_TRUE(point);
+  const ResumeResult rest = resumeJob(whole.job, *point, formats, kCtx);
+  ASSERT_EQ(rest.plan.checked.size(), formats.size());
+  for (const auto& checked : rest.plan.checked) {
+    SCOPED_TRACE(checked->program.format);
+    // URScript and TMscript have fewer outputs.
+    const bool says =
+        checked->program.format != "urscript" && checked->program.format != "tmscript";
+    EXPECT_EQ(checked->verdict.passed, says);
+    std::string text;
+    for (const plan::ProgramFile& file : checked->program.files)
+      text += file.text;
+    EXPECT_EQ(text.find("Paused before layer 3") != std::string::npos, says);
+  }
+}
+
 // By line, from disk; another first selection in the text is refused there.
 TEST(Resume, ByLineOfTheSecondTool) {
   PlanResult whole = twoToolsPlan();
