@@ -7,6 +7,7 @@
 #include "motion/layer_events.h"
 #include "pipeline/given_paths.h"
 #include "plan/tool_plan.h"
+#include "program/refused_statements.h"
 #include "project/loaded_part.h"
 #include "sliced/sliced_reader.h"
 
@@ -46,6 +47,17 @@ base::Message nameOf(const plan::LayerEvent& event) {
   return event.layer > 0 ? base::message("layer {layer}"_text, event.layer)
                          : base::message("height {height}"_text, base::mm(event.heightMm));
 }
+
+void requireHarmless(const plan::LayerEvent& event) {
+  if (event.kind != plan::LayerEventKind::Statement)
+    return;
+  if (const auto refused = program::refusedWord(event.format, event.text))
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("'{word}' in the statement before {place}, '{text}', {effect}"_text,
+                      refused->word, nameOf(event), event.text, refused->effect),
+        std::string(motion::kLayerEvents), refused->instead);
+}
 } // namespace
 
 std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
@@ -61,6 +73,7 @@ std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
           base::ErrorCode::Usage,
           "the tools of a file's tool-paths are its own: none changes before a layer"_text,
           std::string(motion::kLayerEvents), "change the tool where the file was made"_text);
+    requireHarmless(event);
     if (!isTool)
       events.push_back(std::move(event));
   }
@@ -83,7 +96,10 @@ void requireEventPlaces(const plan::ToolPlan& plan, const std::vector<plan::Laye
   const auto severalItems = std::ranges::any_of(
       plan.paths, [&](const plan::ToolPath& path) { return path.item != plan.paths.front().item; });
   for (std::size_t e = 0; e < events.size(); ++e) {
-    if (std::ranges::find(places, e, &motion::EventPlace::event) != places.end())
+    const auto has = [&](const motion::EventPlace& place) {
+      return place.event == e || std::ranges::find(place.also, e) != place.also.end();
+    };
+    if (std::ranges::any_of(places, has))
       continue;
     const plan::LayerEvent& event = events[e];
     const int layers = motion::layersOfItem(plan, event.item);
@@ -97,8 +113,7 @@ void requireEventPlaces(const plan::ToolPlan& plan, const std::vector<plan::Laye
                   std::move(what), nameOf(event), event.item + 1, layers)
             : base::message("no {what} before {place}: the print ends with layer {layers}"_text,
                             std::move(what), nameOf(event), layers),
-        std::string(isPause && event.text.empty() && event.layer > 0 ? motion::kPauseLayers
-                                                                     : motion::kLayerEvents),
+        std::string(event.isListed ? motion::kPauseLayers : motion::kLayerEvents),
         "correct the setting; layers are counted for each part"_text);
   }
 }

@@ -22,8 +22,8 @@ namespace voluta::pipeline {
 
 // Returns the events of one item: pauses where the tool-paths of its file stop, if it is printed
 // along them, then those of the parameters but changes of the tool, which its tool-paths have.
-// Throws Error{Usage} as motion::eventsAsked(), and for a change of the tool in a file's
-// tool-paths.
+// Throws Error{Usage} as motion::eventsAsked(), for a change of the tool in a file's tool-paths,
+// and for a statement with a word that it must not have (program/refused_statements.h).
 std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
                                            const base::ParameterValues& values, int item);
 

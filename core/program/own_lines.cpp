@@ -3,11 +3,14 @@
 #include "base/error.h"
 #include "program/bead_words.h"
 #include "program/common/program_text.h"
+#include "program/refused_statements.h"
 #include "program/tmscript/tmscript_frames.h"
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace voluta::program {
 
@@ -107,6 +110,29 @@ Covered covered(std::string_view line, std::string_view remark) {
   }
   return {joined({line.substr(0, at), remark, " ", line.substr(at)}), std::string(code)};
 }
+
+// The variables that the user's statements set; programs in G-code have none.
+std::vector<std::string> namesSet(std::string_view dialect,
+                                  const std::vector<TrajectoryEvent>& events) {
+  std::vector<std::string> names;
+  if (dialect.starts_with("gcode"))
+    return names;
+  for (const TrajectoryEvent& event : events)
+    if (event.kind == EventKind::Statement)
+      if (std::string name = assignedName(event.text); !name.empty())
+        names.push_back(std::move(name));
+  return names;
+}
+// Throws Error{Usage} if the program's line has one of them.
+void requireOthers(std::string_view line, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (hasName(line, name))
+      throw base::Error(base::ErrorCode::Usage,
+                        base::message("a statement of your own sets '{name}', which the program "
+                                      "uses itself"_text,
+                                      name),
+                        {}, "use another name"_text);
+}
 } // namespace
 
 OutputWords outputWords(std::string_view dialect) {
@@ -128,6 +154,12 @@ void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event) {
                                     "{format}"_text,
                                     event.text, event.format, dialect),
                       {}, base::message("use {formats}"_text, event.format));
+  if (event.kind == EventKind::Statement)
+    if (const auto refused = refusedWord(dialect, event.text))
+      throw base::Error(base::ErrorCode::Usage,
+                        base::message("'{word}' in the statement '{text}' {effect}"_text,
+                                      refused->word, event.text, refused->effect),
+                        {}, refused->instead);
   const OutputWords words = outputWords(dialect);
   if (event.kind == EventKind::Output && words.last >= words.first &&
       (event.tool < words.first || event.tool > words.last))
@@ -147,6 +179,7 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dia
   if (std::ranges::none_of(events, isOwnLine))
     return;
   const std::string cover = joined({remark, " ", kCover});
+  const std::vector<std::string> set = namesSet(dialect, events);
   const std::string_view name = outputWords(dialect).name;
   for (plan::ProgramFile& file : files) {
     std::string text;
@@ -156,6 +189,8 @@ void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dia
       const std::string_view line = takeLine(rest);
       const std::size_t at = line.find(cover);
       const std::optional<std::string_view> said = remarkIn(line, remark);
+      if (!said && !isMarked)
+        requireOthers(line, set);
       if (!said && !isMarked && !name.empty())
         for (const TrajectoryEvent& event : events)
           if (event.kind == EventKind::Output &&

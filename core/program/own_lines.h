@@ -34,13 +34,14 @@ OutputWords outputWords(std::string_view dialect);
 inline constexpr std::string_view kOwnLineMark = "asked for before this layer:";
 // Returns the line of an event. Precondition: the dialect has words for it (requireOwnLine).
 std::string ownLine(std::string_view dialect, const plan::TrajectoryEvent& event);
-// Throws Error{Usage} if the dialect has no such output, or if the statement is for another format.
+// Throws Error{Usage} if the dialect has no such output, or if the statement is for another format
+// or has a word that it must not have (refused_statements.h).
 void requireOwnLine(std::string_view dialect, const plan::TrajectoryEvent& event);
 
 // Returns the remark that stands for a line until uncoverOwnLines().
 std::string ownLineRemark(std::string_view line);
 // Replaces these remarks by their lines. Throws Error{Usage} if another line of the program uses an
-// output that one of them sets.
+// output or a variable that one of them sets.
 void uncoverOwnLines(std::vector<plan::ProgramFile>& files, std::string_view dialect,
                      std::string_view remark, const std::vector<plan::TrajectoryEvent>& events);
 
