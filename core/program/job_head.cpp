@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "plan/marks.h"
+#include "program/ascii_text.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/common/program_text.h"
@@ -192,10 +193,10 @@ std::optional<std::string_view> behindMark(std::string_view line, std::string_vi
 }
 
 std::string plainText(std::string_view text, std::size_t maxLength) {
-  std::string plain(text.substr(0, maxLength));
-  for (char& c : plain)
-    if (c < ' ' || c > '~' || c == '"' || c == '\\')
-      c = '_';
+  std::string plain = asciiText(text);
+  plain.resize(std::min(plain.size(), maxLength));
+  std::ranges::replace_if(
+      plain, [](char c) { return c == '"' || c == '\\'; }, '_');
   return plain;
 }
 

@@ -1,12 +1,12 @@
 #include "replay/planned_events.h"
 
-#include "base/lower_case.h"
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "plan/output_states.h"
 #include "program/dialect.h"
 #include "program/job_head.h"
 #include "program/own_lines.h"
+#include "program/stop_text.h"
 #include "replay/change_order.h"
 #include "replay/event_sequence.h"
 #include "replay/start_lock.h"
@@ -297,7 +297,7 @@ private:
     const std::string planned = change    ? program::changeText(tooling_, change->tool)
                                 : isPause ? program::pauseText(event)
                                           : program::ownLine(program_.format, event);
-    if (isPause ? isSameShown(fact.word, planned) : fact.word == planned)
+    if (fact.word == (isPause ? program::shownText(program_.format, planned) : planned))
       return;
     findings_.push_back(
         textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
@@ -305,15 +305,6 @@ private:
                                            : base::Message(program::nameOf(event.kind))},
                      {"found", fact.word},
                      {"planned", planned}}));
-  }
-  // G-code changes letters that would end a stop, and has no semicolons in texts.
-  static bool isSameShown(std::string_view a, std::string_view b) {
-    const auto shown = [](std::string_view text) {
-      std::string same = base::lowerCase(text);
-      std::ranges::replace(same, ';', ' ');
-      return same;
-    };
-    return shown(a) == shown(b);
   }
 
   void unplanned(const StatedFact& fact, EventKind kind) {
