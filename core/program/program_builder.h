@@ -68,7 +68,7 @@ public:
   // Adds a statement that the replay compares with the plan's requirements, with its position.
   void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
   // A text that the operator sees from here on, until a stop or a motion.
-  void show(std::string_view text) { shown_ = text; }
+  void show(std::string_view text) { (shown_ += shown_.empty() ? "" : " ").append(text); }
   // States a stop with the text that is shown. `waits`: until the operator continues.
   void operatorStop(bool waits = true);
   // As state(), about a tool that may be another than the selected one.

@@ -431,7 +431,7 @@ TEST(Words, NumbersOfPortsAreWhole) {
       {"melfa", melfa, "Wait M_In(8)=1\n", {"Wait M_In(8.3)=1\n", "Wait M_In(8)=0.5\n"}},
       {"melfa",
        melfa,
-       "Open \"COM1:\" As #1\nPrint #1,\"x\"\n",
+       "Open \"COM1:\" As #1\nPrint #1,\"x\"\nClose #1\n",
        {"Open \"COM1:\" As #1\nPrint #2,\"x\"\n", "Open \"COM1:\" As #1.5\nPrint #1.5,\"x\"\n"}},
       {"tmscript",
        tmscript,

@@ -78,6 +78,7 @@ private:
     const std::size_t motions = out_.program().motions.size();
     bool sound = runFrom(0, 0);
     stop();
+    requireClosed();
     if (!sound) {
       out_.line = text.lastLine;
       defect("the program has no End"_text);
@@ -143,17 +144,35 @@ private:
       return;
     else if ((word == "open" && !opensScreen(scanner)) || !out_.word(melfaWords(), word))
       unknown(word, code);
-    else if (word == "hlt")
+    else if (word == "close")
+      closeScreen(scanner);
+    else if (word == "hlt") {
+      requireClosed();
       out_.operatorStop();
-    else if (word == "print" && !show(scanner))
+    } else if (word == "print" && !show(scanner))
       notUnderstood(code);
   }
   // Other lines lead to machines, which may command. Open "COM1:" As #1
   bool opensScreen(MelfaScanner& scanner) {
     std::string_view line;
+    requireClosed();
     return scanner.take('"') && scanner.textBehindQuote(line) && sameWord(line, "com1:") &&
            sameWord(scanner.name(), "as") && scanner.take('#') && scanner.number(screen_) &&
            screen_ == std::floor(screen_);
+  }
+  // Close #1
+  void closeScreen(MelfaScanner& scanner) {
+    double line = screen_;
+    if (scanner.take('#') && !scanner.number(line))
+      line = 0.0;
+    if (screen_ == 0.0 || line != screen_ || !scanner.ended())
+      defect("'Close' without its 'Open' before it"_text);
+    screen_ = 0.0;
+  }
+  // A line that is open already cannot be opened again.
+  void requireClosed() {
+    if (std::exchange(screen_, 0.0) != 0.0)
+      defect("'Close' is missing behind the text"_text);
   }
   // Print #1,"text"
   bool show(MelfaScanner& scanner) {
@@ -405,6 +424,7 @@ private:
 
   // word target [, separation] [Type 0,0] [Wth outputs]
   void motion(std::string_view word, MelfaScanner& scanner, std::string_view code) {
+    requireClosed();
     plan::ProgramMotion m;
     m.jointInterpolated = word == "mov";
     std::size_t coordinates = 0;

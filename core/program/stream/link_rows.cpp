@@ -141,6 +141,8 @@ private:
     if (!last_ || !std::ranges::equal(row.target, last_->target,
                                       [](double a, double b) { return std::abs(a - b) <= kSame; }))
       defect("the arm waits at another target than the previous one"_text);
+    else if (row.speed < 0.0 && row.blend != last_->blend)
+      defect("a line for a wait differs from the line before in its last number"_text);
     if (row.speed < 0.0) {
       out_.pauseByOutputs(-row.speed);
       out_.setExtruder(false);

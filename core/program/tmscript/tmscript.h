@@ -47,6 +47,8 @@ plan::ReadProgram readTmscript(const std::vector<plan::ProgramFile>& files,
 inline constexpr double kTmMinPercent = 12.0;
 // Returns the other words that a program may contain, and where; all others are refused.
 std::span<const KnownWord> tmscriptWords();
+// Returns whether the statement must not stand between PVTEnter and PVTExit, where the arm moves.
+bool needsRest(std::string_view word);
 bool looksLikeTmscript(std::string_view text);
 
 } // namespace voluta::program

@@ -128,6 +128,8 @@ private:
       defect("text after the end"_text);
     ScriptScanner scanner(code, variables_, '{');
     const std::string word(scanner.name());
+    if (block_ != Block::None && needsRest(word))
+      defect(base::message("'{name}' between PVTEnter and PVTExit"_text, word));
     if (word == "IO") {
       output(scanner, code);
       return;
@@ -395,6 +397,7 @@ private:
                         last_->numbers == numbers && velocity.norm() == 0.0;
     if (stands) {
       out_.pauseByOutputs(seconds);
+      isQueueDone_ = false;
       passed_.reset();
       return;
     }

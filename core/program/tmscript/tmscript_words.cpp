@@ -16,4 +16,8 @@ std::span<const KnownWord> tmscriptWords() {
   return kTable;
 }
 
+bool needsRest(std::string_view word) {
+  return word == "Pause" || word == "ListenSend" || word == "while" || word.ends_with("QueueTag");
+}
+
 } // namespace voluta::program
