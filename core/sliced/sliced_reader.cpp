@@ -79,13 +79,14 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   return notes;
 }
 
-// Returns a sentence for each stop between beads, and one for all stops before the first bead, for
-// which the operator's question at the start of each program stands. `lines`: of the beads.
+// Returns a sentence for each stop between beads, one for all stops behind the last bead, and one
+// for all before the first bead, for which the operator's question at the start of each program
+// stands. `lines`: of the beads.
 std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPlan& plan,
                                      const std::vector<std::size_t>& lines) {
   constexpr std::size_t kMaxText = 44; // of a pause's own text (motion/layer_event_text.h)
   std::vector<base::Message> notes;
-  std::size_t before = 0;
+  std::size_t before = 0, behind = 0;
   for (const SlicedStop& stop : file.stops) {
     const auto bead =
         static_cast<std::size_t>(std::ranges::upper_bound(lines, stop.line) - lines.begin());
@@ -94,7 +95,14 @@ std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPla
     else if (bead < lines.size())
       notes.push_back(base::message(kStopNote, stop.line, bead + 1, plan.paths[bead].layer + 1,
                                     base::validText(stop.text, kMaxText), stop.command));
+    else
+      ++behind;
   }
+  if (behind > 0)
+    notes.emplace_back(
+        "not used: {count} stop behind the last bead, where the print is done|"
+        "not used: {count} stops behind the last bead, where the print is done"_plural,
+        std::vector<base::Value>{behind});
   if (before > 0)
     notes.emplace_back(
         "not used: {count} stop before the first bead, since programs begin with a question|"

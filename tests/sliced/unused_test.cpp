@@ -258,6 +258,7 @@ TEST(SlicedWords, StopsAreNamedWithTheirLines) {
         "bead 5 in layer 5: Pause (M25)", "bead 5 in layer 5: Pause (PAUSE)"})
     EXPECT_THAT(notes, Contains(HasSubstr(note)));
   EXPECT_THAT(notes, ::testing::Not(Contains(HasSubstr("take it off"))));
+  EXPECT_THAT(notes, Contains(HasSubstr("not used: 1 stop behind the last bead")));
   const std::string cut = kHead + layer(0) + square(0, 0, 0.8) + "M0 " + std::string(43, 'a') +
                           "\xC3\xA4 b\n" + layer(1) + square(0, 0, 1.6);
   EXPECT_THAT(notesOf(cut), Contains(HasSubstr("layer 2: " + std::string(43, 'a') + " (M0")))
