@@ -4,6 +4,7 @@
 #include "base/markup.h"
 #include "base/text.h"
 #include "cli/exit_code.h"
+#include "cli/verdict_words.h"
 #include "pipeline/plan_verdict.h"
 
 #include <algorithm>
@@ -63,6 +64,9 @@ Outcome outcomeOf(const Json& row) {
   if (row.at("exitCode") == kNotAll &&
       row.at("verdict") == pipeline::verdictId(pipeline::PlanVerdict::NotAsAsked))
     return {"amber", "safe to run, not as asked"};
+  if (row.at("exitCode") == kNotAll &&
+      row.at("verdict") == pipeline::verdictId(pipeline::PlanVerdict::Unchecked))
+    return {"amber", verdictWords(pipeline::PlanVerdict::Unchecked)};
   return {"refused", row.at("verdict").is_null() ? "not planned" : "refused"};
 }
 
@@ -140,8 +144,8 @@ std::string batchPage(const Json& rows, const std::vector<std::string>& settings
     for (const std::string& setting : settings)
       page +=
           "<td>" + escapedMarkup(row->contains(setting) ? wordsOf(row->at(setting)) : "") + "</td>";
-    page +=
-        "<td>" + outcome.words + "</td><td>" + escapedMarkup(wordsOf(row->at("plannedMode"))) + "</td>";
+    page += "<td>" + outcome.words + "</td><td>" + escapedMarkup(wordsOf(row->at("plannedMode"))) +
+            "</td>";
     const auto cell = [&](const Figure& figure) {
       const Json& value = row->at(figure.key);
       const auto least = best.find({path, figure.key});

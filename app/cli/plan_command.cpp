@@ -139,7 +139,7 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
   sayLeftOver(old);
   sayBlocker(
       report->findings, [&](const plan::Finding& finding) { return partOf(finding, *report); },
-      pipeline::verdictReport(*report).safeToRun);
+      !report->programs.empty() && !pipeline::isRefused(pipeline::verdictOf(*report)));
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 

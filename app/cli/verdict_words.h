@@ -15,6 +15,8 @@ inline const char* verdictWords(pipeline::PlanVerdict verdict) {
     return "passed";
   case pipeline::PlanVerdict::NotAsAsked:
     return "safe to run, NOT as asked";
+  case pipeline::PlanVerdict::Unchecked:
+    return "safe to run but for your own statements";
   case pipeline::PlanVerdict::Blocked:
     return "passed, the plan NOT";
   case pipeline::PlanVerdict::Refused:
@@ -23,8 +25,10 @@ inline const char* verdictWords(pipeline::PlanVerdict verdict) {
   return "refused";
 }
 
-// Begins the line of a finding by which a part differs, beside programs that are safe to run.
+// Begins the line of a finding that is no danger, beside programs that are safe to run.
 inline const char* amberWords(const plan::Finding& finding) {
+  if (finding.kind == plan::FindingKind::OwnStatement)
+    return "not checked: ";
   return finding.blocking && !plan::blocksRunning(finding) ? "not as asked: " : "";
 }
 

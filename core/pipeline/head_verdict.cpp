@@ -72,12 +72,16 @@ std::string headVerdict(const replay::Verification& verdict, const plan::Finding
   std::ranges::copy_if(all, std::back_inserter(safety), plan::blocksRunning);
   if (!safety.empty())
     return "NOT approved, the plan is not safe: " + pointsOf(safety);
-  const bool areUnchecked =
-      std::ranges::find(all, FindingKind::OwnStatement, &Finding::kind) != all.end();
-  if (!all.empty() || !verdict.passed)
-    return (areUnchecked ? "safe to run but for your own statements; differs from the part: "
-                         : "safe to run; differs from the part: ") +
-           pointsOf(all);
+  plan::Findings differing;
+  std::ranges::copy_if(all, std::back_inserter(differing), [](const Finding& finding) {
+    return finding.kind != FindingKind::OwnStatement;
+  });
+  const std::string differs =
+      differing.empty() && verdict.passed ? "" : "; differs from the part: " + pointsOf(differing);
+  if (differing.size() < all.size())
+    return fmt::format("safe to run but for your own statements, which nothing checks{}", differs);
+  if (!differs.empty())
+    return "safe to run" + differs;
   return accepted.empty() ? std::string(kPassedVerdict)
                           : "safe to run; prints the part with accepted differences: " + accepted;
 }

@@ -42,6 +42,11 @@ PlanVerdict verdictOn(bool isSafe, bool passed, const plan::Findings& findings) 
     return PlanVerdict::Refused;
   if (std::ranges::any_of(findings, plan::blocksRunning))
     return PlanVerdict::Blocked;
+  const auto isUnchecked = [](const plan::Finding& finding) {
+    return finding.blocking && finding.kind == plan::FindingKind::OwnStatement;
+  };
+  if (std::ranges::any_of(findings, isUnchecked))
+    return PlanVerdict::Unchecked;
   return passed && std::ranges::none_of(findings, &plan::Finding::blocking)
              ? PlanVerdict::Passed
              : PlanVerdict::NotAsAsked;
@@ -61,12 +66,18 @@ PlanVerdict verdictOf(const project::Report& report) {
   return verdictOn(isSafe(report.replay), report.replay.passed, report.findings);
 }
 
+bool isRefused(PlanVerdict verdict) {
+  return verdict == PlanVerdict::Refused || verdict == PlanVerdict::Blocked;
+}
+
 std::string verdictId(PlanVerdict verdict) {
   switch (verdict) {
   case PlanVerdict::Passed:
     return "passed";
   case PlanVerdict::NotAsAsked:
     return "differs";
+  case PlanVerdict::Unchecked:
+    return "unchecked";
   case PlanVerdict::Blocked:
     return "blocked";
   case PlanVerdict::Refused:

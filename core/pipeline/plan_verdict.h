@@ -20,6 +20,7 @@ struct VerifyResult;
 enum class PlanVerdict : std::uint8_t {
   Passed,     // safe to run, and prints the part as asked
   NotAsAsked, // safe to run, but the part differs from the requested one
+  Unchecked,  // safe to run but for the user's own statements, which nothing checks
   Blocked,    // the replay found it safe to run, but a finding of the plan concerns safety
   Refused     // by the replay
 };
@@ -39,7 +40,11 @@ PlanVerdict verdictOf(const CheckedProgram& program, const project::Report& repo
 // Of a replayed plan with all its programs.
 PlanVerdict verdictOf(const project::Report& report);
 
-// Returns the same for report.json. A plan without any program has none.
+// Returns whether a program must not run.
+bool isRefused(PlanVerdict verdict);
+
+// Returns the same for report.json. A plan without any program has none. `safeToRun` is false where
+// nothing checks the user's own statements.
 project::VerdictReport verdictReport(const project::Report& report);
 // Returns the word of report.json.
 std::string verdictId(PlanVerdict verdict);

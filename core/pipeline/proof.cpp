@@ -264,7 +264,7 @@ Json replayJson(const Proof& proof) {
     blockers.push_back(base::english(blocker.reason));
   return Json{{"verdict", verdictId(proof.decision)},
               {"passed", v.passed},
-              {"safeToRun", v.safeToRun},
+              {"safeToRun", v.safeToRun && proof.decision != PlanVerdict::Unchecked},
               {"quality", v.thresholds.quality},
               {"accepted", v.thresholds.accepted},
               {"planPassed", proof.decision == PlanVerdict::Passed},

@@ -381,7 +381,7 @@ private:
             message("Plan: {finding}."_text, proof_.blockers[i].reason),
             place(proof_.blockers[i].place));
     if (proof_.blockers.size() > kMaxShown)
-      check(proof_.decision == PlanVerdict::NotAsAsked ? Mark::Caution : Mark::Failed,
+      check(isRefused(proof_.decision) ? Mark::Failed : Mark::Caution,
             message(
                 "Plan: {count} more blocking finding.|Plan: {count} more blocking findings."_plural,
                 proof_.blockers.size() - kMaxShown));
@@ -393,6 +393,8 @@ private:
       return "Passed: this program prints the part as planned."_text;
     case PlanVerdict::NotAsAsked:
       return "Safe to run, but it does not print the part as asked."_text;
+    case PlanVerdict::Unchecked:
+      return "Safe to run but for your own statements, which nothing checks."_text;
     case PlanVerdict::Blocked:
       return "Not approved: the plan has blocking findings."_text;
     case PlanVerdict::Refused:
@@ -412,6 +414,7 @@ private:
       sheet_.verdictDetail = say(howItWasMeasured());
       break;
     case PlanVerdict::NotAsAsked:
+    case PlanVerdict::Unchecked:
       sheet_.verdictMark = Mark::Caution;
       sheet_.verdictDetail = say(howItDiffers(count(Mark::Caution)));
       break;

@@ -112,11 +112,18 @@ std::optional<plan::Finding> machineFinding(std::size_t k, PlanVerdict verdict,
                                             const plan::Findings& own) {
   if (verdict == PlanVerdict::Passed)
     return std::nullopt;
-  if (verdict == PlanVerdict::NotAsAsked) {
-    const auto first = std::ranges::find_if(own, &plan::Finding::blocking);
+  if (!isRefused(verdict)) {
+    const bool isUnchecked = verdict == PlanVerdict::Unchecked;
+    const auto first = std::ranges::find_if(own, [&](const plan::Finding& finding) {
+      return finding.blocking && (!isUnchecked || finding.kind == FindingKind::OwnStatement);
+    });
+    const base::Message words =
+        isUnchecked ? "safe to run but for its own statements, which nothing checks"_text
+                    : "safe to run, but does not print its part as asked"_text;
     const base::Message reason =
         first == own.end() ? base::Message("see its report"_text) : plan::reasonOf(*first);
-    return makeFinding(FindingKind::MachineDiffers, {{"machine", k + 1}, {"reason", reason}});
+    return makeFinding(FindingKind::MachineDiffers,
+                       {{"machine", k + 1}, {"verdict", words}, {"reason", reason}});
   }
   const plan::Finding* first = firstBlocking(own);
   return machineFinding(k, first ? plan::reasonOf(*first)

@@ -101,7 +101,7 @@ std::string stationJson(const StationResult& result) {
   Json json{
       {"passed", !why},
       {"verdict", verdictId(verdict)},
-      {"safeToRun", verdict != PlanVerdict::Refused},
+      {"safeToRun", verdict == PlanVerdict::Passed || verdict == PlanVerdict::NotAsAsked},
       {"refusal", verdict == PlanVerdict::Refused ? Json(plan::englishReason(*why)) : Json()}};
   json["findings"] = Json::array();
   for (const plan::Finding& finding : result.findings)

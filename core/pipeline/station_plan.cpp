@@ -254,9 +254,14 @@ const CheckedProgram* replayedTogether(const PlanResult& plan) {
 
 PlanVerdict verdictOf(const StationResult& result) {
   const plan::Finding* first = firstBlocking(result.findings);
-  return !first                         ? PlanVerdict::Passed
-         : !plan::blocksRunning(*first) ? PlanVerdict::NotAsAsked
-                                        : PlanVerdict::Refused;
+  if (!first)
+    return PlanVerdict::Passed;
+  if (plan::blocksRunning(*first))
+    return PlanVerdict::Refused;
+  const bool isUnchecked = std::ranges::any_of(result.plans, [](const PlanResult& plan) {
+    return verdictOf(plan.job.report) == PlanVerdict::Unchecked;
+  });
+  return isUnchecked ? PlanVerdict::Unchecked : PlanVerdict::NotAsAsked;
 }
 
 bool passed(const StationResult& result) {

@@ -69,7 +69,7 @@ StationResult planStation(project::Station station, const base::RunContext& ctx,
 // Returns the result's machines with their jobs as planned.
 project::Station stationOf(const StationResult& result);
 
-// Passed, NotAsAsked or Refused: the machines may run unless it is the last one.
+// Passed, NotAsAsked, Unchecked or Refused: the machines may run unless it is the last one.
 PlanVerdict verdictOf(const StationResult& result);
 bool passed(const StationResult& result);
 

@@ -124,8 +124,8 @@ struct ItemReport {
   std::vector<TriedReport> tried; // in the order they were tried
 };
 
-// The verdict on the whole plan, in report.json (pipeline/plan_verdict.h): "passed", "differs"
-// (safe to run, not as asked), "blocked", "refused"; "notReplayed": there is no program to judge.
+// The verdict on the whole plan, in report.json (pipeline/plan_verdict.h): "passed", "differs",
+// "unchecked", "blocked", "refused"; "notReplayed": there is no program to judge.
 struct VerdictReport {
   std::string verdict = "notReplayed";
   bool safeToRun = false, printsAsAsked = false; // as asked: and safe

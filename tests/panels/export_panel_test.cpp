@@ -120,6 +120,26 @@ TEST_F(ExportPanelTest, SafeProgramsThatDifferSaySo) {
   EXPECT_FALSE(requested[0][2].toBool());
 }
 
+// What nothing checks is told before anything is written.
+TEST_F(ExportPanelTest, ProgramsWithStatementsOfTheUsersOwnSaySo) {
+  auto formats = gallery::sampleFormats();
+  formats[0].state = panels::VerdictState::Unchecked;
+  formats[0].whyRefused = "set_tool_voltage(24)";
+  panel.setFormats(formats);
+  panel.setChecked({"urscript"});
+  const auto* list = panel.findChild<panels::FormatList*>();
+  EXPECT_EQ(list->topLevelItem(0)->toolTip(2),
+            "Safe to run but for your own statements: set_tool_voltage(24)");
+  answerWith("none");
+  button()->click();
+  EXPECT_EQ(requested.size(), 0);
+  EXPECT_TRUE(asked.contains("but for your own statements: set_tool_voltage(24)"))
+      << qPrintable(asked);
+  answerWith("exportBlocked");
+  button()->click();
+  EXPECT_EQ(requested.size(), 1);
+}
+
 TEST_F(ExportPanelTest, CheckingAndChoosingAreSignalled) {
   QSignalSpy formats(&panel, &panels::ExportPanel::formatsChanged);
   QSignalSpy preview(&panel, &panels::ExportPanel::previewFormatChanged);

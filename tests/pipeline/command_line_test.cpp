@@ -239,6 +239,24 @@ TEST_F(CommandLine, APartThatDiffersIsAmberInEveryCommand) {
   expectOneLine(rest, 4, {"not as asked: "});
 }
 
+TEST_F(CommandLine, StatementsOfTheUsersOwnAreNamedInEveryCommand) {
+  const std::string out = (folder_ / "out").string(), part = smallBox();
+  const std::string words = "safe to run but for your own statements";
+  const Ended plan = run({"plan", part, "-o", out, "--mode", "flat", "--format", "urscript",
+                          "--set", "layerEvents=2 statement urscript set_tool_voltage(24)"});
+  expectOneLine(plan, 4, {"not checked: replay: ", "set_tool_voltage(24)"});
+  EXPECT_NE(plan.out.find("replay " + words + ": "), std::string::npos) << plan.out;
+  const auto json = nlohmann::json::parse(base::readFile(fs::path(out) / "report.json"));
+  EXPECT_EQ(json.at("verdict"), "unchecked");
+  const std::string name = json.at("programs").at(0).at("files").at(0);
+  const Ended verified = run({"verify", out + "/" + name, "--job", out + "/job.voluta"});
+  expectOneLine(verified, 4, {"not checked: ", "set_tool_voltage(24)"});
+  EXPECT_NE(verified.out.find(": " + words + " (urscript)"), std::string::npos) << verified.out;
+  const Ended refused = run({"plan", part, "-o", out + "2", "--mode", "flat", "--set",
+                             "layerEvents=2 statement urscript set_tcp(p[0,0,0,0,0,0])"});
+  expectOneLine(refused, 2, {"'set_tcp' in the statement before layer 2", "layerEvents"});
+}
+
 // What is accepted on the command line is one list, wherever it is given.
 TEST_F(CommandLine, AcceptedSharesAreOneList) {
   const std::string part = smallBox(), out = (folder_ / "out").string();

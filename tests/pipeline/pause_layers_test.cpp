@@ -85,6 +85,15 @@ TEST(PauseLayers, ALayerThatThePrintLacksIsRefused) {
               planned({{"layerEvents", "z99 wait 5"}});
             }).find("before height 99"),
             std::string::npos);
+  // The setting that is to be corrected.
+  const std::string listed = refusalOf([] {
+    planned({{"pauseLayers", "99"}});
+  }),
+                    event = refusalOf([] {
+                      planned({{"layerEvents", "99 pause"}});
+                    });
+  EXPECT_NE(listed.find("pauseLayers"), std::string::npos) << listed;
+  EXPECT_NE(event.find("layerEvents"), std::string::npos) << event;
 }
 
 PlanRequest twoBoxes() {
@@ -158,12 +167,46 @@ TEST(LayerEvents, ComeInEveryFormatThatSaysThem) {
 }
 
 TEST(LayerEvents, AnOwnStatementIsNamedAndMakesThePlanAmber) {
-  const PlanResult plan = planned({{"layerEvents", "3 statement urscript set_tool_voltage(24)"}});
-  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::NotAsAsked) << test::reasons(plan);
+  PlanResult plan = planned({{"layerEvents", "3 statement urscript set_tool_voltage(24)"}});
+  EXPECT_EQ(verdictOf(plan.job.report), PlanVerdict::Unchecked) << test::reasons(plan);
+  EXPECT_EQ(verdictOf(*plan.checked.front(), plan.job.report), PlanVerdict::Unchecked);
+  // The same in report.json and in the program's head.
+  const project::VerdictReport verdict = verdictReport(plan.job.report);
+  EXPECT_EQ(verdict.verdict, "unchecked");
+  EXPECT_FALSE(verdict.safeToRun) << "nobody has checked the statement";
+  EXPECT_FALSE(verdict.printsAsAsked);
+  const std::string text = textOf(plan);
+  EXPECT_NE(text.find("safe to run but for your own statements, which nothing checks\n"),
+            std::string::npos)
+      << text.substr(0, 1000);
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), base::RunContext());
+  const std::string name = plan.checked[0]->program.files[0].name;
+  EXPECT_NE(base::readFile(folder / (name + ".proof.html"))
+                .find("Safe to run but for your own statements, which nothing checks."),
+            std::string::npos);
+  EXPECT_NE(base::readFile(folder / (name + ".proof.json")).find("\"verdict\": \"unchecked\""),
+            std::string::npos);
+  EXPECT_EQ(verdictOf(verifyProgram(folder / name, folder / "job.voluta", base::RunContext())),
+            PlanVerdict::Unchecked);
   const auto found = std::ranges::find(plan.job.report.findings, plan::FindingKind::OwnStatement,
                                        &plan::Finding::kind);
   ASSERT_NE(found, plan.job.report.findings.end());
   EXPECT_NE(plan::englishReason(*found).find("set_tool_voltage(24)"), std::string::npos);
+}
+
+TEST(LayerEvents, AStatementThatMovesTheArmIsRefusedBeforePlanning) {
+  const std::string refused = refusalOf([] {
+    planned({{"layerEvents", "3 statement krl LIN P1"}});
+  });
+  EXPECT_NE(refused.find("'lin' in the statement before layer 3, 'LIN P1', moves the arm"),
+            std::string::npos)
+      << refused;
+  EXPECT_NE(refused.find("layerEvents"), std::string::npos) << refused;
+  // The program's own variables are known where it is written.
+  const PlanResult plan =
+      planned({{"layerEvents", "3 statement rapid tNozzle.robhold:=FALSE;"}}, {"rapid"});
+  EXPECT_TRUE(plan.checked.front()->program.files.empty());
 }
 
 TEST(LayerEvents, AreKeptInTheProject) {

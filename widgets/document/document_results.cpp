@@ -143,8 +143,7 @@ StageState Document::state(Stage stage) const {
   if (stage == Stage::Replay) {
     const pipeline::PlanVerdict verdict = pipeline::verdictOf(shown_[s].result->job.report);
     if (verdict != pipeline::PlanVerdict::Passed)
-      return verdict == pipeline::PlanVerdict::NotAsAsked ? StageState::Differs
-                                                          : StageState::Blocked;
+      return pipeline::isRefused(verdict) ? StageState::Blocked : StageState::Differs;
   }
   const auto anyHere = [&](const auto& blocks) {
     return std::ranges::any_of(

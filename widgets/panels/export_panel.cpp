@@ -327,12 +327,19 @@ std::vector<const ExportFormat*> ExportPanel::checkedIn(VerdictState state) cons
 
 bool ExportPanel::mayExportBlocked() {
   const std::vector<const ExportFormat*> blocked = checkedIn(VerdictState::Blocked),
-                                         differing = checkedIn(VerdictState::NotAsAsked);
-  if (blocked.empty() && differing.empty())
+                                         differing = checkedIn(VerdictState::NotAsAsked),
+                                         unchecked = checkedIn(VerdictState::Unchecked);
+  if (blocked.empty() && differing.empty() && unchecked.empty())
     return true;
   QMessageBox box(QMessageBox::Warning, tr("Blocked plan"), QString(), QMessageBox::NoButton, this);
   box.setObjectName(QStringLiteral("blockedBox"));
-  if (blocked.empty()) {
+  if (blocked.empty() && !unchecked.empty()) {
+    box.setWindowTitle(tr("Not checked"));
+    box.setText(
+        tr("Safe to run but for your own statements: %1").arg(unchecked.front()->whyRefused));
+    box.setInformativeText(
+        tr("Nothing checks what they do. Try them on the controller with the arm clear first."));
+  } else if (blocked.empty()) {
     box.setWindowTitle(tr("Not as asked"));
     box.setText(tr("Safe to run, not as asked: %1").arg(differing.front()->whyRefused));
     box.setInformativeText(

@@ -92,9 +92,10 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   case Qt::ToolTipRole:
     return (QStringList{reason(index.row()), remedyText(f)}).join(QLatin1Char('\n')).trimmed();
   case Qt::AccessibleTextRole:
-    return (weightOf(f) == Blocks    ? tr("Blocked: %1")
-            : weightOf(f) == Differs ? tr("Not as asked: %1")
-                                     : tr("Worth knowing: %1"))
+    return (weightOf(f) == Blocks                       ? tr("Blocked: %1")
+            : f.kind == plan::FindingKind::OwnStatement ? tr("Not checked: %1")
+            : weightOf(f) == Differs                    ? tr("Not as asked: %1")
+                                                        : tr("Worth knowing: %1"))
         .arg((QStringList{reason(index.row())} + formats(index.row())).join(QStringLiteral(", ")));
   case DetailRole:
     return rowDetail(index.row());

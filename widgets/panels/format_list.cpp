@@ -21,6 +21,7 @@ forms::Icon iconOf(VerdictState state) {
   case VerdictState::Passed:
     return forms::Icon::Good;
   case VerdictState::NotAsAsked:
+  case VerdictState::Unchecked:
     return forms::Icon::Warning;
   case VerdictState::Blocked:
   case VerdictState::Refused:
@@ -163,6 +164,8 @@ QString FormatList::verdictOf(const ExportFormat& format) {
     return tr("Passed: the replay found no errors");
   case VerdictState::NotAsAsked:
     return tr("Safe to run, not as asked: %1").arg(format.whyRefused);
+  case VerdictState::Unchecked:
+    return tr("Safe to run but for your own statements: %1").arg(format.whyRefused);
   case VerdictState::Blocked:
     return tr("Not passed, the plan is blocked: %1").arg(format.whyRefused);
   case VerdictState::Refused:

@@ -16,7 +16,7 @@
 namespace voluta::panels {
 
 // Blocked: the replay passes, but the plan has a blocking finding.
-enum class VerdictState { NotYet, Passed, NotAsAsked, Blocked, Refused, OutOfDate };
+enum class VerdictState { NotYet, Passed, NotAsAsked, Unchecked, Blocked, Refused, OutOfDate };
 
 struct ExportFile {
   QString name;                            // name in the folder

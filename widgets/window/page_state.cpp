@@ -41,7 +41,7 @@ QString stateName(PageState state) {
   case PageState::OutOfDate:
     return FlowBar::tr("out of date");
   case PageState::Differs:
-    return FlowBar::tr("not as asked: see the findings");
+    return FlowBar::tr("not as asked or not checked: see the findings");
   default:
     return FlowBar::tr("blocked: see the findings");
   }

@@ -71,6 +71,8 @@ QString verdictText(const project::Report& report) {
     return Runs::tr("replay passed");
   case pipeline::PlanVerdict::NotAsAsked:
     return Runs::tr("safe to run, not as asked");
+  case pipeline::PlanVerdict::Unchecked:
+    return Runs::tr("safe to run but for your own statements");
   case pipeline::PlanVerdict::Blocked:
     return Runs::tr("not passed: blocking findings");
   case pipeline::PlanVerdict::Refused:
@@ -133,9 +135,13 @@ QString endText(const document::Document& document) {
   const auto blocking =
       std::count_if(findings.begin(), findings.end(),
                     [](const panels::ListedFinding& row) { return row.finding.blocking; });
-  if (!result->job.report.programs.empty() &&
-      pipeline::verdictOf(result->job.report) == pipeline::PlanVerdict::NotAsAsked)
-    return Runs::tr("Done. Safe to run, not as asked: %1.").arg(blocking);
+  if (!result->job.report.programs.empty()) {
+    const pipeline::PlanVerdict verdict = pipeline::verdictOf(result->job.report);
+    if (verdict == pipeline::PlanVerdict::NotAsAsked)
+      return Runs::tr("Done. Safe to run, not as asked: %1.").arg(blocking);
+    if (verdict == pipeline::PlanVerdict::Unchecked)
+      return Runs::tr("Done. Safe to run but for your own statements.");
+  }
   return blocking > 0 ? Runs::tr("Done. Blocking findings: %1.").arg(blocking) : Runs::tr("Done.");
 }
 

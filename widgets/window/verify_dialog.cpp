@@ -87,6 +87,10 @@ void VerifyDialog::show(const pipeline::VerifyResult& result) {
     conclude(tr("%1: safe to run, but it does not print the part as asked.").arg(format),
              forms::Icon::Warning);
     break;
+  case pipeline::PlanVerdict::Unchecked:
+    conclude(tr("%1: safe to run but for your own statements, which nothing checks.").arg(format),
+             forms::Icon::Warning);
+    break;
   default:
     conclude(tr("%1: refused. Do not run it on the robot.").arg(format), forms::Icon::Blocked);
   }

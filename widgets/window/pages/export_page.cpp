@@ -72,6 +72,8 @@ panels::VerdictState stateOf(const pipeline::CheckedProgram& program,
     return panels::VerdictState::Passed;
   case pipeline::PlanVerdict::NotAsAsked:
     return panels::VerdictState::NotAsAsked;
+  case pipeline::PlanVerdict::Unchecked:
+    return panels::VerdictState::Unchecked;
   case pipeline::PlanVerdict::Blocked:
     return panels::VerdictState::Blocked;
   case pipeline::PlanVerdict::Refused:
@@ -84,6 +86,11 @@ QString whyNotPassed(const pipeline::CheckedProgram& program, const project::Rep
   if (!program.safeToRun)
     return language::words(base::Value(program.failed));
   const plan::Findings blockers = pipeline::blockersOf(report, program.program.format);
+  const auto own =
+      std::ranges::find(blockers, plan::FindingKind::OwnStatement, &plan::Finding::kind);
+  const base::Value* const statement = own == blockers.end() ? nullptr : own->value("statement");
+  if (statement && pipeline::verdictOf(program, report) == pipeline::PlanVerdict::Unchecked)
+    return language::words(*statement);
   if (!blockers.empty())
     return language::words(plan::reasonOf(blockers.front()));
   return program.verdict.passed ? QString() : language::words(base::Value(program.failed));
