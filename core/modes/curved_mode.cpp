@@ -8,6 +8,7 @@
 #include "modes/curved_supports.h"
 #include "modes/growth_plate.h"
 #include "modes/part_voxels.h"
+#include "modes/region_supports.h"
 #include "plan/finding_kinds.h"
 #include "project/choices.h"
 #include "support/supports.h"
@@ -33,17 +34,16 @@ struct CurvedPlan {
   double voxelMm;
   project::Platform platform;
   curved::CurvedOptions growth;
-  bool supports;
-  double bridgeMm; // longest bridge of supports [mm]; 0 without supports
+  layers::SupportRule supports; // outside of regions
+  double bridgeMm;              // longest bridge of supports [mm]; 0 without supports
 };
 
 CurvedPlan planOf(const ModeChoices& in) {
-  const bool supports = support::supportsWanted(in.values);
   CurvedPlan plan{in.values.number("voxelMm"),
                   in.choices.item().platform,
                   {},
-                  supports,
-                  supports ? in.process.bridgeMm : 0.0};
+                  support::supportRule(in.values),
+                  supportsSomewhere(in) ? in.process.bridgeMm : 0.0};
   curved::CurvedOptions& growth = plan.growth;
   growth.growth = in.choices.item().growth;
   growth.layerHeightMm = in.process.layerHeightMm;
@@ -83,8 +83,9 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   stage->platform = plateOf(plan.platform, solid, input.placed.platform);
 
   const curved::CurvedOptions& growth = plan.growth;
-  const support::Supports supports = supportsOf(solid, stage->platform.polygon, growth,
-                                                plan.bridgeMm, plan.supports, ctx.sub(0.07, 0.2));
+  const support::Supports supports =
+      supportsOf(solid, stage->platform.polygon, growth, {plan.supports, plan.bridgeMm},
+                 input.supports ? *input.supports : layers::SupportPlaces(), ctx.sub(0.07, 0.2));
   curved::DecompositionWatch watch;
   if (input.onPreview)
     watch = [&](const curved::Decomposition& soFar) {
@@ -131,9 +132,10 @@ curved::LayerOptions layerOptions(const ModeChoices& in) {
 
 std::shared_ptr<const LayersStage> curvedLayersOf(const curved::LayerOptions& cut,
                                                   const DecomposeStage& decomposed,
-                                                  const geometry::TriangleMesh& part,
+                                                  const LayersInput& input,
                                                   const base::RunContext& ctx) {
   auto stage = std::make_shared<LayersStage>();
+  const geometry::TriangleMesh& part = input.part;
   const curved::Decomposition& decomposition = *std::get<project::Voxels>(decomposed.result);
   curved::LayersResult layers = curved::curvedLayers(decomposition, part, cut, ctx,
                                                      supportPatches(decomposition, part, cut, ctx));

@@ -15,13 +15,17 @@
 
 namespace voluta::modes {
 
-// Returns the part's voxels together with the supports they need. If `wanted` is false or growth
-// misses nothing, `solid` is the part and there are no columns. bridgeMm: as
-// SupportOptions::bridgeMm. Throws as support::supportsFor().
+struct WantedSupports {
+  layers::SupportRule rule = layers::SupportRule::Auto; // outside of regions
+  double bridgeMm = 0.0;                                // as SupportOptions::bridgeMm
+};
+// Returns the part's voxels together with the supports they need. If none are wanted or growth
+// misses nothing, `solid` is the part and there are no columns. `places`: of regions. Throws as
+// support::supportsFor().
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
-                             const curved::CurvedOptions& growth, double bridgeMm, bool wanted,
-                             const base::RunContext& ctx);
+                             const curved::CurvedOptions& growth, const WantedSupports& wanted,
+                             const layers::SupportPlaces& places, const base::RunContext& ctx);
 
 // Marks the support's voxels in a decomposition of part and support.
 void markSupports(const support::Supports& supports, curved::Decomposition& decomposition);

@@ -198,8 +198,8 @@ std::shared_ptr<const DecomposeStage> decompose(const LathePlan& plan, const Dec
 }
 
 std::shared_ptr<const LayersStage> layersOf(const LathePlan& plan, const DecomposeStage& decomposed,
-                                            const geometry::TriangleMesh& part,
-                                            const base::RunContext& ctx) {
+                                            const LayersInput& input, const base::RunContext& ctx) {
+  const geometry::TriangleMesh& part = input.part;
   const base::Stopwatch watch;
   substrate::LatheLayers layers =
       substrate::latheLayers(part, surfaceOf(decomposed.platform), plan.options(), ctx);

@@ -21,6 +21,9 @@ class RunContext;
 namespace voluta::curved {
 struct Decomposition;
 }
+namespace voluta::layers {
+struct SupportPlaces;
+}
 namespace voluta::geometry {
 struct Placement;
 struct TriangleMesh;
@@ -47,6 +50,13 @@ struct DecomposeInput {
   // Returns whether a plan with these findings will be discarded. The stage may then stop early
   // with an incomplete result, which is not cached. If empty, every plan is kept.
   std::function<bool(const plan::Findings&)> isRejected = {};
+  const layers::SupportPlaces* supports = nullptr; // of regions; null: none
+};
+
+// Input of a mode's layers.
+struct LayersInput {
+  const geometry::TriangleMesh& part; // placed, without the volume that the ground occupies
+  const layers::SupportPlaces& supports;
 };
 
 // The cell, process and platform a mode uses unless the user chooses others.
@@ -62,9 +72,8 @@ struct Mode {
   base::Text label;
   FromOptions<std::shared_ptr<const DecomposeStage>(const DecomposeInput&, const base::RunContext&)>
       decompose;
-  // The mesh is the placed part without the volume that the ground occupies.
-  FromOptions<std::shared_ptr<const LayersStage>(
-      const DecomposeStage&, const geometry::TriangleMesh&, const base::RunContext&)>
+  FromOptions<std::shared_ptr<const LayersStage>(const DecomposeStage&, const LayersInput&,
+                                                 const base::RunContext&)>
       layers;
   project::ResultKind result; // type of the result of `decompose`
   // Keys of the entries of modeParameters() that affect this mode; takesParameter() also handles

@@ -48,7 +48,7 @@ SlicePlan slicePlan(const ModeChoices& in) {
   options.heights.firstMm = firstLayerMm(in);
   options.beadWidthMm = in.process.beadWidthMm;
   options.edgeMm = std::max(options.edgeMm, in.process.beadWidthMm / 1.2);
-  options.supports = support::supportsWanted(in.values);
+  options.supports = support::supportRule(in.values);
   options.sizes = {in.process.scaleX, in.process.scaleY, in.process.outlineOffsetMm,
                    in.process.holeOffsetMm};
   options.overhangRad = riskRule(in).overhangRad;
@@ -261,15 +261,15 @@ std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
 }
 
 std::shared_ptr<const LayersStage> sliced(const SlicePlan& plan, const DecomposeStage& decomposed,
-                                          const geometry::TriangleMesh& part,
-                                          const base::RunContext& ctx) {
+                                          const LayersInput& input, const base::RunContext& ctx) {
   planar::SliceOptions options = plan.options;
   options.plate = decomposed.platform.polygon;
-  return layersFrom(
-      plan.planes.empty()
-          ? planar::slicePieces(std::get<project::Pieces>(decomposed.result)->pieces, options, ctx)
-          : planar::sliceByPlanes(part, planar::readUserPlanes(plan.planes, "layerPlanes"), options,
-                                  ctx));
+  return layersFrom(plan.planes.empty()
+                        ? planar::slicePieces(std::get<project::Pieces>(decomposed.result)->pieces,
+                                              options, ctx, input.supports)
+                        : planar::sliceByPlanes(input.part,
+                                                planar::readUserPlanes(plan.planes, "layerPlanes"),
+                                                options, ctx));
 }
 
 } // namespace

@@ -224,8 +224,8 @@ decompose(const SurfacePlan& plan, const DecomposeInput& input, const base::RunC
 
 std::shared_ptr<const LayersStage> layersOf(const SurfacePlan& plan,
                                             const DecomposeStage& decomposed,
-                                            const geometry::TriangleMesh& part,
-                                            const base::RunContext& ctx) {
+                                            const LayersInput& input, const base::RunContext& ctx) {
+  const geometry::TriangleMesh& part = input.part;
   const base::Stopwatch watch;
   const substrate::SubstrateOptions options = substrateOptions(plan);
   const substrate::LevelFamily family =

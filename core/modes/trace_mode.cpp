@@ -101,8 +101,7 @@ std::shared_ptr<const DecomposeStage> decompose(const TracePlan& plan, const Dec
 }
 
 std::shared_ptr<const LayersStage> layersOf(const TracePlan& plan, const DecomposeStage& decomposed,
-                                            const geometry::TriangleMesh&,
-                                            const base::RunContext& ctx) {
+                                            const LayersInput&, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   layers::LayerStack stack;
   for (const substrate::SeamCurve& curve : curvesOf(plan, *decomposed.platform.mesh, ctx))

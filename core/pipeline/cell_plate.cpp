@@ -1,10 +1,11 @@
 #include "pipeline/cell_plate.h"
 
 #include "base/error.h"
+#include "base/parameters.h"
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
+#include "modes/region_supports.h"
 #include "project/platform.h"
-#include "support/supports.h"
 #include "toolpath/prime_path.h"
 
 #include <algorithm>
@@ -34,9 +35,10 @@ std::vector<Vector2d> largestPlate(const robot::Cell& cell) {
                                : project::Platform(cell.plates().back()).plateAround({});
 }
 
-PlateNeeds plateNeeds(const base::ParameterValues& values) {
+PlateNeeds plateNeeds(const modes::ModeChoices& in) {
+  const base::ParameterValues& values = in.values;
   const std::string prime = values.text("prime");
-  return {.supports = support::supportsWanted(values),
+  return {.supports = modes::supportsSomewhere(in),
           .prime = prime != "none",
           .primeIsRing = prime == "skirt",
           .primeLengthMm = values.number("primeLengthMm"),

@@ -1,8 +1,8 @@
 // Selects the plate of a cell that carries a part.
 #pragma once
 
-#include "base/parameters.h"
 #include "geometry/triangle_mesh.h"
+#include "modes/from_options.h"
 #include "robot/cell.h"
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct PlateNeeds {
   double primeBeadMm = 0.0; // Width of that bead; 4 for all narrower ones, which need the same room
   double brimMm = 0.0;      // A brim of this width around the foot (toolpath/brim.h)
 };
-PlateNeeds plateNeeds(const base::ParameterValues& values);
+PlateNeeds plateNeeds(const modes::ModeChoices& in);
 
 // Returns the corners of the smallest of the cell's plates that carries `part` (placed, [mm]) with
 // a margin around its foot and has room for `needs`. If no plate has room for the priming bead and

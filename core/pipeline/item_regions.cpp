@@ -18,12 +18,16 @@
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 #include "regions/region_figures.h"
+#include "regions/region_kinds.h"
 #include "regions/region_patches.h"
 #include "regions/region_uses.h"
+#include "support/supports.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/infill/strand_text.h"
 
 #include <algorithm>
+#include <array>
+#include <fmt/format.h>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -35,6 +39,8 @@ namespace {
 using project::Region;
 
 constexpr double kOnPlateMm = 1e-3;
+// Settings that say something about places, and by which patches are not divided.
+constexpr std::array<std::string_view, 2> kMarks{"supports", "seamHere"};
 
 const std::vector<Region>& regionsOf(const Resolved& resolved) {
   return resolved.choices.item().regions;
@@ -120,6 +126,53 @@ toolpath::StrandDyads strandsFor(const toolpath::ToolpathOptions& options,
   return {};
 }
 
+double interlockMm(const Resolved& resolved, const Region& region) {
+  base::ParameterValues values = resolved.values;
+  if (const auto own = region.parameters.find("interlockMm"); own != region.parameters.end())
+    values.set(own->first, own->second);
+  return values.number("interlockMm");
+}
+
+bool isMark(std::string_view key) {
+  return std::ranges::find(kMarks, key) != kMarks.end();
+}
+bool hasMarks(const Region& region) {
+  return std::ranges::any_of(region.parameters,
+                             [](const auto& setting) { return isMark(setting.first); });
+}
+// Returns whether a region with the layers of its item has only marks.
+bool onlyMarks(const Region& region) {
+  return !region.parameters.empty() &&
+         std::ranges::all_of(region.parameters,
+                             [](const auto& setting) { return isMark(setting.first); });
+}
+
+// Returns the region with a painted surface at least as deep as a bead is wide: overhangs and walls
+// are that far from the surface.
+Region withDepthOfMarks(const Region& region, double beadWidthMm) {
+  const regions::Shape shape = regions::parsedShape(region.shape);
+  Region deep = region;
+  if (shape.kind->mesh == regions::ShapeMesh::Painted && shape.numbers[0] < beadWidthMm)
+    deep.shape = fmt::format("{}:{}", shape.kind->word, beadWidthMm);
+  return deep;
+}
+
+// Adds what a region says about supports and seams.
+void addMarks(const Resolved& resolved, const Region& region, const geometry::TriangleMesh& body,
+              RegionStage& stage, std::vector<toolpath::SeamPlaceBody>& seams) {
+  base::ParameterValues values = resolved.values;
+  for (const auto& [key, value] : region.parameters)
+    values.set(key, value);
+  if (region.parameters.contains("supports"))
+    stage.supports.places.push_back({support::supportRule(values), body});
+  const std::string seam = values.text("seamHere");
+  if (region.parameters.contains("seamHere"))
+    seams.push_back({seam == "always"  ? toolpath::SeamRule::Always
+                     : seam == "never" ? toolpath::SeamRule::Never
+                                       : toolpath::SeamRule::Auto,
+                     body});
+}
+
 bool isOnGround(const Resolved& resolved) {
   return modes::findMode(resolved.choices.item().mode).result == project::ResultKind::OnGround;
 }
@@ -187,17 +240,28 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
       stage->rest = std::make_shared<geometry::TriangleMesh>(std::move(made.rest));
     requireFoot(*stage->rest, *whole, resolved);
   }
+  std::vector<toolpath::SeamPlaceBody> seams;
+  for (const regions::LayeredRegion& region : stage->layered)
+    stage->supports.printedLater.push_back(region.solid);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const regions::RegionUse& use = regions::findUse(all[i].use);
     stage->bodies.emplace_back();
+    geometry::TriangleMesh marked;
+    if (hasMarks(all[i]) && !use.cuts) {
+      marked = regions::bodyOf(withDepthOfMarks(all[i], resolved.process().beadWidthMm), part,
+                               levels, ctx);
+      addMarks(resolved, all[i], marked, *stage, seams);
+    }
     const auto layered = std::ranges::find(stage->layered, i, &regions::LayeredRegion::index);
     bool isInPart = layered != stage->layered.end();
     if (use.cuts) { // The part ends at the body.
       isInPart = geometry::touch(*whole, regions::bodyOf(all[i], part, levels, ctx));
     } else if (!use.hasLayers()) {
-      stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
-      const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
-                                                stage->bodies.back(), false);
+      if (!onlyMarks(all[i]))
+        stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
+      const auto shared =
+          geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
+                                onlyMarks(all[i]) ? marked : stage->bodies.back(), false);
       isInPart = !shared || !shared->empty();
     }
     if (!isInPart)
@@ -205,6 +269,8 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
           plan::makeFinding(plan::FindingKind::RegionOutside, {{"region", all[i].shape}}));
   }
   stage->load = itemLoad(*whole, all, stage->bodies, part.work_T_file.linear(), ctx);
+  if (!seams.empty())
+    stage->seams = std::make_shared<const toolpath::SeamPlaces>(seams);
   return stage;
 }
 
@@ -248,7 +314,8 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   std::vector<regions::SettingsRegion> dividing;
   for (std::size_t i = 0; i < regions.bodies.size(); ++i)
     if (!regions.bodies[i].empty() && regions::findUse(all[i].use).hasSettings())
-      dividing.push_back({static_cast<int>(i) + 1, regions.bodies[i]});
+      dividing.push_back(
+          {static_cast<int>(i) + 1, regions.bodies[i], interlockMm(resolved, all[i])});
   auto made = std::make_shared<modes::LayersStage>(*stage);
   layers::LayerStack stack =
       dividing.empty()
@@ -288,12 +355,26 @@ std::string layeredRegionsKey(const Resolved& resolved) {
   return any(resolved, &regions::RegionUse::hasLayers) ? shapesKey(resolved) : std::string();
 }
 
+std::string supportRegionsKey(const Resolved& resolved) {
+  std::string rules;
+  for (const Region& region : regionsOf(resolved)) {
+    const auto own = region.parameters.find("supports");
+    rules += own == region.parameters.end() ? "-" : " " + own->second;
+  }
+  return rules.find(' ') == std::string::npos ? std::string()
+                                              : shapesKey(resolved) + "supports " + rules + "\n";
+}
+
 std::string regionLayersKey(const Resolved& resolved) {
   if (!hasRegions(resolved))
     return {};
-  std::string key = shapesKey(resolved);
+  std::string key = shapesKey(resolved) + supportRegionsKey(resolved);
   for (const Region& region : regionsOf(resolved))
-    key += base::keyText(toolOf(resolved, region).value_or(-1));
+    key +=
+        base::keyText(toolOf(resolved, region).value_or(-1)) + (onlyMarks(region) ? "marks\n" : "");
+  for (const Region& region : regionsOf(resolved))
+    if (const double mm = interlockMm(resolved, region); mm > 0.0)
+      key += "interlock " + region.shape + base::keyText(mm);
   return key;
 }
 

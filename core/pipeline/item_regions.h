@@ -3,11 +3,13 @@
 
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
+#include "layers/support_places.h"
 #include "modes/mode_stages.h"
 #include "pipeline/item_loads.h"
 #include "project/job_stage.h"
 #include "regions/part_regions.h"
 #include "toolpath/cover_rules.h"
+#include "toolpath/order/seam_places.h"
 
 #include <memory>
 #include <string>
@@ -31,8 +33,11 @@ struct RegionStage {
   std::shared_ptr<const geometry::TriangleMesh> whole;
   std::shared_ptr<const geometry::TriangleMesh> rest; // has the layers of the item's mode
   std::vector<regions::LayeredRegion> layered;
-  std::vector<geometry::TriangleMesh> bodies; // of every region; empty: with layers, or cut away
-  std::shared_ptr<const ItemLoad> load;       // null without forces
+  // Of every region; empty: no settings by which patches are divided.
+  std::vector<geometry::TriangleMesh> bodies;
+  layers::SupportPlaces supports;
+  std::shared_ptr<const toolpath::SeamPlaces> seams; // null: none
+  std::shared_ptr<const ItemLoad> load; // null without forces
   plan::Findings findings;
 };
 // `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().
@@ -62,6 +67,7 @@ std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
 // Return the inputs of these functions, as text; empty without regions.
 std::string cutRegionsKey(const Resolved& resolved);
 std::string layeredRegionsKey(const Resolved& resolved);
+std::string supportRegionsKey(const Resolved& resolved);
 std::string regionLayersKey(const Resolved& resolved);
 std::string regionRulesKey(const Resolved& resolved);
 

@@ -284,6 +284,8 @@ ItemOutcome ItemStages::decompose() {
                                               ? modes::partVoxels(*placed, voxelMm, ctx)
                                               : voxels(voxelMm, ctx);
                                  }};
+        if (regions_)
+          in.supports = &regions_->supports;
         if (context_.observers().onPreview)
           in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
             context_.observers().onPreview(std::move(soFar), result_);
@@ -330,8 +332,10 @@ ItemOutcome ItemStages::layers() {
       return layersOfGiven(*loaded_->toolPaths);
     const base::RunContext span = context_.span(Stage::Layers);
     const geometry::TriangleMesh& printed = item().printed();
+    const geometry::TriangleMesh& rest =
+        regions_ && !regions_->layered.empty() ? *regions_->rest : printed;
     auto made = mode_.layers(resolved_.modeChoices(), *decomposed_,
-                             regions_ && !regions_->layered.empty() ? *regions_->rest : printed,
+                             {rest, regions_ ? regions_->supports : layers::SupportPlaces()},
                              span.sub(0.0, 0.9));
     made = withWalledSupport(std::move(made), printed);
     if (regions_)
@@ -366,7 +370,8 @@ std::shared_ptr<const modes::LoadStage> ItemStages::withoutLayeredRegions() cons
 
 toolpath::ItemLayers ItemStages::forToolpaths() const {
   toolpath::ItemLayers all{result_.job.item(index_).layers,
-                           coverRules(resolved_, regions_ ? regions_->load : nullptr)};
+                           coverRules(resolved_, regions_ ? regions_->load : nullptr),
+                           regions_ ? regions_->seams : nullptr};
   if (hasGivenPaths_)
     all.options().spiral = false; // it is not covered
   return all;

@@ -158,8 +158,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
         placed.part = std::make_shared<geometry::TriangleMesh>(
             geometry::place(*shape.mesh(scale, how.rotation, ctx), scale, how));
         if (choices.item().platform.isOfCell())
-          placed.platform =
-              cellPlate(fittingCell(choices, process), *placed.part, plateNeeds(values));
+          placed.platform = cellPlate(fittingCell(choices, process), *placed.part, plateNeeds(in));
         const auto cut = mode.decompose(in, {placed, {}, {}}, ctx.quiet());
         return placement::CutOutcome{cut->report.riskyAreaMm2,
                                      static_cast<std::size_t>(cut->report.pieces)};
@@ -178,7 +177,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   if (loaded.cells)
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   if (choices.item().platform.isOfCell())
-    stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
+    stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(in));
   // Insert them first. They describe the mesh that was placed last.
   const plan::Findings open = shape.findings();
   stage->findings.insert(stage->findings.begin(), open.begin(), open.end());

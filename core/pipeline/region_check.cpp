@@ -41,6 +41,25 @@ void requireRegionSetting(const base::ParameterTable& table, const std::string& 
   throw Error(ErrorCode::Usage, base::message("unknown parameter {key}"_text, key), {},
               base::didYouMean(key, keys));
 }
+// Throws if a region asks for supports that it cannot have.
+void requireSupports(const project::ItemChoices& item, const Region& region,
+                     const regions::RegionUse& use) {
+  const auto own = region.parameters.find("supports");
+  if (own == region.parameters.end() || own->second == "none")
+    return;
+  const modes::Mode* mode = modes::modeNamed(item.mode);
+  if (mode && !item.automatic && !mode->requiresParameter("supports"))
+    throw Error(
+        ErrorCode::Usage,
+        base::message("region {region} asks for supports, which mode {mode} does not have"_text,
+                      region.shape, item.mode),
+        {}, "set `supports=none` for the region, or choose another mode"_text);
+  if (use.hasLayers())
+    throw Error(ErrorCode::Usage,
+                base::message("region {region} asks for supports: its own layers have none"_text,
+                              region.shape),
+                {}, "use a region of its own for the supports, with `use=settings`"_text);
+}
 } // namespace
 
 void checkRegions(const project::ItemChoices& item, const base::ParameterTable& table) {
@@ -76,6 +95,7 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
           ErrorCode::Usage,
           base::message("region {region} carries the load: it has no settings"_text, region.shape),
           {}, "add a second region of that shape for its settings"_text);
+    requireSupports(item, region, use);
   }
   const modes::Mode* mode = modes::modeNamed(item.mode);
   if (mode && mode->onPart && !item.automatic && !item.regions.empty())

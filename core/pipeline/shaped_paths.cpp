@@ -42,7 +42,8 @@ loadStageOnGround(const ShapedPart& shaped, const Resolved& resolved, const base
       *shaped.part->mesh, 1.0, modes::motionOf(*shaped.ground, 1.0, choices.item().placement));
   auto stage = std::make_shared<modes::LoadStage>(*loadStage(*shaped.part, own, ctx));
   if (choices.item().platform.isOfCell())
-    stage->platform = cellPlate(fittingCell(choices, process), *ground, plateNeeds(values));
+    stage->platform =
+        cellPlate(fittingCell(choices, process), *ground, plateNeeds({choices, values, process}));
   else if (choices.item().platform.marginMm())
     stage->platform = footOf(*ground);
   return stage;

@@ -87,7 +87,7 @@ std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size
   load->part = item.part;
   if (item.part && job.choices.item(index).platform.isOfCell())
     load->platform = cellPlate(fittingCell(resolved.choices, resolved.process()), *item.part,
-                               plateNeeds(resolved.values));
+                               plateNeeds(resolved.modeChoices()));
   return load;
 }
 

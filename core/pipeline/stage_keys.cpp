@@ -141,7 +141,7 @@ std::string loadText(const project::LoadedPart& loaded, const Resolved& resolved
   if (loaded.inWorkFrame && resolved.isBesideOthers)
     text += "beside others\n";
   if (c.item().platform.isOfCell()) {
-    const PlateNeeds needs = plateNeeds(in.values);
+    const PlateNeeds needs = plateNeeds(in);
     text += "a plate of\n" + cell +
             base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm,
                           needs.primeBeadMm, needs.brimMm);
@@ -215,8 +215,9 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
     keys[project::indexOf(stage)] = next(before, stage, own);
   };
   put(project::Stage::Load, loadText(loaded, resolved, cellKey));
-  put(project::Stage::Decompose,
-      base::keyText(mode.id) + mode.decompose.key(in) + layeredRegionsKey(resolved));
+  put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in) +
+                                     layeredRegionsKey(resolved) +
+                                     (mode.grows ? supportRegionsKey(resolved) : std::string()));
   put(project::Stage::Layers, mode.layers.key(in) + tools + regionLayersKey(resolved));
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);

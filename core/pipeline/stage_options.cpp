@@ -25,6 +25,7 @@
 #include "program/program_options.h"
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
+#include "regions/region_patches.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -126,6 +127,7 @@ base::ParameterTable allParameters() {
   table.appendOfItems(placement::orientParameters());
   table.append(process::featureParameters());
   table.append(toolpath::toolpathParameters());
+  table.append(regions::regionParameters());
   table.appendOfItems(layers::toolParameters());
   table.append(motion::motionParameters());
   table.append(program::programParameters());

@@ -44,6 +44,7 @@ public:
         upwards_(region.body, Vector3d::UnitZ()) {}
 
   int number() const { return region_.number; }
+  double interlockMm() const { return region_.interlockMm; }
   const layers::PartBoundary& boundary(bool inside) const { return inside ? inside_ : outside_; }
 
   // Returns the section by the plane of a patch, in the frame of the patch.
@@ -135,6 +136,18 @@ void moveNarrow(Paths& from, Paths& to, double widthMm) {
   to = geometry::united(to);
 }
 
+// Lets one side of a boundary within the outline reach over it.
+void interlock(const Paths& outline, bool insideReaches, double byMm, Paths& inside,
+               Paths& outside) {
+  Paths &reaching = insideReaches ? inside : outside, &other = insideReaches ? outside : inside;
+  if (reaching.empty() || other.empty())
+    return;
+  reaching = geometry::combined(
+      outline, geometry::offsetPaths(reaching, byMm, {.corners = ClipperLib::jtMiter}),
+      ClipperLib::ctIntersection);
+  other = geometry::combined(outline, reaching, ClipperLib::ctDifference);
+}
+
 std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& body,
                                                double beadWidthMm) {
   const auto plane = toolpath::planePatch(patch);
@@ -143,6 +156,8 @@ std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& b
   const Paths section = body.section(*plane);
   Paths inside = geometry::combined(plane->outline, section, ClipperLib::ctIntersection);
   Paths outside = geometry::combined(plane->outline, section, ClipperLib::ctDifference);
+  if (body.interlockMm() > 0.0)
+    interlock(plane->outline, patch.layer % 2 == 0, 0.5 * body.interlockMm(), inside, outside);
   moveNarrow(inside, outside, kNarrow * beadWidthMm);
   if (std::abs(geometry::areaMm2(inside)) < kSmallestMm2)
     return std::vector{patch};
@@ -170,6 +185,13 @@ std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
   return parts;
 }
 } // namespace
+
+base::ParameterTable regionParameters() {
+  return base::ParameterTable({base::ofRegion(base::numberParameter(
+      "interlockMm", "mm", 0.0, 0.0, 50.0, "Tool-paths"_text, "interlock of a region"_text,
+      "In flat layers the region reaches half of it into the part around it, in every other layer "
+      "the part reaches as far into the region, so that both hold each other."_text))});
+}
 
 layers::LayerStack dividedPatches(const layers::LayerStack& stack,
                                   std::span<const SettingsRegion> regions, double beadWidthMm,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace voluta::support {
@@ -42,7 +43,8 @@ public:
     belowPlate_ = part_.count - plain.size();
     curved::Growth first = grown(plain, ctx_.sub(0.0, 0.3));
     out_.missedBefore = out_.missedAfter = missedOf(plain, first.rank);
-    if (out_.missedBefore == 0) {
+    const std::vector<std::size_t> wanted = alwaysCarried();
+    if (out_.missedBefore == 0 && wanted.empty()) {
       out_.growth = std::make_shared<curved::Growth>(std::move(first));
       return std::move(out_);
     }
@@ -51,6 +53,8 @@ public:
         belowPlate_ + static_cast<std::size_t>(std::count_if(reached.begin(), reached.end(),
                                                              [](auto o) { return o < 0; }));
     markPlate(plain);
+    carryAlways(plain, wanted);
+    kept_ = out_.columns.size();
     addColumns(plain, first.rank);
     thin();
     const curved::VoxelGraph graph = graphOf(out_.solid.solid);
@@ -74,6 +78,47 @@ private:
     return curved::voxelGraph(part_.grid, solid, part_.plateLayer(), platform_);
   }
   bool ofPart(std::size_t cell) const { return part_.solid[cell] != 0; }
+  bool has(std::size_t cell, layers::SupportRule rule) const {
+    return options_.rules.empty() ? rule == layers::SupportRule::Auto
+                                  : options_.rules[cell] == rule;
+  }
+
+  // Returns the part's cells below which the rules want a column: those above empty ones, in their
+  // order, each at least bridgeMm from those before it in its layer.
+  std::vector<std::size_t> alwaysCarried() const {
+    std::vector<std::size_t> chosen;
+    if (options_.rules.empty())
+      return chosen;
+    for (std::size_t c = 0; c < part_.solid.size(); ++c) {
+      const Eigen::Vector3i at = part_.grid.cell(c);
+      if (!ofPart(c) || !has(c, layers::SupportRule::Always) || at.z() <= part_.plateLayer() ||
+          ofPart(part_.grid.index(at.x(), at.y(), at.z() - 1)))
+        continue;
+      const bool isCarried = std::ranges::any_of(chosen, [&](std::size_t other) {
+        const Eigen::Vector3i apart = part_.grid.cell(other) - at;
+        return apart.z() == 0 && apart.cast<double>().norm() * part_.grid.pitch < options_.bridgeMm;
+      });
+      if (!isCarried)
+        chosen.push_back(c);
+    }
+    return chosen;
+  }
+
+  // Puts a column below each of these cells, where there is a path for one.
+  void carryAlways(const curved::VoxelGraph& plain, const std::vector<std::size_t>& wanted) {
+    if (wanted.empty())
+      return;
+    const std::vector<std::int32_t> order = curved::flood(plain, {}, ctx_).order;
+    std::map<std::size_t, std::int32_t> orderOf;
+    for (std::size_t v = 0; v < plain.size(); ++v)
+      orderOf[plain.cellOf(v)] = order[v];
+    for (const std::size_t cell : wanted) {
+      ctx_.checkpoint();
+      const auto own = orderOf.find(cell);
+      const bool isReached = own != orderOf.end() && own->second >= 0;
+      carry({{cell}, isReached ? own->second : kUnreached}, plain, order);
+    }
+  }
 
   curved::Growth grown(const curved::VoxelGraph& graph, const base::RunContext& ctx) {
     ++out_.growths;
@@ -119,6 +164,9 @@ private:
       for (int j = 0; j < n.y(); ++j)
         for (int i = 0; i < n.x(); ++i)
           cells_[part_.grid.index(i, j, below)] = Cell::Closed;
+    for (std::size_t c = 0; c < options_.closed.size(); ++c)
+      if (options_.closed[c])
+        cells_[c] = Cell::Closed;
     for (std::size_t v = 0; v < plain.size(); ++v)
       cells_[plain.cellOf(v)] = Cell::Part;
   }
@@ -139,7 +187,7 @@ private:
         const std::size_t v = members[i];
         if (order[v] >= 0)
           group.order = std::min(group.order, order[v]);
-        if (ofPart(graph.cellOf(v)))
+        if (ofPart(graph.cellOf(v)) && !has(graph.cellOf(v), layers::SupportRule::None))
           group.cells.push_back(graph.cellOf(v));
         for (const std::int32_t w : graph.neighbour[v])
           if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&
@@ -158,6 +206,11 @@ private:
     // A scheme that does not peel has computed its first ranks already.
     std::vector<std::int32_t> rank = peels_ ? quickRanks(plain, 0.3) : plainRank;
     curved::VoxelGraph graph = plain;
+    if (kept_ > 0) {
+      graph = graphOf(out_.solid.solid);
+      rank = quickRanks(graph, 0.3);
+      missedWithAll_ = missedOf(graph, rank);
+    }
     const int rounds = peels_ ? options_.rounds : std::min(options_.rounds, kSlowRounds);
     for (int round = 0; round < rounds; ++round) {
       const std::vector<std::int32_t> order = curved::flood(graph, {}, ctx_).order;
@@ -245,7 +298,7 @@ private:
       for (const std::size_t n : order) {
         if (trials == options_.trials)
           break;
-        if (isJoined(n, keep))
+        if (n < kept_ || isJoined(n, keep))
           continue;
         ++trials;
         keep[n] = 0;
@@ -307,6 +360,7 @@ private:
   std::size_t belowPlate_ = 0; // voxels of the part
   std::vector<Cell> cells_;
   std::vector<std::size_t> carried_; // per column
+  std::size_t kept_ = 0;             // columns that the rules ask for, the first ones
   std::size_t missedWithAll_ = 0;    // with all columns
   std::vector<Group> stranded_;
   Supports out_;
@@ -316,17 +370,25 @@ private:
 
 base::ParameterTable supportParameters() {
   return base::ParameterTable({
-      base::choiceParameter(
-          "supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}}, "Layers"_text,
-          "Supports"_text,
-          "Supports voxels that growth would miss with break-away columns one voxel "
-          "wide."_text,
-          true),
+      base::ofRegion(base::choiceParameter(
+          "supports", "none",
+          {{"none", "none"_text}, {"auto", "auto"_text}, {"always", "under all overhangs"_text}},
+          "Layers"_text, "Supports"_text,
+          "Break-away columns below overhangs beyond the overhang angle, in mode curved below "
+          "voxels that growth would miss. A region without them blocks them."_text,
+          true)),
   });
 }
 
+layers::SupportRule supportRule(const base::ParameterValues& values) {
+  const std::string text = values.text("supports");
+  return text == "none"   ? layers::SupportRule::None
+         : text == "auto" ? layers::SupportRule::Auto
+                          : layers::SupportRule::Always;
+}
+
 bool supportsWanted(const base::ParameterValues& values) {
-  return values.text("supports") != "none";
+  return supportRule(values) != layers::SupportRule::None;
 }
 
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,

@@ -5,6 +5,7 @@
 #include "base/parameters.h"
 #include "base/run_context.h"
 #include "curved/grow.h"
+#include "layers/support_places.h"
 #include "plan/finding.h"
 #include "process/process.h"
 #include "support/columns.h"
@@ -18,8 +19,10 @@
 
 namespace voluta::support {
 
-// Returns the parameter supports (none, auto).
+// Returns the parameter supports (none, auto, always).
 base::ParameterTable supportParameters();
+layers::SupportRule supportRule(const base::ParameterValues& values);
+// Returns whether supports are wanted outside of regions.
 bool supportsWanted(const base::ParameterValues& values);
 
 struct SupportOptions {
@@ -29,6 +32,10 @@ struct SupportOptions {
   double bridgeMm = 6.0;   // maximum unsupported length of a bead; arms are at most half as long
   int rounds = 10;         // of growth and new columns, at most
   int trials = 12;         // trial removals of columns, at most
+  // Of each cell; empty: Auto for all. Voxels of a region with None are not carried; below voxels
+  // with Always, where the part ends, columns stand at most bridgeMm apart and stay.
+  std::vector<layers::SupportRule> rules = {};
+  std::vector<std::uint8_t> closed = {}; // per cell: 1 if no column may use it; empty: none
 };
 
 struct Supports {
@@ -49,7 +56,8 @@ struct Supports {
 // every group that growth has to abandon, based on the platform or on a section of the part that is
 // nearer to the platform, and grows again, until nothing is missed or no further column is found;
 // then removes every column that is not needed. If growth misses nothing, does nothing else. For
-// the published schemes, which are slow, does four rounds at most and removes nothing. Growing
+// the published schemes, which are slow, does four rounds at most and removes nothing. Columns that
+// the rules ask for are put before all others, whether growth misses anything or not. Growing
 // `solid` by the same scheme misses `missedAfter` voxels of the part. `platform`: as in
 // curved::voxelGraph(). Throws Cancelled.
 Supports supportsFor(const voxel::SolidVoxels& part, const std::vector<Eigen::Vector2d>& platform,

@@ -5,6 +5,7 @@
 #include "process/bead_model.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voluta::toolpath {
 
@@ -159,6 +160,31 @@ bool applyFeatures(plan::ToolPlan& plan, const process::Tooling& tooling,
     change.setSpeeds(settings.speedMmPerS > 0.0 ? settings.speedMmPerS : process.speedMmPerS);
   }
   return changed;
+}
+
+void scaleSpeeds(plan::ToolPlan& plan, const process::Tooling& tooling,
+                 const std::function<double(const plan::ToolPath&)>& factorOf,
+                 const std::vector<char>& unsupported) {
+  base::require(unsupported.size() == plan.waypointCount(), "a mark for each waypoint");
+  for (const plan::ToolPath& path : plan.paths) {
+    if (path.kind == PathKind::Support || plan::isWaste(path.kind))
+      continue;
+    const double factor = factorOf(path);
+    if (factor == 1.0)
+      continue;
+    const process::Process& process = tooling.of(path).process;
+    double last = 0.0; // section
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      const double own = process::beadArea(plan.widthMm[i], plan.heightMm[i]);
+      const double section = std::max(own, std::exchange(last, own)); // As in setSpeeds()
+      const double before = plan.speedMmPerS[i];
+      double speed =
+          std::min(factor * before, std::max(before, process::flowLimit(process) / section));
+      if (unsupported[i] || (i > path.first && unsupported[i - 1]))
+        speed = std::min(speed, std::max(before, process.bridgeSpeedMmPerS));
+      plan.speedMmPerS[i] = static_cast<float>(speed);
+    }
+  }
 }
 
 } // namespace voluta::toolpath

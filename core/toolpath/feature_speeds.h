@@ -6,6 +6,7 @@
 #include "process/features.h"
 #include "process/tooling.h"
 
+#include <functional>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -32,5 +33,11 @@ void setWallWidths(const layers::LayerStack& stack, const process::Tooling& tool
 // `isFirstLayer`: per patch; `unsupported`: per waypoint. Returns whether a width has changed.
 bool applyFeatures(plan::ToolPlan& plan, const process::Tooling& tooling,
                    const std::vector<char>& isFirstLayer, const std::vector<char>& unsupported);
+
+// Multiplies the speeds of paths of the part by a factor for each path. Faster beads keep to the
+// process's maximum flow and, where they are unsupported, to the bridging speed.
+void scaleSpeeds(plan::ToolPlan& plan, const process::Tooling& tooling,
+                 const std::function<double(const plan::ToolPath&)>& factorOf,
+                 const std::vector<char>& unsupported);
 
 } // namespace voluta::toolpath

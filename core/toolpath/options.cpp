@@ -86,6 +86,17 @@ base::ParameterTable toolpathParameters() {
                             "Where closed walls begin and end. A seam aligned or in a corner is "
                             "less visible; spread seams weaken the part least."_text),
       base::ofRegion(base::choiceParameter(
+          "seamHere", ToolpathOptions{}.seamHere,
+          {{"auto", "auto"_text}, {"always", "always"_text}, {"never", "never"_text}},
+          "Tool-paths"_text, "seam here"_text,
+          "In a region: closed beads that pass through it begin there, or never do if they can "
+          "begin elsewhere."_text)),
+      base::ofRegion(base::numberParameter(
+          "speedFactor", "share", ToolpathOptions{}.speedFactor, 0.05, 3.0, "Tool-paths"_text,
+          "speed factor"_text,
+          "Factor of the speed of the part's beads, within the flow of the extruder and the speed "
+          "of bridges."_text)),
+      base::ofRegion(base::choiceParameter(
           "thinWalls", ToolpathOptions{}.thinWalls,
           {{"bead", "as the narrowest bead"_text}, {"omit", "leave out"_text}}, "Tool-paths"_text,
           "thin walls"_text,
@@ -181,6 +192,8 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.primeLengthMm = values.number("primeLengthMm");
   o.brimWidthMm = values.number("brimWidthMm");
   o.seam = values.text("seam");
+  o.seamHere = values.text("seamHere");
+  o.speedFactor = values.number("speedFactor");
   o.thinWalls = values.text("thinWalls");
   o.orderIslands = values.text("islandOrder") == "travel";
   o.spiral = values.boolean("spiral");
@@ -212,9 +225,9 @@ template <typename T> std::string changedKey(const T& value, const T& usual) {
 
 std::string optionsKey(const ToolpathOptions& options) {
   // The structured binding forces every new option to be considered here; add it with changedKey().
-  const auto& [walls, infill, density, pattern, field, strands, top, bottom, skin, thin, angle,
-               infillRotation, winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim,
-               seam, islands, spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches,
+  const auto& [walls, infill, density, pattern, field, strands, top, bottom, skin, thin, angle, infillRotation,
+               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, seamHere,
+               speed, islands, spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches,
                infillTool, platform] = options;
   static_cast<void>(platform);
   static_cast<void>(strands);
@@ -225,6 +238,7 @@ std::string optionsKey(const ToolpathOptions& options) {
                        noPlatform) +
          (tilts ? "" : "upright\n") + (maySag && density < 1.0 ? "sag\n" : "") +
          changedKey(stitches, StitchOptions{}) + (spiralOuter ? "outer\n" : "") +
+         changedKey(seamHere, ToolpathOptions{}.seamHere) + changedKey(speed, 1.0) +
          (infill == kFieldInfill ? base::keyText(field) : "");
 }
 

@@ -73,9 +73,12 @@ struct ToolpathOptions {
   double primeLengthMm = 30.0;
   double brimWidthMm = 0.0;     // 0: none (brim.h)
   std::string seam = "nearest"; // id in seamKinds()
-  bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
-  bool spiral = false;          // one bead with rising height (spiral.h)
-  bool spiralOuter = false;     // of the outer contour of each layer alone
+  // Of a region: whether closed beads begin there ("always", "never", or else "auto").
+  std::string seamHere = "auto";
+  double speedFactor = 1.0; // of all beads but supports and waste
+  bool orderIslands = true; // short travel between islands of one flat layer (islands.h)
+  bool spiral = false;      // one bead with rising height (spiral.h)
+  bool spiralOuter = false; // of the outer contour of each layer alone
   // Cell and programs can state nozzle directions other than the plate's normal. Otherwise beads
   // keep the directions of their layers, and supports under rims are printed upright.
   bool canTilt = true;
@@ -94,7 +97,7 @@ struct ToolpathOptions {
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
-// brimWidthMm, seam, islandOrder, thinWalls, spiral, spiralOuter and
+// brimWidthMm, seam, seamHere, speedFactor, islandOrder, thinWalls, spiral, spiralOuter and
 // coolingSpeedMmPerS; those of FibreOptions, and stitchExcess and stitchDepth.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is

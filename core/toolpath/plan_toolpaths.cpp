@@ -175,11 +175,36 @@ LayerCovers coverItems(std::span<const ItemLayers> items, const layers::LayerSta
   return all;
 }
 
-// Completes a plan of that many items, whose layers are covered.
-ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::LayerStack& stack,
-                           const robot::Cell& cell, const process::Tooling& tooling,
-                           const ToolpathOptions& options, std::span<const Vector3d> others,
-                           base::Stopwatch watch, const base::RunContext& ctx) {
+SeamsOfItems seamsOf(std::span<const ItemLayers> items) {
+  SeamsOfItems seams;
+  for (const ItemLayers& item : items)
+    seams.push_back(item.seams);
+  return seams;
+}
+
+// Applies the factors of items and regions.
+void scaleByRegion(plan::ToolPlan& plan, std::span<const ItemLayers> items,
+                   const layers::LayerStack& stack, const process::Tooling& tooling,
+                   const std::vector<char>& unsupported) {
+  scaleSpeeds(
+      plan, tooling,
+      [&](const plan::ToolPath& path) {
+        if (path.patch < 0)
+          return 1.0;
+        const layers::Patch& patch = stack.patches[static_cast<std::size_t>(path.patch)];
+        return items[static_cast<std::size_t>(patch.item)]
+            .rules.at(static_cast<std::size_t>(patch.region))
+            .options.speedFactor;
+      },
+      unsupported);
+}
+
+// Completes the plan of the items, whose layers are covered.
+ToolpathResult planCovered(LayerCovers made, std::span<const ItemLayers> items,
+                           const layers::LayerStack& stack, const robot::Cell& cell,
+                           const process::Tooling& tooling, const ToolpathOptions& options,
+                           std::span<const Vector3d> others, base::Stopwatch watch,
+                           const base::RunContext& ctx) {
   ToolpathResult r;
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
@@ -188,12 +213,17 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     made.fill = keepOuterWalls(stack, options.bottomLayers, options.spiralOuter, made.covers);
   Assembled assembled =
       assemble(stack, covers, tooling,
-               {options.seam, options.orderIslands, options.cooling.minLayerTimeS > 0.0});
-  if (options.cooling.minLayerTimeS > 0.0 && !options.spiral)
-    orderToCool(assembled, seamKind(options.seam).place == nullptr, options.cooling.minLayerTimeS);
+               {options.seam, options.orderIslands, options.cooling.minLayerTimeS > 0.0,
+                options.spiral ? SeamsOfItems() : seamsOf(items)});
+  if (options.cooling.minLayerTimeS > 0.0 && !options.spiral) {
+    const bool movesSeams =
+        seamKind(options.seam).place == nullptr &&
+        std::ranges::none_of(items, [](const ItemLayers& item) { return item.seams != nullptr; });
+    orderToCool(assembled, movesSeams, options.cooling.minLayerTimeS);
+  }
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
-  if (items == 1)
+  if (items.size() == 1)
     if (auto share = sparseShare(made))
       r.findings.push_back(std::move(*share));
   if (options.spiral)
@@ -238,6 +268,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   r.plan = std::move(passed.beads.plan);
   if (!applyFeatures(r.plan, tooling, isFirstLayer, passed.beads.unsupported))
     r.grown = std::move(passed.grown);
+  scaleByRegion(r.plan, items, stack, tooling, passed.beads.unsupported);
   slowOverhangs(r.plan, stack, tooling, silent);
   slowToCool(r.plan, options.cooling);
   if (options.fibre.everyLayers > 0) {
@@ -265,7 +296,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   r.statistics.sparseBeadMm3 = made.sparseBeadMm3;
   r.statistics.gouges = oriented.gouges;
   r.statistics.maxRotationDeg = oriented.maxRotationDeg;
-  setPathFigures(r.plan, items, tooling, r.statistics);
+  setPathFigures(r.plan, items.size(), tooling, r.statistics);
   if (auto bare = addCoverFigures(stack, covers, r.statistics))
     r.findings.push_back(std::move(*bare));
   return r;
@@ -299,15 +330,15 @@ ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::La
   const base::Stopwatch watch;
   if (items.size() == 1) {
     const std::vector<CoverRules> rules = withSpiral(items.front().rules, joined);
-    return planCovered(coverLayers(joined, rules, kCoverShare, ctx), 1, joined, cell, tooling,
+    return planCovered(coverLayers(joined, rules, kCoverShare, ctx), items, joined, cell, tooling,
                        rules.front().options, {}, watch, ctx);
   }
   for (const ItemLayers& item : items)
     if (item.options().spiral)
       throw base::Error(base::ErrorCode::Usage, "a spiral is printed alone"_text, {},
                         "remove the other parts, or set spiral to false"_text);
-  return planCovered(coverItems(items, joined, kCoverShare, ctx), items.size(), joined, cell,
-                     tooling, items.front().options(), others, watch, ctx);
+  return planCovered(coverItems(items, joined, kCoverShare, ctx), items, joined, cell, tooling,
+                     items.front().options(), others, watch, ctx);
 }
 
 } // namespace voluta::toolpath

@@ -26,6 +26,8 @@ class Cell;
 
 namespace voluta::toolpath {
 
+class SeamPlaces;
+
 struct ToolpathResult {
   plan::ToolPlan plan;
   plan::ToolpathStatistics statistics;
@@ -42,7 +44,8 @@ struct ToolpathResult {
 // supports.
 struct ItemLayers {
   std::shared_ptr<const layers::LayerStack> stack;
-  std::vector<CoverRules> rules; // by Patch::region, those of the item first
+  std::vector<CoverRules> rules;                // by Patch::region, those of the item first
+  std::shared_ptr<const SeamPlaces> seams = {}; // of the regions; null: none
   ToolpathOptions& options() { return rules.front().options; }
   const ToolpathOptions& options() const { return rules.front().options; }
 };

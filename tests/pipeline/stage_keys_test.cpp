@@ -133,6 +133,9 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"brimWidthMm", {"5", 3}},
     {"seam", {"corner", 3}},
     {"thinWalls", {"omit", 3}},
+    {"seamHere", {"always", 3}},
+    {"speedFactor", {"0.5", 3}},
+    {"interlockMm", {"1", kStageCount}}, // of regions, see region_plan_test
     {"loadDirection", {"1,0,0", 3}},
     {"infillField", {"1,0,0", kStageCount}}, // of another infill
     {"fibreLayers", {"1", 3}},

@@ -26,7 +26,7 @@ using geometry::TriangleMesh;
 
 SliceOptions supported(double plateTo) {
   SliceOptions options;
-  options.supports = true;
+  options.supports = layers::SupportRule::Auto;
   options.plate = {{-5, -5}, {plateTo, -5}, {plateTo, 15}, {-5, 15}};
   return options;
 }

@@ -82,6 +82,35 @@ TEST(RegionPatches, NarrowStripsGoToTheOtherSide) {
   EXPECT_EQ(same.count(1), 0u);
 }
 
+// In every other layer the region is larger by half of it all round, in the others as much smaller:
+// nothing is printed twice, and nothing is left out.
+TEST(RegionPatches, InterlockedRegionsReachOverTheirEdgeInTurn) {
+  constexpr double kBy = 0.5 * 3.0;
+  for (const double side : {10.0, 16.0}) {
+    const auto divided = dividedPatches(
+        squares(4, false),
+        std::vector<SettingsRegion>{
+            {1, test::box({-0.5 * side, -0.5 * side, -1}, {0.5 * side, 0.5 * side, 9}), 2.0 * kBy}},
+        1.2, {});
+    for (const layers::Patch& patch : divided.patches) {
+      const double own = side + (patch.layer % 2 == 0 ? 2.0 : -2.0) * kBy;
+      EXPECT_NEAR(geometry::area(patch.surface), patch.region == 1 ? own * own : 1600.0 - own * own,
+                  0.05)
+          << patch.layer;
+    }
+    EXPECT_EQ(divided.patches.size(), 8u);
+  }
+  // At the part's own surface there is nothing to reach into.
+  const auto edge = dividedPatches(
+      squares(2, false),
+      std::vector<SettingsRegion>{{1, test::box({0, -30, -1}, {30, 30, 9}), 2.0 * kBy}}, 1.2, {});
+  for (const layers::Patch& patch : edge.patches)
+    if (patch.region == 1) {
+      EXPECT_NEAR(geometry::area(patch.surface),
+                  40.0 * (20.0 + (patch.layer % 2 == 0 ? kBy : -kBy)), 0.05);
+    }
+}
+
 TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
   layers::LayerStack stack = squares(3, false);
   stack.patches[1].group = layers::kSupportGroup;

@@ -12,6 +12,7 @@
 #include "geometry/measures.h"
 #include "helpers/models.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -178,6 +179,87 @@ TEST(Supports, OtherSchemesAreSupportedToo) {
   EXPECT_LT(s.missedAfter, s.missedBefore);
   EXPECT_FALSE(s.columns.empty());
   expectMaskIsColumns(s, part);
+}
+
+// Of the cells from i0 to i1 along x, the others are Auto.
+SupportOptions ruled(const voxel::SolidVoxels& part, layers::SupportRule rule, int i0, int i1) {
+  SupportOptions options;
+  options.rules.assign(part.solid.size(), layers::SupportRule::Auto);
+  for (std::size_t c = 0; c < part.solid.size(); ++c)
+    if (const int i = part.grid.cell(c).x(); i >= i0 && i < i1)
+      options.rules[c] = rule;
+  return options;
+}
+
+TEST(Supports, ABlockedToothGetsNoColumn) {
+  const voxel::SolidVoxels part = toothPart();
+  const auto platform = curved::platformFit(part, 0.0);
+  const std::size_t missed = supported(part).missedBefore;
+  const Supports s =
+      supportsFor(part, platform, ruled(part, layers::SupportRule::None, 4, 20), kQuiet);
+  EXPECT_TRUE(s.columns.empty());
+  EXPECT_EQ(s.missedAfter, missed);
+  EXPECT_EQ(s.solid.solid, part.solid);
+  // Blocked elsewhere, the tooth is carried as before.
+  const Supports other =
+      supportsFor(part, platform, ruled(part, layers::SupportRule::None, 0, 4), kQuiet);
+  EXPECT_EQ(other.columns.size(), 1u);
+  EXPECT_EQ(other.missedAfter, 0u);
+}
+
+// An arch that growth prints without any: columns stand where they are asked for, at most a bridge
+// apart, and the ranks still fulfil both constraints.
+TEST(Supports, ColumnsStandWhereARegionAsksForThem) {
+  const voxel::SolidVoxels part = test::archPart();
+  const auto platform = curved::platformFit(part, 0.0);
+  SupportOptions options = ruled(part, layers::SupportRule::Always, 0, part.grid.size.x());
+  options.bridgeMm = 4.0 * part.grid.pitch;
+  const Supports s = supportsFor(part, platform, options, kQuiet);
+  EXPECT_EQ(s.missedBefore, 0u);
+  ASSERT_GT(s.columns.size(), 1u);
+  EXPECT_EQ(s.missedAfter, 0u);
+  expectMaskIsColumns(s, part);
+  // By an own count: every cell of the part over an empty one is near the top of a column.
+  for (std::size_t c = 0; c < part.solid.size(); ++c) {
+    const Eigen::Vector3i at = part.grid.cell(c);
+    if (!part.solid[c] || at.z() <= part.plateLayer() ||
+        part.solid[part.grid.index(at.x(), at.y(), at.z() - 1)])
+      continue;
+    const bool isNear = std::ranges::any_of(s.columns, [&](const Column& column) {
+      const Eigen::Vector3i apart = column.top + Eigen::Vector3i::UnitZ() - at;
+      return apart.z() == 0 && apart.cast<double>().norm() < 4.0;
+    });
+    EXPECT_TRUE(isNear) << at.transpose();
+  }
+  // Below half of it alone.
+  const Supports half = supportsFor(
+      part, platform,
+      [&] {
+        SupportOptions own = ruled(part, layers::SupportRule::Always, 0, part.grid.size.x() / 2);
+        own.bridgeMm = options.bridgeMm;
+        return own;
+      }(),
+      kQuiet);
+  ASSERT_FALSE(half.columns.empty());
+  for (const Column& column : half.columns)
+    EXPECT_LT(column.top.x(), part.grid.size.x() / 2);
+  EXPECT_LT(half.columns.size(), s.columns.size());
+}
+
+// A region printed later lies below the tooth: its cells stay empty.
+TEST(Supports, ColumnsKeepOutOfClosedCells) {
+  const voxel::SolidVoxels part = toothPart();
+  SupportOptions options;
+  options.closed.assign(part.solid.size(), 0);
+  for (std::size_t c = 0; c < part.solid.size(); ++c)
+    if (const Eigen::Vector3i at = part.grid.cell(c); at.x() >= 9 && at.x() < 15 && at.z() < 4)
+      options.closed[c] = 1;
+  const Supports s = supportsFor(part, curved::platformFit(part, 0.0), options, kQuiet);
+  ASSERT_FALSE(s.columns.empty());
+  for (const Column& column : s.columns)
+    for (const std::size_t c : column.cells)
+      EXPECT_EQ(options.closed[c], 0);
+  EXPECT_EQ(s.missedAfter, 0u);
 }
 
 TEST(Supports, AreTheSameForAnyNumberOfThreads) {

@@ -102,7 +102,7 @@ struct Level {
 // Adds the support columns of every piece, one or more patches per level.
 void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
                 const std::vector<std::vector<double>>& bounds, const SliceOptions& options,
-                const base::RunContext& ctx) {
+                const layers::SupportPlaces& places, const base::RunContext& ctx) {
   double unheld = 0.0;
   Vector3d unheldAt = Vector3d::Zero();
   int level = 0;
@@ -114,6 +114,8 @@ void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
     with.overhangRad = options.overhangRad;
     with.beadWidthMm = options.beadWidthMm;
     with.plate = options.plate;
+    with.rule = options.supports;
+    with.places = &places;
     const SupportColumns columns = supportColumns(pieces, p, sections, bounds[p], with, ctx);
     if (columns.unheldMm2 > 0.0 && unheld == 0.0)
       unheldAt = columns.unheldAt;
@@ -179,7 +181,7 @@ void finishStack(SliceResult& result, const std::vector<Patch>& slivers,
 }
 
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
-                        const base::RunContext& ctx) {
+                        const base::RunContext& ctx, const layers::SupportPlaces& places) {
   const base::Stopwatch watch;
   SliceResult result;
   std::vector<Sections> sections;
@@ -236,9 +238,12 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
       slivers.push_back(std::move(sliver));
     }
   }
-  if (options.supports) {
+  const bool isSupported = std::ranges::any_of(places.places, [](const layers::SupportPlace& p) {
+    return p.rule != layers::SupportRule::None;
+  });
+  if (isSupported || options.supports != layers::SupportRule::None) {
     ctx.report(0.7, "supports"_text);
-    addColumns(result, pieces, boundsOf, options, ctx);
+    addColumns(result, pieces, boundsOf, options, places, ctx);
   }
   layers::orderForPrinting(result.stack);
   ctx.report(0.8, "checking layers"_text);

@@ -5,6 +5,7 @@
 #include "layers/layer_checks.h"
 #include "layers/layer_stack.h"
 #include "layers/level_surface.h"
+#include "layers/support_places.h"
 #include "plan/finding.h"
 #include "planar/pieces.h"
 #include "planar/slicing/layer_heights.h"
@@ -21,9 +22,9 @@ struct SliceOptions {
   HeightOptions heights;
   double beadWidthMm = 1.2;
   double edgeMm = 1.0; // of the triangles of a layer
-  // Adds columns below overhangs beyond the angle (support_columns.h), based on the plate (convex,
-  // on z = 0), the piece itself or pieces before it.
-  bool supports = false;
+  // Adds columns below overhangs beyond the angle, or all (support_columns.h), based on the plate
+  // (convex, on z = 0), the piece itself or pieces before it.
+  layers::SupportRule supports = layers::SupportRule::None;
   double overhangRad = 0.7853981633974483;
   std::vector<Eigen::Vector2d> plate;
   // Pockets of a single piece on the plate: its layers keep out of them.
@@ -58,14 +59,14 @@ layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
 // layer of its own height. A layer's mid-surface is the section at
 // half its height, its direction the normal. Layers are numbered over all pieces in their order.
 // Sections that cross or touch themselves are taken up to 1e-4 mm higher or lower, else filled by
-// their winding, as slicers do with self-intersecting meshes. Findings report areas too small for a
-// bead, which are omitted, and unsupported patches. Throws Cancelled. Same result for any number of
-// threads.
+// their winding, as slicers do with self-intersecting meshes. `places`: of regions, where columns
+// follow another rule. Findings report areas too small for a bead, which are omitted, and
+// unsupported patches. Throws Cancelled. Same result for any number of threads.
 // Example:
 //   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 //   const planar::SliceResult sliced = planar::slicePieces(pieces.pieces, {}, ctx);
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
-                        const base::RunContext& ctx);
+                        const base::RunContext& ctx, const layers::SupportPlaces& places = {});
 
 // Completes the result once all patches exist. Neighbours absorb `slivers` and small unsupported
 // patches where possible (layers/absorb.h, layers/islands.h). Findings report the remaining ones as

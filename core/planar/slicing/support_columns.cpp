@@ -4,6 +4,7 @@
 #include "planar/slicing/section_paths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -171,6 +172,58 @@ private:
   std::vector<Paths> own_;
 };
 
+// The places of regions with rules of their own, in planes of one direction.
+class RuledPlaces {
+public:
+  RuledPlaces(const ColumnOptions& options, const Vector3d& normal, const PlaneFrame& frame)
+      : rule_(options.rule), places_(options.places), frame_(frame) {
+    if (!places_)
+      return;
+    for (const layers::SupportPlace& place : places_->places)
+      ruled_.emplace_back(place.body, normal);
+    for (const geometry::TriangleMesh& body : places_->printedLater)
+      later_.emplace_back(body, normal);
+  }
+
+  // Returns what protrudes over `below` and has to be carried: by more than `reachMm`, or at all.
+  Paths carried(const Paths& area, const Paths& below, double reachMm, double offsetMm) const {
+    std::array<Paths, 3> byRule;
+    byRule[indexOf(rule_)] = area;
+    for (std::size_t i = 0; i < ruled_.size(); ++i) {
+      const Paths place = sectionOf(ruled_[i], offsetMm);
+      if (place.empty())
+        continue;
+      for (Paths& part : byRule)
+        part = without(part, place);
+      Paths& own = byRule[indexOf(places_->places[i].rule)];
+      own = united(own, shared(area, place));
+    }
+    Paths out = without(byRule[indexOf(layers::SupportRule::Auto)], grown(below, reachMm));
+    if (const Paths& all = byRule[indexOf(layers::SupportRule::Always)]; !all.empty())
+      out = united(out, without(all, below));
+    return out;
+  }
+  Paths printedLater(double offsetMm) const {
+    Paths all;
+    for (const Sections& later : later_)
+      all = united(all, sectionOf(later, offsetMm));
+    return all;
+  }
+
+private:
+  static std::size_t indexOf(layers::SupportRule rule) { return static_cast<std::size_t>(rule); }
+  Paths sectionOf(const Sections& sections, double offsetMm) const {
+    return offsetMm > sections.lowestMm() && offsetMm < sections.highestMm()
+               ? pathsOf(sections.at(offsetMm), frame_)
+               : Paths();
+  }
+
+  layers::SupportRule rule_;
+  const layers::SupportPlaces* places_;
+  const PlaneFrame& frame_;
+  std::vector<Sections> ruled_, later_;
+};
+
 } // namespace
 
 SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piece,
@@ -178,6 +231,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
                               const std::vector<double>& bounds, const ColumnOptions& options,
                               const base::RunContext& ctx) {
   const Levels levels(pieces, piece, sections, bounds, options.beadWidthMm);
+  const RuledPlaces places(options, pieces[piece].base.normal, levels.frame());
   const std::size_t n = levels.count();
   SupportColumns out;
   out.sections.resize(n);
@@ -189,18 +243,20 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
   for (std::size_t k = n; k-- > 1;) {
     ctx.checkpoint();
     const double reach = (levels.middle(k) - levels.middle(k - 1)) * std::tan(options.overhangRad);
-    unsupported[k] =
-        opened(without(levels.own(k), grown(levels.own(k - 1), reach)), kNarrowest * half);
+    const auto carriedOver = [&](const Paths& area, const Paths& below) {
+      return opened(places.carried(area, below, reach, levels.middle(k)), kNarrowest * half);
+    };
+    unsupported[k] = carriedOver(levels.own(k), levels.own(k - 1));
     if (unsupported[k].empty() && columns[k].empty())
       continue;
     standing[k - 1] = united(levels.own(k - 1), levels.earlier(levels.middle(k - 1)));
-    unsupported[k] =
-        opened(without(unsupported[k], grown(standing[k - 1], reach)), kNarrowest * half);
+    unsupported[k] = carriedOver(unsupported[k], standing[k - 1]);
     // Widen the heads, because an overhanging tip may be narrower than the column that carries it.
     const Paths heads = widened(shared(grown(unsupported[k], half), levels.own(k)), half);
     const Paths carried = united(heads, tapered(columns[k], kTaper * reach, options.beadWidthMm));
-    const Paths occupied =
-        grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
+    const Paths occupied = grown(united(united(standing[k - 1], levels.later(levels.middle(k - 1))),
+                                        places.printedLater(levels.middle(k - 1))),
+                                 options.gapMm);
     columns[k - 1] =
         wideEnough(besideWalls(without(carried, occupied), occupied, half), kNarrowColumn * half);
     any = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "layers/support_places.h"
 #include "planar/pieces.h"
 #include "planar/slicing/section.h"
 
@@ -15,6 +16,8 @@ struct ColumnOptions {
   double beadWidthMm = 1.2;
   double gapMm = 0.3;                 // to walls beside a column
   std::vector<Eigen::Vector2d> plate; // convex polygon on z = 0 that may carry columns
+  layers::SupportRule rule = layers::SupportRule::Auto; // outside of the places
+  const layers::SupportPlaces* places = nullptr;        // of regions; may be null
 };
 
 struct SupportColumns {
@@ -31,7 +34,9 @@ struct SupportColumns {
 // Wide columns, except for narrow arms, taper downwards by half of a layer's permitted overhang to
 // trunks of four beads; where a wall cuts into a column, its rest continues along the wall. On
 // slopes and edges columns start from their supported part and grow by half a bead per level. Areas
-// narrower than half a bead are not printed and carry nothing. `sections`: of each piece,
+// narrower than half a bead are not printed and carry nothing.
+// Regions say where every overhang is carried and where none is; columns of other places may pass
+// through them. `sections`: of each piece,
 // perpendicular to the normal of this one's base. `bounds`: layerBounds() of this piece [mm].
 // Throws Cancelled.
 SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piece,

@@ -172,7 +172,7 @@ void append(Assembled& out, const std::vector<BeadPoint>& points, const process:
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
                    const process::Tooling& tooling, const OrderOptions& options) {
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
-  const auto atSeams = placeSeams(stack, covers, seamKind(options.seam));
+  const auto atSeams = placeSeams(stack, covers, seamKind(options.seam), options.seamsOfRegions);
   const BeadStops beads = beadStops(stack, covers, atSeams);
   const std::vector<Visit> visits = shortestVisits(stack, beads, options);
   Assembled out;

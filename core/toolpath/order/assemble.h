@@ -5,6 +5,7 @@
 #include "plan/tool_plan.h"
 #include "process/tooling.h"
 #include "toolpath/coverage/cover_patch.h"
+#include "toolpath/order/place_seams.h"
 
 #include <Eigen/Core>
 #include <string>
@@ -19,6 +20,7 @@ struct OrderOptions {
   // Whether islands of a flat layer are printed in the order of those below them, so that each has
   // cooled for about as long as the others.
   bool keepIslandOrder = false;
+  SeamsOfItems seamsOfRegions = {};
 };
 
 // The beads of all patches in one plan, in the stack's order of patches, islands aside. Within a

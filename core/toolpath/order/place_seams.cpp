@@ -32,7 +32,8 @@ std::vector<Vector3d> seamsBelow(std::vector<PlacedSeam>& placed, int layer) {
 
 std::vector<std::vector<std::optional<Bead>>> placeSeams(const layers::LayerStack& stack,
                                                          const std::vector<PatchCover>& covers,
-                                                         const SeamKind& kind) {
+                                                         const SeamKind& kind,
+                                                         const SeamsOfItems& ofRegions) {
   std::vector<std::vector<std::optional<Bead>>> out(covers.size());
   std::map<WallId, std::vector<PlacedSeam>> placed;
   std::map<std::pair<int, int>, std::size_t> pathsOf; // item, layer
@@ -40,17 +41,27 @@ std::vector<std::vector<std::optional<Bead>>> placeSeams(const layers::LayerStac
     const layers::Patch& patch = stack.patches[i];
     const std::vector<Bead>& beads = covers[i].beads;
     out[i].resize(beads.size());
-    if (!kind.place || patch.group == layers::kSupportGroup)
+    const auto item = static_cast<std::size_t>(patch.item);
+    const SeamPlaces* const regions = item < ofRegions.size() ? ofRegions[item].get() : nullptr;
+    if ((!kind.place && !regions) || patch.group == layers::kSupportGroup)
       continue;
     for (std::size_t k = 0; k < beads.size(); ++k) {
-      if (!beads[k].closed || beads[k].kind != plan::PathKind::Wall)
+      const bool isWall = beads[k].kind == plan::PathKind::Wall;
+      if (!beads[k].closed || (!isWall && !regions))
         continue;
       std::vector<PlacedSeam>& seams = placed[{patch.item, patch.group, beads[k].ring}];
       const std::vector<Vector3d> below = seamsBelow(seams, patch.layer);
       const SeamInput input{beads[k], patch.layer, pathsOf[{patch.item, patch.layer}]++, below};
-      const SeamPlace place = kind.place(input);
-      seams.push_back({patch.layer, tipAt(beads[k], place)});
-      out[i][k] = begunAt(beads[k], place);
+      std::optional<SeamPlace> place;
+      if (kind.place && isWall)
+        place = kind.place(input);
+      if (regions)
+        if (const auto ruled = regions->seamOf(input, place))
+          place = ruled;
+      if (!place)
+        continue;
+      seams.push_back({patch.layer, tipAt(beads[k], *place)});
+      out[i][k] = begunAt(beads[k], *place);
     }
   }
   return out;

@@ -28,7 +28,6 @@ constexpr std::array<SeamKind, 4> kKinds{{
 }};
 
 constexpr double kReachWidths = 2.0; // from a seam to that of the next layer [bead widths]
-constexpr double kSameMm = 0.1;      // no point is added so close to another
 // A bead extends along a direction if it does so by this share of its largest extent.
 constexpr double kExtends = 0.3;
 constexpr double kTilt = 0.02;
@@ -66,23 +65,6 @@ std::optional<double> distanceBelow(const SeamInput& input, const SeamPlace& pla
   if (nearest > kReachWidths * input.bead.points[place.segment].widthMm)
     return std::nullopt;
   return nearest;
-}
-
-// Of places, prefers the one nearest to a seam below, otherwise the furthest in the fixed
-// direction.
-SeamPlace preferred(const SeamInput& input, std::span<const SeamPlace> places) {
-  SeamPlace best = places.front();
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const SeamPlace& place : places)
-    if (const std::optional<double> d = distanceBelow(input, place); d && *d < nearest) {
-      nearest = *d;
-      best = place;
-    }
-  if (nearest < std::numeric_limits<double>::infinity())
-    return best;
-  const Vector3d direction = fixedDirection(input.bead);
-  return *std::ranges::max_element(
-      places, {}, [&](const SeamPlace& place) { return direction.dot(tipAt(input.bead, place)); });
 }
 
 // Returns the place of each segment nearest to a point.
@@ -145,6 +127,21 @@ const SeamKind& seamKind(std::string_view id) {
   return base::rowWithId(seamKinds(), id, "unknown seam '{id}'"_text, "seam"_name);
 }
 
+SeamPlace preferredSeam(const SeamInput& input, std::span<const SeamPlace> places) {
+  SeamPlace best = places.front();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const SeamPlace& place : places)
+    if (const std::optional<double> d = distanceBelow(input, place); d && *d < nearest) {
+      nearest = *d;
+      best = place;
+    }
+  if (nearest < std::numeric_limits<double>::infinity())
+    return best;
+  const Vector3d direction = fixedDirection(input.bead);
+  return *std::ranges::max_element(
+      places, {}, [&](const SeamPlace& place) { return direction.dot(tipAt(input.bead, place)); });
+}
+
 SeamPlace alignedSeam(const SeamInput& input) {
   std::vector<SeamPlace> places;
   for (std::size_t i = 0; i < segmentsOf(input.bead); ++i)
@@ -161,7 +158,7 @@ SeamPlace alignedSeam(const SeamInput& input) {
     }
     places.push_back(best);
   }
-  return preferred(input, places);
+  return preferredSeam(input, places);
 }
 
 SeamPlace cornerSeam(const SeamInput& input) {
@@ -171,8 +168,8 @@ SeamPlace cornerSeam(const SeamInput& input) {
     angle = -angle;
   const std::vector<SeamPlace> inwards = sharpest(turns);
   if (!inwards.empty())
-    return preferred(input, inwards);
-  return outwards.empty() ? alignedSeam(input) : preferred(input, outwards);
+    return preferredSeam(input, inwards);
+  return outwards.empty() ? alignedSeam(input) : preferredSeam(input, outwards);
 }
 
 SeamPlace spreadSeam(const SeamInput& input) {
@@ -191,17 +188,22 @@ Vector3d tipAt(const Bead& bead, const SeamPlace& place) {
   return a + place.share * (tipOf(bead.points[place.segment + 1]) - a);
 }
 
+SeamPlace begunPlace(const Bead& bead, const SeamPlace& place) {
+  const double length = lengthOf(bead, place.segment);
+  if ((1.0 - place.share) * length < kSameSeamMm)
+    return {(place.segment + 1) % segmentsOf(bead), 0.0};
+  return place.share * length < kSameSeamMm ? SeamPlace{place.segment, 0.0} : place;
+}
+
 Bead begunAt(const Bead& bead, const SeamPlace& place) {
   base::require(bead.closed && place.segment < segmentsOf(bead), "the place is on a closed bead");
   Bead out = bead;
   out.points.pop_back();
-  const double length = lengthOf(bead, place.segment);
-  std::size_t first = place.segment;
-  if ((1.0 - place.share) * length < kSameMm) {
-    first = (first + 1) % out.points.size();
-  } else if (place.share * length >= kSameMm) {
+  const SeamPlace begun = begunPlace(bead, place);
+  std::size_t first = begun.segment;
+  if (begun.share > 0.0) {
     const BeadPoint &a = bead.points[first], &b = bead.points[first + 1];
-    const double t = place.share;
+    const double t = begun.share;
     BeadPoint added;
     added.middle = a.middle + t * (b.middle - a.middle);
     added.direction = ((1.0 - t) * a.direction + t * b.direction).normalized();

@@ -47,10 +47,17 @@ SeamPlace cornerSeam(const SeamInput& input);
 // Anywhere on the bead, with equal chances for equal lengths. Depends on layer and path only.
 SeamPlace spreadSeam(const SeamInput& input);
 
+// Returns the place nearest to a seam below, if one is within two bead widths; otherwise the
+// furthest in the fixed direction of alignedSeam(). Precondition: there are places.
+SeamPlace preferredSeam(const SeamInput& input, std::span<const SeamPlace> places);
+
+constexpr double kSameSeamMm = 0.1; // no point is added so close to another
 // Returns the nozzle tip at a place.
 Eigen::Vector3d tipAt(const Bead& bead, const SeamPlace& place);
-// Returns the closed bead, begun at the place. Adds a point there unless one is within a tenth of a
-// millimetre.
+// Returns where a bead begins that is to begin at a place: at a point within kSameSeamMm, if there
+// is one.
+SeamPlace begunPlace(const Bead& bead, const SeamPlace& place);
+// Returns the closed bead, begun at begunPlace(), with a point there.
 Bead begunAt(const Bead& bead, const SeamPlace& place);
 
 } // namespace voluta::toolpath
