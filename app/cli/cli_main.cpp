@@ -119,7 +119,7 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
   command.add_option("PART", options.parts, kPartHelp)->required();
   command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
   command.add_flag("--no-file-regions", options.noFileRegions,
-                   "leave out the regions that files give their parts");
+                   "leave out the regions and events of layers that files give their parts");
   command.add_flag("--as-one", options.asOne,
                    "a file of several objects (3MF) or solids (STEP, IGES) is one part; default: a "
                    "part for each, in its place in the file");

@@ -135,7 +135,7 @@ void addFile(pipeline::PlanRequest& request, const std::string& file,
       request.items.push_back({file, loaded});
       request.choices.items.push_back(choices);
       if (loaded && !options.noFileRegions)
-        request.choices.items.back().regions = loaded->regions;
+        project::takeFromFile(request.choices.items.back(), *loaded);
     }
     return;
   }
@@ -151,7 +151,7 @@ void addFile(pipeline::PlanRequest& request, const std::string& file,
       request.choices.items.push_back(choices);
       request.choices.items.back().placement = places[i];
       if (!options.noFileRegions)
-        request.choices.items.back().regions = parts[i].part->regions;
+        project::takeFromFile(request.choices.items.back(), *parts[i].part);
     }
 }
 

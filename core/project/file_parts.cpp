@@ -6,11 +6,14 @@
 #include "geometry/formats/threemf_parts.h"
 #include "geometry/measures.h"
 #include "project/cad_parts.h"
+#include "project/choices.h"
+#include "project/file_events.h"
 #include "project/file_regions.h"
 #include "project/part_formats.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace voluta::project {
 
@@ -37,14 +40,18 @@ std::vector<PartInFile> loadedParts(std::vector<geometry::PartOfFile> parts,
     const double from = static_cast<double>(i) / static_cast<double>(parts.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(parts.size());
     std::vector<base::Message> notes = std::move(part.file.repairs);
-    std::vector<Region> regions = regionsOfFile(part.modifiers, notes, ctx);
+    FileEvents events = eventsOfFile(
+        part.events, part.placeMm.z() + geometry::bounds(part.file.mesh).max().z(), notes);
+    std::vector<Region> regions = std::move(events.tools);
+    std::ranges::move(regionsOfFile(part.modifiers, notes, ctx), std::back_inserter(regions));
     std::shared_ptr<const LoadedPart> one =
         loadedFrom(own.empty() ? file : own,
                    std::make_shared<const geometry::TriangleMesh>(std::move(part.file.mesh)),
                    std::move(notes), repair, ctx.sub(from, to));
-    if (!regions.empty()) {
+    if (!regions.empty() || !events.layerEvents.empty()) {
       auto divided = std::make_shared<LoadedPart>(*one);
       divided->regions = std::move(regions);
+      divided->layerEvents = std::move(events.layerEvents);
       one = std::move(divided);
     }
     loaded.push_back({std::move(one), part.placeMm});
@@ -91,6 +98,12 @@ std::shared_ptr<const LoadedPart> loadAsOne(const std::string& part, bool repair
   return loadedFrom(std::filesystem::path(part).filename().string(),
                     std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)),
                     std::move(file.repairs), repair, ctx.sub(kReadShare, 1.0));
+}
+
+void takeFromFile(ItemChoices& item, const LoadedPart& part) {
+  item.regions = part.regions;
+  if (!part.layerEvents.empty())
+    item.parameters.try_emplace("layerEvents", part.layerEvents);
 }
 
 std::shared_ptr<const LoadedPart> withToolsOfJob(std::shared_ptr<const LoadedPart> part,

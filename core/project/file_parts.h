@@ -14,6 +14,8 @@
 
 namespace voluta::project {
 
+struct ItemChoices;
+
 struct PartInFile {
   std::shared_ptr<const LoadedPart> part;
   Eigen::Vector3d placeMm{0.0, 0.0, 0.0}; // of its mesh's origin in the file
@@ -27,6 +29,9 @@ bool mayHoldSeveral(const std::string& file);
 // loadPart() does. Throws as loadPart().
 std::vector<PartInFile> loadParts(const std::string& part, bool repair,
                                   const base::RunContext& ctx);
+
+// Gives an item the regions of its part's file, and the events of layers unless it has its own.
+void takeFromFile(ItemChoices& item, const LoadedPart& part);
 
 // Returns the part without the tools of its regions that a job with so many tools does not have,
 // with a note for each; itself if the job has all.

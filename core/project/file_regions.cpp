@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 namespace voluta::project {
@@ -70,10 +71,25 @@ Converted pattern(std::string_view text) {
   return row == kPatterns.end() ? std::string() : std::string(row->second);
 }
 
+Converted supportVolume(std::string_view text) {
+  if (text == "SupportEnforcer")
+    return "always";
+  return text == "SupportBlocker" ? Converted("none") : std::nullopt;
+}
+
+// Of an enforcer, 1, or a blocker, 2.
+template <const char* kBlocked> Converted painted(std::string_view text) {
+  const std::optional<double> state = numberIn(text, 1.0, 2.0);
+  if (!state)
+    return std::nullopt;
+  return *state == 1.0 ? "always" : kBlocked;
+}
+constexpr char kNone[] = "none", kNever[] = "never";
+
 constexpr std::string_view kSkin = "skinMm";
 
-// PrusaSlicer's; Bambu Studio's and OrcaSlicer's; Cura's.
-constexpr std::array<SlicerSetting, 22> kSettings{
+// PrusaSlicer's; Bambu Studio's and OrcaSlicer's; Cura's; kinds of volumes and paint.
+constexpr std::array<SlicerSetting, 26> kSettings{
     {{"perimeters", "walls", wholeNumber<0, 20>},
      {"wall_loops", "walls", wholeNumber<0, 20>},
      {"wall_line_count", "walls", wholeNumber<0, 20>},
@@ -95,7 +111,15 @@ constexpr std::array<SlicerSetting, 22> kSettings{
      {"bottom_shell_thickness", kSkin, thickness},
      {"fill_angle", "infillAngle", direction},
      {"infill_direction", "infillAngle", direction},
-     {"extruder", "tool", wholeNumber<1, 1000>}}};
+     {"extruder", "tool", wholeNumber<1, 1000>},
+     {"volume_type", "supports", supportVolume},
+     {"paint_supports", "supports", painted<kNone>},
+     {"paint_seam", "seamHere", painted<kNever>},
+     {"paint_color", "tool", wholeNumber<1, 1000>}}};
+
+// Depths of painted surfaces: places of supports and seams are at the surface, a colour is seen
+// through a thinner layer.
+constexpr double kMarkDepthMm = 0.5, kColourDepthMm = 2.0;
 
 // Takes the value of a row. Returns whether it counts: of the thicknesses of top and bottom, which
 // are one here, the larger one.
@@ -175,6 +199,17 @@ std::shared_ptr<const geometry::TriangleMesh> bodyOf(const ModifierOfFile& modif
       "not used: region '{region}' from the file: its mesh is not closed"_text, name));
   return nullptr;
 }
+
+// Returns the name and the shape of a painted surface.
+std::pair<std::string, std::string> paintOf(const ModifierOfFile& modifier) {
+  const auto& [setting, state] = modifier.settings.front();
+  const auto* row = std::ranges::find(kSettings, setting, &SlicerSetting::key);
+  const double depth = setting == "paint_color" ? kColourDepthMm : kMarkDepthMm;
+  const std::string value = row == kSettings.end() ? state : row->convert(state).value_or(state);
+  return {fmt::format("{}{}{}={}", modifier.name, modifier.name.empty() ? "" : ", ",
+                      row == kSettings.end() ? std::string_view(setting) : row->parameter, value),
+          fmt::format("painted:{}", depth)};
+}
 } // namespace
 
 std::span<const SlicerSetting> slicerSettings() {
@@ -190,7 +225,9 @@ std::vector<Region> regionsOfFile(const std::vector<ModifierOfFile>& modifiers,
     const bool isRange = modifier.mesh.empty();
     Region region;
     region.name = modifier.name;
-    if (isRange)
+    if (modifier.isPainted && !modifier.settings.empty())
+      std::tie(region.name, region.shape) = paintOf(modifier);
+    else if (isRange)
       region.shape = rangeOf(modifier, notes);
     else
       region.shape = fmt::format("mesh:{}", modifier.name.empty() ? "modifier" : modifier.name);
@@ -208,7 +245,9 @@ std::vector<Region> regionsOfFile(const std::vector<ModifierOfFile>& modifiers,
             "not used: region '{region}' from the file, which has no settings"_text, name));
       continue;
     }
-    if (!isRange && !(region.mesh = bodyOf(modifier, name, notes, ctx)))
+    if (modifier.isPainted)
+      region.mesh = std::make_shared<const geometry::TriangleMesh>(modifier.mesh);
+    else if (!isRange && !(region.mesh = bodyOf(modifier, name, notes, ctx)))
       continue;
     notes.emplace_back("region '{region}' from the file: {count} setting|"
                        "region '{region}' from the file: {count} settings"_plural,

@@ -1,5 +1,5 @@
-// The regions that the file of a part gives: modifiers and ranges of heights of slicers, with those
-// of their settings that have a counterpart.
+// The regions that the file of a part gives: modifiers, ranges of heights, enforcers, blockers and
+// paint of slicers, with those of their settings that have a counterpart.
 #pragma once
 
 #include "base/run_context.h"
@@ -29,7 +29,7 @@ struct SlicerSetting {
 
 std::span<const SlicerSetting> slicerSettings();
 
-// Returns the regions, closed ones by a repair if need be. Adds a note for each region, with the
+// Returns the regions, bodies closed by a repair if need be. Adds a note for each region, with the
 // number of its settings, and for all that is left out. Throws Cancelled.
 std::vector<Region> regionsOfFile(const std::vector<geometry::ModifierOfFile>& modifiers,
                                   std::vector<base::Message>& notes, const base::RunContext& ctx);

@@ -38,8 +38,10 @@ struct LoadedPart {
   // Already in the work frame if `inWorkFrame`.
   std::shared_ptr<const plan::ToolPlan> toolPaths;
   bool inWorkFrame = false;
-  std::vector<Region> regions; // from the file; the choices of an item take them when it is opened
-  bool repair = true;          // whether repair was requested
+  // From the file; the choices of an item take them when it is opened: takeFromFile().
+  std::vector<Region> regions;
+  std::string layerEvents;                   // a value of that parameter; empty: none
+  bool repair = true;                        // whether repair was requested
   std::vector<base::Message> readNotes;      // about omitted file content, a sentence each
   std::vector<base::Message> notes;          // all defects found and repaired, readNotes included
   std::vector<base::Message> remains;        // defects that could not be repaired, a sentence each

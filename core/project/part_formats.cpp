@@ -11,7 +11,9 @@
 #include "geometry/formats/mesh_formats.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/formats/threemf_parts.h"
+#include "geometry/measures.h"
 #include "project/content_hash.h"
+#include "project/file_events.h"
 #include "project/file_regions.h"
 #include "project/job_magic.h"
 #include "project/loaded_part.h"
@@ -19,6 +21,7 @@
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace voluta::project {
 
@@ -50,7 +53,12 @@ void readPackage(const std::string& file, LoadedPart& part, const base::RunConte
   if (!build3mf::holdsToolpaths(bytes)) {
     geometry::PartOfFile whole = geometry::read3mfWhole(bytes, file);
     takeMesh(std::move(whole.file), part);
-    part.regions = regionsOfFile(whole.modifiers, part.readNotes, ctx);
+    FileEvents events =
+        eventsOfFile(whole.events, geometry::bounds(*part.source).max().z(), part.readNotes);
+    part.layerEvents = std::move(events.layerEvents);
+    part.regions = std::move(events.tools);
+    std::ranges::move(regionsOfFile(whole.modifiers, part.readNotes, ctx),
+                      std::back_inserter(part.regions));
     return;
   }
   build3mf::ReadBuild build = build3mf::readBuild(bytes, file, ctx);

@@ -2,9 +2,12 @@
 // contents of the package; such as are packages already are taken as they are.
 #include "fuzz_target.h"
 
+#include "base/error.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/formats/threemf_parts.h"
 #include "helpers/package_3mf.h"
+#include "motion/layer_event_text.h"
+#include "project/file_events.h"
 #include "project/file_regions.h"
 #include "sound_mesh.h"
 
@@ -75,6 +78,24 @@ constexpr const char* kModifiers =
 <range min_z="1" max_z="4.5"><option opt_key="fill_pattern">grid</option><option opt_key="layer_height">0.2</option></range>
 </object><code print_z="2.5" type="1"/><layer top_z="3" type="2" extruder="2"/></config>)";
 
+// Paint, which changes reach in the model, and all kinds of volumes and events.
+constexpr const char* kPainted = R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+ xmlns:slic3rpe="http://schemas.slic3r.org/3mf/2017/06"><resources><object id="1"><mesh><vertices>
+<vertex x="0" y="0" z="0"/><vertex x="10" y="0" z="0"/><vertex x="0" y="10" z="0"/><vertex x="0" y="0" z="10"/>
+</vertices><triangles>
+<triangle v1="0" v2="2" v3="1" slic3rpe:custom_supports="4" paint_seam="48483"/>
+<triangle v1="0" v2="1" v3="3" paint_color="0C1CFC0FC04A8963" slic3rpe:mmu_segmentation="44851"/>
+<triangle v1="1" v2="2" v3="3" paint_supports="8" slic3rpe:custom_seam="400A"/>
+<triangle v1="2" v2="0" v3="3" paint_color="481" paint_fuzzy_skin="4"/>
+</triangles></mesh></object></resources><build><item objectid="1"/></build></model>
+)";
+constexpr const char* kPlaces =
+    R"(<config><object id="1"><volume firstid="0" lastid="0"><metadata key="volume_type" value="SupportEnforcer"/></volume>
+<volume firstid="1" lastid="1"><metadata key="volume_type" value="SupportBlocker"/></volume></object>
+<code print_z="2.5" type="1" extra="Nut; ok"/><layer top_z="3" type="2" extruder="2"/><layer top_z="4" type="0" color="#FF0000"/>
+<layer top_z="5" type="4"/></config>)";
+
 std::string packageOf(const std::string& input) {
   const std::size_t at = input.find(kSplit);
   if (at == std::string::npos)
@@ -87,8 +108,20 @@ std::string packageOf(const std::string& input) {
   zip.add("Metadata/model_settings.config", settings);
   zip.add("Metadata/Prusa_Slicer_layer_config_ranges.xml", settings);
   zip.add("Metadata/custom_gcode_per_layer.xml", settings);
+  zip.add("Metadata/Slic3r_PE.config", "; layer_height = 0.2\n");
   zip.add("Other/member", "x");
   return zip.bytes();
+}
+
+// The events of any file are a value of their parameter.
+void expectEvents(const std::string& layerEvents) {
+  bool areSound = true;
+  try {
+    motion::layerEventsOf(layerEvents);
+  } catch (const base::Error&) {
+    areSound = false;
+  }
+  fuzz::expect(areSound, "events of a file are events of layers");
 }
 
 } // namespace
@@ -102,6 +135,7 @@ std::vector<std::string> fuzz::seeds() {
           std::string(kModel) + kSplit + kPrusa,
           std::string(kModel) + kSplit + kBambu,
           std::string(kModel) + kSplit + kModifiers,
+          std::string(kPainted) + kSplit + kPlaces,
           test::package3mf(kModel),
           test::package3mf(kModel, false),
           wide.bytes()};
@@ -113,10 +147,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string package = input.starts_with("PK") ? input : packageOf(input);
     fuzz::expectSound(geometry::readMesh(package, "input.3mf").mesh);
     std::vector<base::Message> notes;
-    for (const geometry::PartOfFile& part : geometry::read3mfParts(package, "input.3mf"))
+    for (const geometry::PartOfFile& part : geometry::read3mfParts(package, "input.3mf")) {
       for (const project::Region& region : project::regionsOfFile(part.modifiers, notes, {}))
         if (region.mesh)
           fuzz::expectSound(*region.mesh);
+      expectEvents(project::eventsOfFile(part.events, 1e9, notes).layerEvents);
+    }
   });
   return 0;
 }

@@ -101,17 +101,31 @@ TEST(ThreeMfModifiers, ExtrudersAreSettingsWhereTheyDiffer) {
     }
 }
 
-TEST(ThreeMfModifiers, EventsAreNamedWithTheirHeight) {
+TEST(ThreeMfModifiers, EventsAreOfThePartAndGCodeIsNamed) {
   SlicerPart part = partWith({});
-  part.events = {{3, 0}, {6, 1}, {9.5, 2, 2}, {12, 3}, {15, 4}};
-  for (const std::string& package : packagesOf({part}))
-    EXPECT_THAT(notesOf(read3mfWhole(package, "part.3mf")),
-                ElementsAre(HasSubstr("not used: a change of colour at a height of 3 mm"),
-                            HasSubstr("not used: a pause at a height of 6 mm"),
-                            HasSubstr("not used: a change to extruder 2 at a height of 9.5 mm"),
-                            HasSubstr("not used: template G-code at a height of 12 mm"),
+  part.events = {{9.5, 2, 2}, {3, 0}, {6, 1}, {12, 3}, {15, 4}};
+  for (const std::string& package : packagesOf({part})) {
+    const PartOfFile read = read3mfWhole(package, "part.3mf");
+    ASSERT_EQ(read.events.size(), 3u);
+    EXPECT_EQ(read.events[0].kind, EventOfFileKind::Colour);
+    EXPECT_EQ(read.events[0].heightMm, 3.0);
+    EXPECT_EQ(read.events[1].kind, EventOfFileKind::Pause);
+    EXPECT_EQ(read.events[1].heightMm, 6.0);
+    EXPECT_EQ(read.events[2].kind, EventOfFileKind::Tool);
+    EXPECT_EQ(read.events[2].extruder, 2);
+    EXPECT_THAT(notesOf(read),
+                ElementsAre(HasSubstr("not used: template G-code at a height of 12 mm"),
                             HasSubstr("not used: custom G-code at a height of 15 mm")));
-  part.events.assign(50, {3, 1});
+    // Readers of a mesh alone name all.
+    EXPECT_THAT(base::english(readMesh(package, "part.3mf").repairs),
+                ::testing::UnorderedElementsAre(
+                    HasSubstr("not used: a change of colour at a height of 3 mm"),
+                    HasSubstr("not used: a pause at a height of 6 mm"),
+                    HasSubstr("not used: a change to extruder 2 at a height of 9.5 mm"),
+                    HasSubstr("not used: template G-code at a height of 12 mm"),
+                    HasSubstr("not used: custom G-code at a height of 15 mm")));
+  }
+  part.events.assign(50, {3, 4});
   for (const std::string& package : packagesOf({part})) {
     const std::vector<std::string> notes = notesOf(read3mfWhole(package, "part.3mf"));
     EXPECT_EQ(notes.size(), 21u);
@@ -119,17 +133,39 @@ TEST(ThreeMfModifiers, EventsAreNamedWithTheirHeight) {
   }
 }
 
-TEST(ThreeMfModifiers, PaintIsNamedWithTheObject) {
+// Slicers state where a layer ends; where it begins follows from their height of layers.
+TEST(ThreeMfModifiers, EventsAreWhereTheirLayerBegins) {
+  SlicerPart part = partWith({});
+  part.events = {{6, 1}};
+  part.layerHeightMm = 0.4;
+  for (const std::string& package : packagesOf({part}))
+    EXPECT_NEAR(read3mfWhole(package, "part.3mf").events.at(0).heightMm, 5.6, 1e-9);
+}
+
+TEST(ThreeMfModifiers, ThePartsOfAFileShareItsEvents) {
+  SlicerPart low = partWith({}), high{{{"body", {-20, -20, 0}, {20, 20, 60}}}};
+  low.events = {{9.5, 2, 2}, {6, 1}};
+  for (const std::string& package : packagesOf({low, high})) {
+    const std::vector<PartOfFile> parts = read3mfParts(package, "part.3mf");
+    ASSERT_EQ(parts.size(), 2u);
+    ASSERT_EQ(parts[0].events.size(), 1u) << "all wait for the highest one";
+    EXPECT_EQ(parts[0].events[0].kind, EventOfFileKind::Tool);
+    EXPECT_EQ(parts[1].events.size(), 2u);
+  }
+}
+
+TEST(ThreeMfModifiers, PaintIsNamedWithTheObjectForAMeshAlone) {
   SlicerPart part = partWith({});
   part.onTriangle = R"(slic3rpe:custom_supports="4" paint_color="8" custom_seam="4")";
   for (const std::string& package : packagesOf({part})) {
-    const std::vector<std::string> notes = notesOf(read3mfWhole(package, "part.3mf"));
+    const std::vector<std::string> notes = base::english(readMesh(package, "part.3mf").repairs);
     EXPECT_EQ(notes.size(), 3u);
     for (const char* what : {"painted supports", "painted colours", "a painted seam"})
       EXPECT_THAT(notes,
                   Contains(HasSubstr("not used: " + std::string(what) + " on 1 triangle of '")));
     for (const std::string& note : notes)
       EXPECT_THAT(note, ::testing::AnyOf(HasSubstr("of 'part 1'"), HasSubstr("of 'body'")));
+    EXPECT_EQ(read3mfWhole(package, "part.3mf").modifiers.size(), 3u);
   }
 }
 

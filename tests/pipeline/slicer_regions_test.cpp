@@ -5,9 +5,11 @@
 #include "helpers/models.h"
 #include "helpers/slicer_packages.h"
 #include "helpers/temporary_folder.h"
+#include "motion/layer_event_text.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
+#include "plan/trajectory.h"
 #include "project/file_parts.h"
 #include "project/file_regions.h"
 
@@ -35,7 +37,7 @@ PlanRequest requestFor(const std::string& file, const std::string& mode = "flat"
   const auto part = project::withToolsOfJob(parts.front().part, request.choices.tools.size());
   request.item().loaded = part;
   request.choices.item().mode = mode;
-  request.choices.item().regions = part->regions;
+  project::takeFromFile(request.choices.item(), *part);
   request.until = project::Stage::Layers;
   return request;
 }
@@ -71,15 +73,18 @@ TEST(SlicerRegions, LayersOfRegionsHaveTheirVolumes) {
         test::bambuPackage({partOf(kBambu)}, false)}) {
     const PlanRequest request = requestFor(written(folder, package));
     const auto& regions = request.choices.item().regions;
-    ASSERT_EQ(regions.size(), 3u);
+    ASSERT_EQ(regions.size(), 5u);
     using Parameters = std::map<std::string, std::string>;
     EXPECT_EQ(regions[0].parameters, (Parameters{{"topLayers", "2"}}));
     EXPECT_EQ(regions[1].parameters, (Parameters{{"walls", "4"}, {"infillDensity", "0.6"}}));
     EXPECT_EQ(regions[2].parameters,
               (Parameters{{"infillDensity", "0.1"}, {"sparsePattern", "grid"}}));
+    EXPECT_EQ(regions[3].parameters, (Parameters{{"supports", "always"}}));
+    EXPECT_EQ(regions[4].parameters, (Parameters{{"supports", "none"}}));
+    EXPECT_EQ(request.choices.item().parameters.at("layerEvents"), "z12 pause");
     const PlanResult plan = planPart(request, {});
     const auto& figures = plan.job.report.item().layers.regions;
-    ASSERT_EQ(figures.size(), 3u) << reasons(plan);
+    ASSERT_EQ(figures.size(), 5u) << reasons(plan);
     EXPECT_NEAR(figures[0].volumeMm3 / (40.0 * 40.0 * 3.2), 1.0, 0.01);
     EXPECT_NEAR(figures[1].volumeMm3 / (20.0 * 20.0 * 8.0), 1.0, 0.01);
     EXPECT_NEAR(figures[2].volumeMm3 / (8.0 * 20.0 * 3.2), 1.0, 0.01);
@@ -87,11 +92,12 @@ TEST(SlicerRegions, LayersOfRegionsHaveTheirVolumes) {
     for (const char* note :
          {"region 'height:1.6,4.8' from the file: 1 setting",
           "region 'dense' from the file: 3 settings", "region 'half' from the file: 2 settings",
+          "region 'on' from the file: 1 setting", "region 'off' from the file: 1 setting",
+          "from the file: a pause at a height of 12 mm",
           "not used: tool 2 of region 'dense' from the file: the job has 1"})
       EXPECT_THAT(notes, Contains(note));
     for (const char* part :
-         {"cut away: negative volume 'cut'", "not used: support enforcer 'on'",
-          "not used: support blocker 'off'", "not used: a pause at a height of 12 mm",
+         {"cut away: negative volume 'cut'",
           "region 'half' from the file without a counterpart: 'layer_height = 0.1'",
           "region 'height:1.6,4.8' from the file without a counterpart: 'layer_height = 0.2'"})
       EXPECT_THAT(notes, Contains(HasSubstr(part)));
@@ -116,6 +122,91 @@ TEST(SlicerRegions, CounterpartsAreSettingsOfRegions) {
       EXPECT_NO_THROW(base::parseParameter(*spec, *converted)) << row.key << " " << value;
     }
   }
+}
+
+// An arm of 20 mm with an enforcer below its far half, paint on the post, and all kinds of events,
+// as each slicer writes it: everything is read, or has one line.
+TEST(SlicerRegions, EnforcersPaintAndEventsAreRead) {
+  const test::TemporaryFolder folder;
+  for (const bool isPrusa : {true, false}) {
+    SlicerPart part{{{"post", {0, 0, 0}, {10, 4, 20}},
+                     {"arm", {10, 0, 16}, {30, 4, 20}},
+                     {"on", {20, -5, 0}, {40, 10, 30}, SlicerKind::Enforcer}},
+                    {},
+                    {{6.2, 1, 1, "Nut"},
+                     {8.2, 0, 1, "", "#FF0000"},
+                     {10.2, 2, 2},
+                     {15.2, 2, 1},
+                     {16.2, 2, 3},
+                     {17.2, 4}}};
+    part.layerHeightMm = 0.2;
+    part.onTriangle =
+        isPrusa
+            ? R"(slic3rpe:custom_supports="8" slic3rpe:custom_seam="4" slic3rpe:mmu_segmentation="8")"
+            : R"(paint_supports="8" paint_seam="4" paint_color="8")";
+    const std::string file =
+        written(folder, isPrusa ? test::prusaPackage({part}) : test::bambuPackage({part}, true));
+    PlanRequest request = requestFor(file);
+    request.choices.tools.resize(2);
+    const auto loaded = project::withToolsOfJob(project::loadParts(file, true, {}).front().part, 2);
+    request.item().loaded = loaded;
+    request.choices.item().regions.clear();
+    project::takeFromFile(request.choices.item(), *loaded);
+    const auto& item = request.choices.item();
+    EXPECT_EQ(item.parameters.at("layerEvents"), "z6 pause Nut; z8 pause Change to colour #FF0000");
+    EXPECT_EQ(motion::layerEventsOf(item.parameters.at("layerEvents")).size(), 2u);
+    std::vector<std::string> said;
+    for (const project::Region& region : item.regions)
+      for (const auto& [key, value] : region.parameters)
+        said.push_back(region.shape.substr(0, region.shape.find(',')) + " " + key + "=" + value);
+    std::vector<std::string> expected{"height:10 tool=2", "height:15 tool=1",
+                                      "mesh:on supports=always"};
+    // Both parts of the body are painted; in one mesh they are one surface.
+    for (const std::string paint :
+         {"painted:0.5 seamHere=always", "painted:0.5 supports=none", "painted:2 tool=2"})
+      for (int i = 0; i < (isPrusa ? 1 : 2); ++i)
+        expected.push_back(paint);
+    EXPECT_THAT(said, ::testing::UnorderedElementsAreArray(expected));
+    const std::vector<std::string> notes = base::english(loaded->notes);
+    for (const char* note : {"from the file: a pause at a height of 6 mm",
+                             "from the file: a change of colour at a height of 8 mm",
+                             "from the file: a change to extruder 2 at a height of 10 mm",
+                             "from the file: a change to extruder 1 at a height of 15 mm",
+                             "from the file: a change to extruder 3 at a height of 16 mm",
+                             "not used: tool 3 of region 'height:16,100000' from the file: the job "
+                             "has 2",
+                             "region 'on' from the file: 1 setting"})
+      EXPECT_THAT(notes, Contains(note));
+    EXPECT_THAT(notes, Contains(HasSubstr("not used: custom G-code at a height of 17.2 mm")));
+    // Besides: the slicer's settings, G-code, and that post and arm touch.
+    const std::size_t paints = isPrusa ? 3 : 6, events = 5, lines = 5;
+    EXPECT_EQ(notes.size(), events + paints + lines) << ::testing::PrintToString(notes);
+    // The enforcer has its columns, although the job has no supports.
+    request.choices.tools.resize(1);
+    request.choices.item().platform = project::Platform("disc:200");
+    std::erase_if(request.choices.item().regions,
+                  [](const project::Region& region) { return region.parameters.contains("tool"); });
+    const PlanResult plan = planPart(request, {});
+    EXPECT_NEAR(plan.job.report.item().decomposition.supportVolumeMm3 / (10.6 * 4.0 * 16.0), 1.0,
+                0.02)
+        << reasons(plan);
+  }
+}
+
+// A pause of the file is an event of the program.
+TEST(SlicerRegions, PausesOfAFileAreInTheProgram) {
+  const test::TemporaryFolder folder;
+  SlicerPart part{{{"body", {0, 0, 0}, {20, 20, 8}}}, {}, {{4.0, 1, 1, "Put in the nut"}}};
+  PlanRequest request = requestFor(written(folder, test::prusaPackage({part})));
+  request.choices.formats = {"rapid"};
+  request.until = project::Stage::Replay;
+  const PlanResult plan = planPart(request, {});
+  EXPECT_TRUE(plan.checked.at(0)->verdict.passed) << reasons(plan);
+  std::size_t pauses = 0;
+  for (const plan::TrajectoryEvent& event : plan.job.trajectory->events)
+    if (event.text.starts_with("Put in the nut (layer 6 of 10"))
+      ++pauses;
+  EXPECT_EQ(pauses, 1u);
 }
 
 TEST(SlicerRegions, ARegionOutsideThePartIsReported) {

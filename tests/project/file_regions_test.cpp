@@ -144,6 +144,34 @@ TEST(FileRegions, BodiesAreClosedOrLeftOut) {
                           "not used: region 'bare' from the file, which has no settings"));
 }
 
+TEST(FileRegions, EnforcersBlockersAndPaintAreRegions) {
+  ModifierOfFile paint = boxWith({{"paint_seam", "1"}}, "body");
+  paint.isPainted = true;
+  paint.mesh.triangles.resize(2); // an open surface stays open
+  ModifierOfFile supports = paint, never = paint, colour = paint, damaged = paint;
+  supports.settings = {{"paint_supports", "2"}};
+  never.settings = {{"paint_seam", "2"}};
+  colour.settings = {{"paint_color", "3"}};
+  damaged.settings = {{"paint_seam", "3"}};
+  const Made made = madeFrom({boxWith({{"volume_type", "SupportEnforcer"}}, "on"),
+                              boxWith({{"volume_type", "SupportBlocker"}}, "off"), paint, supports,
+                              never, colour, damaged});
+  ASSERT_EQ(made.regions.size(), 6u);
+  EXPECT_EQ(made.regions[0].parameters, (Parameters{{"supports", "always"}}));
+  EXPECT_EQ(made.regions[0].shape, "mesh:on");
+  EXPECT_EQ(made.regions[1].parameters, (Parameters{{"supports", "none"}}));
+  EXPECT_EQ(made.regions[2].parameters, (Parameters{{"seamHere", "always"}}));
+  EXPECT_EQ(made.regions[2].name, "body, seamHere=always");
+  EXPECT_EQ(made.regions[2].shape, "painted:0.5");
+  EXPECT_EQ(made.regions[2].mesh->triangles.size(), 2u);
+  EXPECT_EQ(made.regions[3].parameters, (Parameters{{"supports", "none"}}));
+  EXPECT_EQ(made.regions[4].parameters, (Parameters{{"seamHere", "never"}}));
+  EXPECT_EQ(made.regions[5].parameters, (Parameters{{"tool", "3"}}));
+  EXPECT_EQ(made.regions[5].shape, "painted:2");
+  ASSERT_EQ(made.notes.size(), 7u);
+  EXPECT_THAT(made.notes.back(), HasSubstr("invalid settings"));
+}
+
 TEST(FileRegions, ThereIsALimit) {
   const Made made = madeFrom(std::vector<ModifierOfFile>(200, boxWith({{"perimeters", "2"}})));
   EXPECT_EQ(made.regions.size(), kMaxRegionsOfFile);

@@ -78,11 +78,11 @@ void takePlaces(project::Choices& choices, const std::vector<project::PartInFile
   for (std::size_t i = 0; i < places.size(); ++i)
     choices.item(first + i).placement = places[i];
 }
-// Gives the last items of `choices` the regions of their file.
+// Gives the last items of `choices` the regions and events of their file.
 void takeRegions(project::Choices& choices, const std::vector<project::PartInFile>& parts) {
   const std::size_t first = choices.items.size() - parts.size();
   for (std::size_t i = 0; i < parts.size(); ++i)
-    choices.item(first + i).regions = parts[i].part->regions;
+    project::takeFromFile(choices.item(first + i), *parts[i].part);
 }
 QString shownName(const std::vector<project::PartInFile>& parts, const QString& path) {
   return parts.size() == 1 ? QString::fromStdString(parts.front().part->name)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,6 +26,11 @@ constexpr std::size_t kMaxFacets = 30'000'000, kMaxUses = 1'000'000;
 constexpr int kDeepest = 100;
 
 using Kind = ThreemfVolumeKind;
+
+// Returns whether volumes of the kind are places with settings.
+bool isPlace(Kind kind) {
+  return kind == Kind::Modifier || kind == Kind::SupportEnforcer || kind == Kind::SupportBlocker;
+}
 
 base::Text wordOf(Kind kind) {
   switch (kind) {
@@ -75,8 +81,11 @@ void noteSettings(const ThreemfObjectSettings& object, const std::string& otherN
   }
 }
 
-// Returns the settings of a modifier. `usual`: extruder of its object, 0: the first.
+// Returns the settings of a volume that is a place. `usual`: extruder of its object, 0: the first.
 ThreemfValues modifierSettings(const ThreemfVolume& volume, int usual) {
+  if (volume.kind == Kind::SupportEnforcer || volume.kind == Kind::SupportBlocker)
+    return {{"volume_type",
+             volume.kind == Kind::SupportEnforcer ? "SupportEnforcer" : "SupportBlocker"}};
   ThreemfValues settings = volume.settings;
   if (volume.extruder != 0 && volume.extruder != std::max(usual, 1))
     settings.emplace_back("extruder", std::to_string(volume.extruder));
@@ -134,12 +143,21 @@ public:
   }
 
   std::vector<ThreemfPiece> takePieces() { return std::move(pieces_); }
+  std::vector<ThreemfPiece> takePaints() { return std::move(paints_); }
+  std::vector<EventOfFile> takeEvents() { return std::move(heights_.events); }
   std::map<std::size_t, std::vector<ThreemfRange>> takeRanges() { return std::move(ranges_); }
   std::vector<base::Message> modifierNotes() const {
     std::vector<base::Message> notes = modifiers_;
     if (!ranges_.empty())
       notes.push_back(base::message("not used: settings of ranges of height ('{member}')"_text,
                                     heights_.rangesMember));
+    constexpr std::size_t kMaxNamed = 20;
+    const std::size_t named = std::min(kMaxNamed, heights_.events.size());
+    for (std::size_t i = 0; i < named; ++i)
+      notes.push_back(unusedEvent(heights_.events[i], heights_.eventsMember));
+    if (named < heights_.events.size())
+      notes.push_back(base::message("not used: {count} further events at heights ('{member}')"_text,
+                                    heights_.events.size() - named, heights_.eventsMember));
     return notes;
   }
 
@@ -258,8 +276,9 @@ private:
       const ThreemfObjectSettings own = curaSettings(object.settings);
       if (!own.volumes.empty())
         inside.kind = own.volumes.front().kind;
-      if (inside.kind == Kind::Modifier) {
+      if (isPlace(inside.kind)) {
         ThreemfVolume whole = own.volumes.empty() ? ThreemfVolume() : own.volumes.front();
+        whole.kind = inside.kind;
         whole.extruder = own.extruder;
         whole.settings = own.settings;
         inside.settings = modifierSettings(whole, 0);
@@ -305,8 +324,8 @@ private:
                        mm_T_item_ * place.item_T_parent,
                        place.item_T_parent,
                        place.settings};
-    notePaints(object, firstNamed(piece.name, firstNamed(itemName_, id)), place.member, id);
     addTriangles(object, place, piece);
+    addPaints(object, place, piece, id);
     if (!object.beams.empty() || !object.balls.empty()) {
       const std::vector<Facet> solids = beamSolids(object);
       piece.facets.insert(piece.facets.end(), solids.begin(), solids.end());
@@ -316,38 +335,123 @@ private:
     keep(std::move(piece), id);
   }
 
-  void notePaints(const ThreemfObject& object, const std::string& name, const std::string& member,
-                  const std::string& id) {
-    if (object.paints.empty() || !noted_.insert(member + "\npaint\n" + id).second)
+  // Adds the painted surfaces of the object's parts, one for each kind of paint and its state.
+  // `piece`: without facets of its own.
+  void addPaints(const ThreemfObject& object, const Place& place, const ThreemfPiece& like,
+                 const std::string& id) {
+    if (object.paints.empty())
       return;
-    for (const auto& [attribute, paint] : object.paints)
+    const bool isFirst = noted_.insert(place.member + "\npaint\n" + id).second;
+    const std::string& name = firstNamed(like.name, firstNamed(itemName_, id));
+    const std::vector<Kind> kinds = kindsOf(object, place);
+    for (const auto& [attribute, paint] : object.paints) {
+      const std::string setting(paintSetting(attribute));
+      std::map<int, std::vector<Facet>> byState;
+      std::size_t damaged = 0;
+      for (const auto& [triangle, code] : paint.codes) {
+        if (kinds[triangle] != Kind::Part)
+          continue;
+        const auto pieces = paintedFacets(code, facetOf(object, triangle));
+        const bool isSound = pieces && std::ranges::all_of(*pieces, [&](const PaintedFacet& p) {
+                               return setting == "paint_color" || p.state <= 2;
+                             });
+        damaged += isSound ? 0 : 1;
+        if (isSound)
+          for (const PaintedFacet& p : *pieces)
+            byState[p.state].push_back(p.facet);
+      }
+      if (isFirst)
+        notePaint(attribute, paint, name, place.member, damaged);
+      for (auto& [state, facets] : byState)
+        addPaint(like, name, setting, state, std::move(facets));
+    }
+  }
+
+  void addPaint(const ThreemfPiece& like, const std::string& name, const std::string& setting,
+                int state, std::vector<Facet> facets) {
+    if (setting == "paint_color" &&
+        state == std::max(1, itemSettings_ ? itemSettings_->extruder : 0))
+      return; // that of the part
+    if (facets.size() > kMaxFacets - facets_)
+      throw endless();
+    facets_ += facets.size();
+    ThreemfPiece paint{like.item,
+                       name,
+                       like.itemName,
+                       {},
+                       {},
+                       Kind::Modifier,
+                       like.mm_T_object,
+                       like.item_T_object,
+                       {{setting, std::to_string(state)}},
+                       true};
+    paint.volumeEnds = {facets.size()};
+    paint.facets = std::move(facets);
+    paints_.push_back(std::move(paint));
+  }
+
+  // For all readers the paint that cannot be used, for those of a mesh alone all of it.
+  void notePaint(const std::string& attribute, const ThreemfPaint& paint, const std::string& name,
+                 const std::string& member, std::size_t damaged) {
+    (paintSetting(attribute).empty() ? said_ : modifiers_)
+        .emplace_back(
+            "not used: {paint} on {count} triangle of '{object}' ({attribute}, line {line} of "
+            "{where})|"
+            "not used: {paint} on {count} triangles of '{object}' ({attribute}, from line {line} of {where})"_plural,
+            std::vector<base::Value>{paintWord(attribute), paint.triangles, name, attribute,
+                                     paint.line, member});
+    if (damaged > 0)
       said_.emplace_back(
-          "not used: {paint} on {count} triangle of '{object}' ({attribute}, line {line} of "
+          "not used, as it is damaged: {paint} on {count} triangle of '{object}' ({attribute}, "
           "{where})|"
-          "not used: {paint} on {count} triangles of '{object}' ({attribute}, from line {line} of {where})"_plural,
-          std::vector<base::Value>{paintWord(attribute), paint.triangles, name, attribute,
-                                   paint.line, member});
+          "not used, as it is damaged: {paint} on {count} triangles of '{object}' ({attribute}, {where})"_plural,
+          std::vector<base::Value>{paintWord(attribute), damaged, name, attribute, member});
+  }
+
+  static Facet facetOf(const ThreemfObject& object, std::size_t triangle) {
+    const auto& t = object.triangles[triangle];
+    return {object.vertices[static_cast<std::size_t>(t[0])],
+            object.vertices[static_cast<std::size_t>(t[1])],
+            object.vertices[static_cast<std::size_t>(t[2])]};
+  }
+
+  // Returns per triangle the volume that it belongs to, of volumesOf(), 0: of none.
+  std::vector<std::size_t> volumeOfTriangles(const ThreemfObject& object,
+                                             const Place& place) const {
+    std::vector<std::size_t> volumeOf(object.triangles.size(), 0);
+    if (!itemSettings_ || place.depth != 1)
+      return volumeOf;
+    const auto count = static_cast<long long>(object.triangles.size());
+    std::size_t number = 0;
+    for (const ThreemfVolume& volume : itemSettings_->volumes) {
+      ++number;
+      const long long end = std::min(count - 1, volume.lastTriangle);
+      for (long long t = std::max(0ll, volume.firstTriangle); t <= end; ++t)
+        volumeOf[static_cast<std::size_t>(t)] = number;
+    }
+    return volumeOf;
+  }
+
+  // Returns the kind of each triangle.
+  std::vector<Kind> kindsOf(const ThreemfObject& object, const Place& place) const {
+    std::vector<Kind> kinds;
+    for (const std::size_t volume : volumeOfTriangles(object, place))
+      kinds.push_back(volume == 0 || place.kind != Kind::Part
+                          ? place.kind
+                          : itemSettings_->volumes[volume - 1].kind);
+    return kinds;
   }
 
   // Adds the triangles to the piece by volumes; those of volumes that are not solid become pieces.
   void addTriangles(const ThreemfObject& object, const Place& place, ThreemfPiece& piece) {
-    const auto count = static_cast<long long>(object.triangles.size());
     std::vector<const ThreemfVolume*> volumes{nullptr}; // The first: triangles of no volume
-    std::vector<std::size_t> volumeOf(object.triangles.size(), 0);
     if (itemSettings_ && place.depth == 1)
-      for (const ThreemfVolume& volume : itemSettings_->volumes) {
-        const long long end = std::min(count - 1, volume.lastTriangle);
-        for (long long t = std::max(0ll, volume.firstTriangle); t <= end; ++t)
-          volumeOf[static_cast<std::size_t>(t)] = volumes.size();
+      for (const ThreemfVolume& volume : itemSettings_->volumes)
         volumes.push_back(&volume);
-      }
+    const std::vector<std::size_t> volumeOf = volumeOfTriangles(object, place);
     std::vector<std::vector<Facet>> facets(volumes.size());
-    for (std::size_t i = 0; i < object.triangles.size(); ++i) {
-      const auto& t = object.triangles[i];
-      facets[volumeOf[i]].push_back({object.vertices[static_cast<std::size_t>(t[0])],
-                                     object.vertices[static_cast<std::size_t>(t[1])],
-                                     object.vertices[static_cast<std::size_t>(t[2])]});
-    }
+    for (std::size_t i = 0; i < object.triangles.size(); ++i)
+      facets[volumeOf[i]].push_back(facetOf(object, i));
     for (std::size_t v = 0; v < volumes.size(); ++v) {
       if (facets[v].empty())
         continue;
@@ -359,7 +463,7 @@ private:
       ThreemfPiece other = piece;
       other.name = firstNamed(volumes[v]->name, piece.name);
       other.kind = volumes[v]->kind;
-      if (other.kind == Kind::Modifier)
+      if (isPlace(other.kind))
         other.settings = modifierSettings(*volumes[v], itemSettings_->extruder);
       other.volumeEnds = {facets[v].size()};
       other.facets = std::move(facets[v]);
@@ -392,10 +496,9 @@ private:
           "cut away: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
           wordOf(piece.kind), name, object, at));
     else
-      (piece.kind == Kind::Modifier ? modifiers_ : said_)
-          .push_back(base::message(
-              "not used: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
-              wordOf(piece.kind), name, object, at));
+      modifiers_.push_back(base::message(
+          "not used: {kind} '{name}' of '{object}', its middle at {place} in the file"_text,
+          wordOf(piece.kind), name, object, at));
   }
 
   Error endless() const {
@@ -407,7 +510,7 @@ private:
   const std::string& name_;
   ThreemfSettings settings_;
   ThreemfHeights heights_;
-  std::vector<ThreemfPiece> pieces_;
+  std::vector<ThreemfPiece> pieces_, paints_;
   std::map<std::size_t, std::vector<ThreemfRange>> ranges_; // by item
   std::vector<std::string> originals_;                      // objects that are built
   std::map<std::string, ThreemfModel> models_;
@@ -465,10 +568,12 @@ ThreemfBuild read3mfBuild(std::string_view bytes, const std::string& name) {
   const std::vector<base::Message> notes = unfolding.notes();
   build.pieces = unfolding.takePieces();
   build.modifierNotes = unfolding.modifierNotes();
+  build.events = unfolding.takeEvents();
   build.ranges = unfolding.takeRanges();
   for (ThreemfPiece& piece : build.pieces)
-    if (piece.kind == Kind::Modifier)
+    if (isPlace(piece.kind))
       build.modifiers.push_back(std::move(piece));
+  std::ranges::move(unfolding.takePaints(), std::back_inserter(build.modifiers));
   cutNegatives(build.pieces, name);
   if (build.pieces.empty()) {
     refuseSliced(package, name);

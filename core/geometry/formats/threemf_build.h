@@ -25,7 +25,10 @@ struct ThreemfPiece {
   ThreemfVolumeKind kind = ThreemfVolumeKind::Part;
   Eigen::Affine3d mm_T_object = Eigen::Affine3d::Identity();
   Eigen::Affine3d item_T_object = Eigen::Affine3d::Identity(); // in the model's unit
-  ThreemfValues settings; // of a modifier, with an extruder other than the object's
+  // Of a modifier, with an extruder other than the object's; of enforcers, blockers and paint as
+  // ModifierOfFile::settings.
+  ThreemfValues settings;
+  bool isPainted = false; // the facets are a surface
 };
 
 // Appends the facets moved by `mm_T_object`; a mirrored piece is reversed, as it would be inside
@@ -34,14 +37,16 @@ void appendPlaced(const ThreemfPiece& piece, const Eigen::Affine3d& mm_T_object,
                   std::vector<Facet>& facets);
 
 struct ThreemfBuild {
-  std::vector<ThreemfPiece> pieces; // in the order of the build; negative volumes are cut away
-  std::vector<ThreemfPiece> modifiers;
+  std::vector<ThreemfPiece> pieces;    // in the order of the build; negative volumes are cut away
+  std::vector<ThreemfPiece> modifiers; // with enforcers and blockers of supports, paint at the end
   std::map<std::size_t, std::vector<ThreemfRange>> ranges; // by item, of those that have any
-  std::vector<base::Message> notes;         // omitted or changed content, a sentence each
-  std::vector<base::Message> modifierNotes; // for readers that leave out modifiers and ranges
+  std::vector<EventOfFile> events;
+  std::vector<base::Message> notes; // omitted or changed content, a sentence each
+  // For readers that leave out modifiers, ranges and events.
+  std::vector<base::Message> modifierNotes;
 };
 
-// Returns everything that is built as one, without modifiers and ranges.
+// Returns everything that is built as one, without modifiers, ranges and events.
 FacetSoup soupOf(const ThreemfBuild& build);
 
 // Throws as read3mf().

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -60,38 +61,83 @@ long long typeOf(const XmlAttributes& attributes) {
   return word == kWords.end() ? 4 : word - kWords.begin();
 }
 
-base::Message eventOf(const XmlAttributes& attributes) {
-  switch (typeOf(attributes)) {
-  case 0:
-    return {"a change of colour"_text, {}};
-  case 1:
-    return {"a pause"_text, {}};
-  case 2:
-    return base::message("a change to extruder {number}"_text, attributes.integerOr("extruder", 1));
-  case 3:
-    return {"template G-code"_text, {}};
-  default:
-    return {"custom G-code"_text, {}};
-  }
+base::Message notUsed(base::Message event, double heightMm, const std::string& member) {
+  return base::message("not used: {event} at a height of {height} ('{member}')"_text,
+                       std::move(event), base::mm(heightMm), member);
 }
 
-void readStops(const std::string& text, const std::string& member,
-               std::vector<base::Message>& notes) {
+// Adds the event of an element; nothing, with a note, if it is G-code.
+void addEvent(const XmlAttributes& attributes, double heightMm, double layerMm,
+              ThreemfHeights& heights, std::size_t& gcodes) {
   constexpr std::size_t kMaxNamed = 20;
-  std::size_t stops = 0;
+  const long long type = typeOf(attributes);
+  if (type < 0 || type > 2) {
+    if (++gcodes <= kMaxNamed)
+      heights.notes.push_back(notUsed(type == 3 ? base::Message("template G-code"_text)
+                                                : base::Message("custom G-code"_text),
+                                      heightMm, heights.eventsMember));
+    return;
+  }
+  constexpr std::array kKinds{EventOfFileKind::Colour, EventOfFileKind::Pause,
+                              EventOfFileKind::Tool};
+  EventOfFile event{kKinds[static_cast<std::size_t>(type)],
+                    heightMm - std::clamp(layerMm, 0.0, std::max(heightMm, 0.0)),
+                    static_cast<int>(std::clamp(attributes.integerOr("extruder", 1), 1ll, 1000ll)),
+                    {}};
+  if (event.kind != EventOfFileKind::Tool)
+    event.text = attributes.text(event.kind == EventOfFileKind::Pause ? "extra" : "color");
+  heights.events.push_back(std::move(event));
+}
+
+// The heights are those at which layers end; `layerMm`: of the slicer's layers.
+void readEvents(const std::string& text, const std::string& member, double layerMm,
+                ThreemfHeights& heights) {
+  constexpr std::size_t kMaxEvents = 1000;
+  ThreemfHeights read;
+  read.eventsMember = member;
+  std::size_t gcodes = 0, left = 0;
   XmlHandler handler;
   handler.begin = [&](XmlName name, const XmlAttributes& attributes) {
     if (name.word != "code" && name.word != "layer")
       return;
     const double heightMm = attributes.number(name.word == "code" ? "print_z" : "top_z");
-    if (++stops <= kMaxNamed)
-      notes.push_back(base::message("not used: {event} at a height of {height} ('{member}')"_text,
-                                    eventOf(attributes), base::mm(heightMm), member));
+    if (read.events.size() < kMaxEvents)
+      addEvent(attributes, heightMm, layerMm, read, gcodes);
+    else
+      ++left;
   };
   scanXml(text, member, handler);
-  if (stops > kMaxNamed)
-    notes.push_back(base::message("not used: {count} further events at heights ('{member}')"_text,
-                                  stops - kMaxNamed, member));
+  constexpr std::size_t kMaxNamed = 20;
+  left += gcodes > kMaxNamed ? gcodes - kMaxNamed : 0;
+  if (left > 0)
+    read.notes.push_back(base::message(
+        "not used: {count} further events at heights ('{member}')"_text, left, member));
+  std::ranges::stable_sort(read.events, {}, &EventOfFile::heightMm);
+  heights.events = std::move(read.events);
+  heights.eventsMember = member;
+  std::ranges::move(read.notes, std::back_inserter(heights.notes));
+}
+
+// Returns the height of layers in the slicer's settings; 0 if they do not state it.
+double layerHeightMm(const ZipPackage& package) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kPlaces{
+      {{"Metadata/Slic3r_PE.config", "; layer_height = "},
+       {"Metadata/project_settings.config", "\"layer_height\": \""}}};
+  for (const auto& [name, key] : kPlaces) {
+    const std::string member(name);
+    if (!package.has(member))
+      continue;
+    const std::string text = package.member(member);
+    std::size_t at = text.find(key);
+    if (at == std::string::npos)
+      continue;
+    at += key.size();
+    const std::optional<double> height =
+        numberOf(std::string_view(text).substr(at, text.find_first_of("\"\r\n", at) - at));
+    if (height && *height > 0.0)
+      return *height;
+  }
+  return 0.0;
 }
 
 // Calls `read` with the text of each member that there is; names those that are damaged.
@@ -125,9 +171,25 @@ ThreemfHeights slicerHeights(const ZipPackage& package) {
               });
   readMembers(package, kStopMembers, "stops, tools and G-code at given heights"_text, heights.notes,
               [&](const std::string& text, const std::string& member) {
-                readStops(text, member, heights.notes);
+                readEvents(text, member, layerHeightMm(package), heights);
               });
   return heights;
+}
+
+base::Message eventWords(const EventOfFile& event) {
+  switch (event.kind) {
+  case EventOfFileKind::Colour:
+    return {"a change of colour"_text, {}};
+  case EventOfFileKind::Pause:
+    return {"a pause"_text, {}};
+  case EventOfFileKind::Tool:
+    break;
+  }
+  return base::message("a change to extruder {number}"_text, event.extruder);
+}
+
+base::Message unusedEvent(const EventOfFile& event, const std::string& member) {
+  return notUsed(eventWords(event), event.heightMm, member);
 }
 
 } // namespace voluta::geometry

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "geometry/formats/part_of_file.h"
 #include "geometry/formats/threemf_settings.h"
 #include "geometry/formats/zip_package.h"
 
@@ -24,9 +25,16 @@ struct ThreemfRange {
 struct ThreemfHeights {
   // By the number of the object among those that are built, from 1.
   std::map<long long, std::vector<ThreemfRange>> ranges;
-  std::string rangesMember;         // of the package; empty: none
-  std::vector<base::Message> notes; // stops and the like, damaged members; a sentence each
+  std::string rangesMember;        // of the package; empty: none
+  std::vector<EventOfFile> events; // ascending
+  std::string eventsMember;
+  std::vector<base::Message> notes; // G-code, damaged members; a sentence each
 };
+
+// Returns "a pause" and the like.
+base::Message eventWords(const EventOfFile& event);
+// Returns the sentence that an event is not used.
+base::Message unusedEvent(const EventOfFile& event, const std::string& member);
 
 ThreemfHeights slicerHeights(const ZipPackage& package);
 

@@ -67,17 +67,6 @@ constexpr std::array<std::pair<std::string_view, ThreemfObjectType>, 5> kTypes{
      {"surface", ThreemfObjectType::Surface},
      {"other", ThreemfObjectType::Other}}};
 
-// Attributes of PrusaSlicer, and of Bambu Studio and OrcaSlicer.
-constexpr std::array<std::pair<std::string_view, base::Text>, 8> kPaints{
-    {{"custom_supports", "painted supports"_text},
-     {"paint_supports", "painted supports"_text},
-     {"custom_seam", "a painted seam"_text},
-     {"paint_seam", "a painted seam"_text},
-     {"mmu_segmentation", "painted colours"_text},
-     {"paint_color", "painted colours"_text},
-     {"fuzzy_skin", "a painted fuzzy skin"_text},
-     {"paint_fuzzy_skin", "a painted fuzzy skin"_text}}};
-
 [[noreturn]] void fail(const base::Message& what) {
   throw Error(ErrorCode::UnreadableFile, what);
 }
@@ -216,17 +205,20 @@ private:
     notes_.addElement(std::string(name.word), std::string(name.space), attributes.line());
   }
 
-  void addPaint(const std::string& attribute, long long line) {
+  // Of the last triangle.
+  void addPaint(const std::string& attribute, std::string_view code, long long line) {
     ThreemfPaint& paint = object_->paints[attribute];
     if (paint.triangles++ == 0)
       paint.line = line;
+    if (!paintSetting(attribute).empty())
+      paint.codes.emplace_back(object_->triangles.size() - 1, code);
   }
 
   // Names attributes of an object, a use or a triangle that are not read.
   void noteAttributes(XmlName element, const XmlAttributes& attributes) {
-    attributes.each([&](XmlName name, std::string_view) {
+    attributes.each([&](XmlName name, std::string_view text) {
       if (object_ && element.word == "triangle" && !paintWord(name.word).empty())
-        addPaint(std::string(name.word), attributes.line());
+        addPaint(std::string(name.word), text, attributes.line());
       else if (std::ranges::find(kKnownAttributes, name.word) == kKnownAttributes.end())
         notes_.addAttribute(std::string(name.word), std::string(element.word), attributes.line());
     });
@@ -427,11 +419,6 @@ private:
 std::string ThreemfModel::nameOf(const std::string& id) const {
   const auto found = objects.find(id);
   return found == objects.end() ? std::string() : found->second.name;
-}
-
-base::Text paintWord(std::string_view attribute) {
-  const auto* row = std::ranges::find(kPaints, attribute, [](const auto& r) { return r.first; });
-  return row == kPaints.end() ? base::Text() : row->second;
 }
 
 ThreemfModel parseThreemfModel(std::string_view text, const std::string& name,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "geometry/formats/threemf_paint.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -31,12 +32,6 @@ struct ThreemfBeam {
   std::array<bool, 2> round{};     // capped by a ball; false: flat
 };
 
-// A kind of paint on triangles of an object, as slicers have it.
-struct ThreemfPaint {
-  std::size_t triangles = 0;
-  long long line = 0; // of the first one
-};
-
 struct ThreemfObject {
   std::string name; // empty: none
   ThreemfObjectType type = ThreemfObjectType::Model;
@@ -62,9 +57,6 @@ struct ThreemfModel {
   // Returns the name of the object; empty if it has none or does not exist.
   std::string nameOf(const std::string& id) const;
 };
-
-// Returns the word for paint in that attribute of triangles; empty if it is none.
-base::Text paintWord(std::string_view attribute);
 
 // `name` of the file and `member` of the package are for errors and notes. A model whose root is in
 // another namespace than the core's, as of Cura 4.5, which exchanges two of them, is read all the

@@ -105,7 +105,7 @@ ModifierOfFile modifierOf(const ThreemfPiece& piece, const Vector3d& placeMm) {
   part_T_object.translation() -= placeMm;
   std::vector<Facet> facets;
   appendPlaced(piece, part_T_object, facets);
-  return {piece.name, soundMesh(facets), 0.0, 0.0, piece.settings};
+  return {piece.name, soundMesh(facets), 0.0, 0.0, piece.settings, piece.isPainted};
 }
 
 Eigen::AlignedBox3d boxInFile(const TriangleMesh& mesh, const Vector3d& placeMm) {
@@ -120,6 +120,17 @@ void addRanges(const ThreemfBuild& build, const std::vector<std::size_t>& items,
     if (const auto ranges = build.ranges.find(items[i]); ranges != build.ranges.end())
       for (const ThreemfRange& range : ranges->second)
         parts[i].modifiers.push_back({{}, {}, range.fromMm, range.toMm, range.settings});
+}
+
+// Gives changes of the tool to all parts, other events to the highest one: all parts wait for it.
+void addEvents(const ThreemfBuild& build, std::vector<PartOfFile>& parts) {
+  const auto highest = std::ranges::max_element(parts, {}, [](const PartOfFile& part) {
+    return part.placeMm.z() + bounds(part.file.mesh).max().z();
+  });
+  for (const EventOfFile& event : build.events)
+    for (auto part = parts.begin(); part != parts.end(); ++part)
+      if (part == highest || event.kind == EventOfFileKind::Tool)
+        part->events.push_back(event);
 }
 
 // Gives each modifier to the parts of its item that it meets, or to the first one, which reports
@@ -149,7 +160,7 @@ void addModifiers(const ThreemfBuild& build, const std::vector<std::size_t>& ite
 // Of everything as one part. Ranges of several items count from the lowest point of each, and are
 // left out.
 PartOfFile wholeOf(const ThreemfBuild& build, const std::string& name) {
-  std::vector<PartOfFile> parts{{{}, meshOf(soupOf(build), name), Vector3d::Zero(), {}}};
+  std::vector<PartOfFile> parts{{{}, meshOf(soupOf(build), name), Vector3d::Zero(), {}, {}}};
   const std::size_t item = build.pieces.empty() ? 0 : build.pieces.front().item;
   const bool isOneItem = std::ranges::all_of(
       build.pieces, [&](const ThreemfPiece& piece) { return piece.item == item; });
@@ -162,6 +173,7 @@ PartOfFile wholeOf(const ThreemfBuild& build, const std::string& name) {
   for (const ThreemfPiece& piece : build.modifiers)
     if (ModifierOfFile modifier = modifierOf(piece, Vector3d::Zero()); !modifier.mesh.empty())
       parts.front().modifiers.push_back(std::move(modifier));
+  addEvents(build, parts);
   return std::move(parts.front());
 }
 } // namespace
@@ -209,6 +221,7 @@ std::vector<PartOfFile> read3mfParts(std::string_view bytes, const std::string& 
   }
   addRanges(build, items, parts);
   addModifiers(build, items, parts);
+  addEvents(build, parts);
   auto& notes = parts.front().file.repairs;
   notes.insert(notes.begin(), build.notes.begin(), build.notes.end());
   return parts;

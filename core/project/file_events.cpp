@@ -1,0 +1,71 @@
+#include "project/file_events.h"
+
+#include "geometry/formats/threemf_heights.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace voluta::project {
+
+namespace {
+using geometry::EventOfFile, geometry::EventOfFileKind;
+
+constexpr double kFarMm = 1e5;           // the end of a range of heights
+constexpr double kHighestMm = 1e4;       // of an event
+constexpr std::size_t kLongestText = 44; // motion::kOwnTextLength
+
+// Returns the text as controllers can show it, without the separator of events.
+std::string shownText(const std::string& text) {
+  std::string shown;
+  for (const char c : text) {
+    const bool isKnown = c >= ' ' && c <= '~' && c != '"' && c != '\\';
+    const bool isFirstByte = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // of a character
+    if (isKnown && c != ';')
+      shown += c;
+    else if (isFirstByte)
+      shown += c == ';' ? ',' : c == '\n' || c == '\t' ? ' ' : '?';
+  }
+  shown.resize(std::min(shown.size(), kLongestText));
+  return shown;
+}
+
+std::string pauseOf(const EventOfFile& event) {
+  std::string text = shownText(event.text);
+  if (event.kind == EventOfFileKind::Colour)
+    text = text.empty() ? "Change the colour" : shownText("Change to colour " + text);
+  const std::string place =
+      event.heightMm > 0.0 ? fmt::format("z{:.6g}", event.heightMm) : std::string("1");
+  return fmt::format("{} pause{}{}", place, text.empty() ? "" : " ", text);
+}
+} // namespace
+
+FileEvents eventsOfFile(const std::vector<EventOfFile>& events, double topMm,
+                        std::vector<base::Message>& notes) {
+  FileEvents made;
+  for (const EventOfFile& event : events) {
+    if (!(event.heightMm < std::min(topMm, kHighestMm))) {
+      notes.push_back(base::message("not used: {event} at a height of {height} in the file: the "
+                                    "part ends at {top}"_text,
+                                    geometry::eventWords(event), base::mm(event.heightMm),
+                                    base::mm(topMm)));
+      continue;
+    }
+    notes.push_back(base::message("from the file: {event} at a height of {height}"_text,
+                                  geometry::eventWords(event), base::mm(event.heightMm)));
+    if (event.kind != EventOfFileKind::Tool) {
+      made.layerEvents += (made.layerEvents.empty() ? "" : "; ") + pauseOf(event);
+      continue;
+    }
+    if (!made.tools.empty())
+      made.tools.back().shape = fmt::format("{},{:.9g}", made.tools.back().shape, event.heightMm);
+    Region region;
+    region.shape = fmt::format("height:{:.9g}", event.heightMm);
+    region.parameters = {{"tool", std::to_string(event.extruder)}};
+    made.tools.push_back(std::move(region));
+  }
+  if (!made.tools.empty())
+    made.tools.back().shape += fmt::format(",{}", kFarMm);
+  return made;
+}
+
+} // namespace voluta::project
