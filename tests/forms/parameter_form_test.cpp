@@ -129,6 +129,32 @@ TEST_F(ParameterFormTest, RejectedInputShowsAStatusTip) {
   EXPECT_EQ(editor<QSpinBox>("walls")->value(), 20);
 }
 
+TEST_F(ParameterFormTest, ACommaIsADecimalPoint) {
+  auto* height = editor<forms::NumberBox>("height");
+  type(height, "0,6");
+  QTest::keyClick(height, Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(height->value(), 0.6);
+  auto* walls = editor<QSpinBox>("walls");
+  for (const char* typed : {"3,4", "3.4"}) {
+    walls->setValue(1);
+    type(walls, typed);
+    QTest::keyClick(walls, Qt::Key_Return);
+    EXPECT_EQ(walls->value(), 3) << typed;
+  }
+}
+
+TEST_F(ParameterFormTest, ABoxWithoutANumberKeepsItsValue) {
+  for (const char* key : {"height", "walls"}) {
+    auto* box = qobject_cast<QAbstractSpinBox*>(row(key)->editor());
+    const QString before = box->text();
+    type(box, "");
+    QTest::keyClick(box, Qt::Key_Delete);
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_EQ(box->text(), before) << key;
+  }
+  EXPECT_EQ(changes.size(), 0);
+}
+
 TEST_F(ParameterFormTest, StepAndChoiceAndCheckBoxCommitAtOnce) {
   auto* walls = editor<QSpinBox>("walls");
   QTest::keyClick(walls, Qt::Key_Up);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QStatusTipEvent>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace voluta::forms {
 
@@ -37,6 +39,13 @@ std::optional<double> numberIn(const QAbstractSpinBox& box, QString text, const 
   return isNumber ? std::optional(number) : std::nullopt;
 }
 
+// Numbers are shown without separators of thousands, so both signs are the decimal one.
+void useDecimalPoint(const QAbstractSpinBox& box, QString& text) {
+  const QString point = box.locale().decimalPoint();
+  if (point == QLatin1String(".") || point == QLatin1String(","))
+    text.replace(point == QLatin1String(".") ? ',' : '.', point.at(0));
+}
+
 // Qt refuses the keystroke that leaves the range: of 20 below a maximum of 1 only the 0 arrives.
 template <class Box>
 QValidator::State validated(const Box& box, const QString& text, QValidator::State byQt) {
@@ -44,13 +53,41 @@ QValidator::State validated(const Box& box, const QString& text, QValidator::Sta
                                                                           : byQt;
 }
 
-template <class Box> void moveIntoRange(const Box& box, QString& text) {
-  if (const auto number = numberIn(box, text, box.suffix()))
-    text = box.prefix() +
-           box.textFromValue(static_cast<decltype(box.value())>(
-               std::clamp<double>(*number, box.minimum(), box.maximum()))) +
-           box.suffix();
+template <class Box> QString textOf(const Box& box, double value) {
+  return box.prefix() +
+         box.textFromValue(static_cast<decltype(box.value())>(
+             std::is_integral_v<decltype(box.value())> ? std::round(value) : value)) +
+         box.suffix();
 }
+
+// A text without a number is no value: the box keeps its own.
+template <class Box> void moveIntoRange(const Box& box, QString& text) {
+  const auto number = numberIn(box, text, box.suffix());
+  text = textOf(box, number ? std::clamp<double>(*number, box.minimum(), box.maximum())
+                            : static_cast<double>(box.value()));
+}
+
+// Undo and redo are those of the text only while a number is being typed; otherwise they are those
+// of the window.
+template <class Box> class TextUndo : public QObject {
+public:
+  explicit TextUndo(Box* box) : QObject(box), box_(box) {}
+
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride)
+      return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if ((!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo)) ||
+        (box_->text() != textOf(*box_, static_cast<double>(box_->value())) &&
+         box_->text() != box_->specialValueText()))
+      return false;
+    event->ignore();
+    return true;
+  }
+
+private:
+  Box* box_;
+};
 
 void showHint(QWidget& box, const QString& text) {
   constexpr int kShownMs = 6000;
@@ -71,6 +108,9 @@ template <class Box> QString rangeText(const Box& box) {
 
 // Says which keys and numbers the box does not take.
 template <class Box> void showRefused(Box* box, QLineEdit* line) {
+  auto* undo = new TextUndo<Box>(box);
+  box->installEventFilter(undo);
+  line->installEventFilter(undo);
   QObject::connect(line, &QLineEdit::inputRejected, box, [box] {
     showHint(*box, QCoreApplication::translate(
                        "ValueBoxes", "This character is not possible here. Enter a number: %1.")
@@ -97,6 +137,9 @@ public:
 
   QString textFromValue(int value) const override { return QSpinBox::textFromValue(value); }
   QValidator::State validate(QString& text, int& cursor) const override {
+    useDecimalPoint(*this, text);
+    if (text.contains(locale().decimalPoint())) // Qt would make 15 of 1.5
+      return numberIn(*this, text, suffix()) ? QValidator::Intermediate : QValidator::Invalid;
     return validated(*this, text, QSpinBox::validate(text, cursor));
   }
   void fixup(QString& text) const override { moveIntoRange(*this, text); }
@@ -117,6 +160,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
 }
 
 QValidator::State NumberBox::validate(QString& text, int& cursor) const {
+  useDecimalPoint(*this, text);
   return validated(*this, text, QDoubleSpinBox::validate(text, cursor));
 }
 
