@@ -42,6 +42,34 @@ bool isWithin(const Vector3d& place, const Brush& brush) {
   return (place - brush.centre).norm() < brush.radius;
 }
 
+std::size_t longestSide(const Piece& piece) {
+  std::size_t longest = 0;
+  double length = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const double side = (piece.corners[(k + 1) % 3] - piece.corners[k]).norm(); side > length) {
+      longest = k;
+      length = side;
+    }
+  return longest;
+}
+
+// Returns whether a piece is not divided any more.
+bool isFine(const Piece& piece, const Brush& brush) {
+  const std::size_t longest = longestSide(piece);
+  return (piece.corners[(longest + 1) % 3] - piece.corners[longest]).norm() <=
+         kFinest * brush.radius;
+}
+
+// Returns the halves of a piece, across its longest side.
+std::array<Piece, 2> halves(const Piece& piece) {
+  const std::size_t longest = longestSide(piece);
+  const Vector3d& from = piece.corners[longest];
+  const Vector3d& to = piece.corners[(longest + 1) % 3];
+  const Vector3d& other = piece.corners[(longest + 2) % 3];
+  const Vector3d half = 0.5 * (from + to);
+  return {Piece{{from, half, other}}, Piece{{half, to, other}}};
+}
+
 // Adds the pieces of a triangle that are inside the brush, or those that are outside.
 void addPieces(TriangleMesh& mesh, const Piece& piece, const Brush& brush, bool inside) {
   const auto& corners = piece.corners;
@@ -52,24 +80,66 @@ void addPieces(TriangleMesh& mesh, const Piece& piece, const Brush& brush, bool 
       add(mesh, piece);
     return;
   }
-  std::size_t longest = 0;
-  double length = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const double side = (corners[(k + 1) % 3] - corners[k]).norm(); side > length) {
-      longest = k;
-      length = side;
-    }
-  if (length <= kFinest * brush.radius) {
+  if (isFine(piece, brush)) {
     if (isWithin(piece.middle(), brush) == inside)
       add(mesh, piece);
     return;
   }
-  const Vector3d& from = corners[longest];
-  const Vector3d& to = corners[(longest + 1) % 3];
-  const Vector3d& other = corners[(longest + 2) % 3];
-  const Vector3d half = 0.5 * (from + to);
-  addPieces(mesh, {{from, half, other}}, brush, inside);
-  addPieces(mesh, {{half, to, other}}, brush, inside);
+  for (const Piece& half : halves(piece))
+    addPieces(mesh, half, brush, inside);
+}
+
+// A surface that covers others on the same part.
+class Cover {
+public:
+  explicit Cover(const TriangleMesh& mesh) : query_(mesh, geometry::MeshQuery::Of::Surface) {
+    for (const Vector3d& v : mesh.vertices)
+      box_.extend(v);
+    constexpr double kSamePlace = 1e-6; // of its size
+    same_ = kSamePlace * box_.diagonal().norm();
+    box_.min().array() -= same_;
+    box_.max().array() += same_;
+  }
+
+  bool covers(const Vector3d& place) const {
+    return box_.contains(place) && query_.closest(place, same_).triangle >= 0;
+  }
+  bool mayTouch(const Piece& piece) const {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& corner : piece.corners)
+      box.extend(corner);
+    return box_.intersects(box);
+  }
+
+private:
+  geometry::MeshQuery query_;
+  Eigen::AlignedBox3d box_;
+  double same_ = 0.0;
+};
+
+// Adds the pieces of a triangle that are not covered; returns whether it is all of it, which is
+// then one piece.
+bool addUncovered(TriangleMesh& mesh, const Piece& piece, const Cover& cover, const Brush& brush) {
+  if (!cover.mayTouch(piece) || !touches(piece, brush)) {
+    add(mesh, piece);
+    return true;
+  }
+  if (isFine(piece, brush)) {
+    const bool isLeft = !cover.covers(piece.middle());
+    if (isLeft)
+      add(mesh, piece);
+    return isLeft;
+  }
+  const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
+  bool isWhole = true;
+  for (const Piece& half : halves(piece))
+    isWhole = addUncovered(mesh, half, cover, brush) && isWhole;
+  if (isWhole) {
+    mesh.vertices.resize(vertices);
+    mesh.triangles.resize(triangles);
+    add(mesh, piece);
+  }
+  return isWhole;
 }
 
 Vector3d normalOf(const Piece& piece) {
@@ -141,20 +211,26 @@ TriangleMesh withoutPaint(const TriangleMesh& painted, const TriangleMesh& less)
   TriangleMesh left;
   if (less.empty())
     return painted;
-  double size = 0.0;
-  for (const Vector3d& v : less.vertices)
-    size = std::max(size, (v - less.vertices.front()).norm());
-  constexpr double kSamePlace = 1e-6; // of its size
-  const geometry::MeshQuery query(less, geometry::MeshQuery::Of::Surface);
+  const Cover cover(less);
   for (std::size_t t = 0; t < painted.triangles.size(); ++t)
-    if (const Piece piece = pieceOf(painted, t);
-        query.closest(piece.middle(), kSamePlace * size).triangle < 0)
+    if (const Piece piece = pieceOf(painted, t); !cover.covers(piece.middle()))
       add(left, piece);
   return left;
 }
 
 TriangleMesh withPaint(const TriangleMesh& painted, const TriangleMesh& more) {
   TriangleMesh all = withoutPaint(painted, more);
+  geometry::appendMesh(all, more);
+  return all;
+}
+
+TriangleMesh withPaint(const TriangleMesh& painted, const TriangleMesh& more, const Brush& brush) {
+  if (more.empty())
+    return painted;
+  TriangleMesh all;
+  const Cover cover(more);
+  for (std::size_t t = 0; t < painted.triangles.size(); ++t)
+    addUncovered(all, pieceOf(painted, t), cover, brush);
   geometry::appendMesh(all, more);
   return all;
 }

@@ -43,6 +43,10 @@ geometry::TriangleMesh withPaint(const geometry::TriangleMesh& painted,
                                  const geometry::TriangleMesh& more);
 geometry::TriangleMesh withoutPaint(const geometry::TriangleMesh& painted,
                                     const geometry::TriangleMesh& less);
+// Returns the painted surface with that within a brush (`more`, as PaintableSurface::within()
+// returns it): triangles at its edge are divided, so that nothing is painted twice.
+geometry::TriangleMesh withPaint(const geometry::TriangleMesh& painted,
+                                 const geometry::TriangleMesh& more, const Brush& brush);
 // Returns the painted surface outside a brush.
 geometry::TriangleMesh withoutPaint(const geometry::TriangleMesh& painted, const Brush& brush);
 

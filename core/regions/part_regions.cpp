@@ -131,6 +131,8 @@ TriangleMesh bodyOf(const project::Region& region, const PlacedPart& part,
   }
   if (shape.kind->mesh == ShapeMesh::None)
     return moved(shape.kind->body(shape.numbers, geometry::bounds(part.mesh)), part);
+  if (shape.kind->mesh == ShapeMesh::Painted && (!region.mesh || region.mesh->empty()))
+    return {};
   base::require(region.mesh != nullptr, "the region has its mesh");
   if (isSkin(region))
     return skinBody(region, shape, part, levels, ctx);
@@ -147,7 +149,10 @@ TriangleMesh withoutCuts(const PlacedPart& part, std::span<const project::Region
   for (const project::Region& region : all) {
     if (!findUse(region.use).cuts)
       continue;
-    left = combined(BooleanOperation::Difference, left, bodyOf(region, part, levels, ctx), region);
+    const TriangleMesh body = bodyOf(region, part, levels, ctx);
+    if (body.empty())
+      continue;
+    left = combined(BooleanOperation::Difference, left, body, region);
     if (left.empty())
       throw base::Error(
           base::ErrorCode::UnusableInput,
@@ -166,6 +171,8 @@ PartRegions divided(const PlacedPart& part, std::span<const project::Region> all
     if (!findUse(region.use).hasLayers())
       continue;
     const TriangleMesh body = bodyOf(region, part, levels, ctx);
+    if (body.empty())
+      continue;
     TriangleMesh solid = combined(BooleanOperation::Intersection, part.mesh, body, region);
     ctx.checkpoint();
     if (solid.empty())

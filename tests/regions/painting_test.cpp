@@ -49,6 +49,22 @@ TEST(Painting, PaintIsAddedOnceAndErased) {
               0.02 * once);
 }
 
+TEST(Painting, DabsOfAStrokeLeaveNoGapAndPaintNothingTwice) {
+  const PaintableSurface surface = block();
+  TriangleMesh painted;
+  constexpr double kRadius = 3.0;
+  for (double x = -8.0; x <= 8.0; x += 0.8) {
+    const Brush brush{{x, 0, 10}, kRadius};
+    painted = regions::withPaint(painted, surface.within(brush), brush);
+  }
+  const double area = 16.0 * 2.0 * kRadius + base::kPi * kRadius * kRadius;
+  EXPECT_NEAR(geometry::area(painted), area, 0.03 * area);
+  const geometry::MeshQuery query(painted, geometry::MeshQuery::Of::Surface);
+  for (double x = -8.0; x <= 8.0; x += 0.25)
+    for (double y = -2.0; y <= 2.0; y += 0.25)
+      EXPECT_GE(query.closest({x, y, 10}, 1e-6).triangle, 0) << x << ' ' << y;
+}
+
 TEST(Painting, FacesContinueUpToAnAngle) {
   const PaintableSurface surface = block();
   const TriangleMesh top = surface.facesFrom({5, 5, 10}, base::degreesToRadians(30));
