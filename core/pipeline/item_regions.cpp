@@ -255,14 +255,17 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     const auto layered = std::ranges::find(stage->layered, i, &regions::LayeredRegion::index);
     bool isInPart = layered != stage->layered.end();
     if (use.cuts) { // The part ends at the body.
-      isInPart = geometry::touch(*whole, regions::bodyOf(all[i], part, levels, ctx));
+      const geometry::TriangleMesh body = regions::bodyOf(all[i], part, levels, ctx);
+      isInPart = !body.empty() && geometry::touch(*whole, body);
     } else if (!use.hasLayers()) {
       if (!onlyMarks(all[i]))
         stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
-      const auto shared =
-          geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
-                                onlyMarks(all[i]) ? marked : stage->bodies.back(), false);
-      isInPart = !shared || !shared->empty();
+      const geometry::TriangleMesh& body = onlyMarks(all[i]) ? marked : stage->bodies.back();
+      if (!body.empty()) {
+        const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
+                                                  body, false);
+        isInPart = !shared || !shared->empty();
+      }
     }
     if (!isInPart)
       stage->findings.push_back(

@@ -66,12 +66,7 @@ void checkRegions(const project::ItemChoices& item, const base::ParameterTable& 
   for (const Region& region : item.regions) {
     const regions::Shape shape = regions::parsedShape(region.shape);
     const regions::RegionUse& use = regions::findUse(region.use);
-    if (shape.kind->mesh == regions::ShapeMesh::Painted &&
-        (!region.mesh || region.mesh->triangles.empty()))
-      throw Error(ErrorCode::Usage,
-                  base::message("nothing is painted for region {region}"_text, region.shape), {},
-                  "paint on the part, or delete the region"_text);
-    if (shape.kind->mesh != regions::ShapeMesh::None && !region.mesh)
+    if (shape.kind->mesh == regions::ShapeMesh::File && !region.mesh)
       throw Error(ErrorCode::Usage, base::message("region {region} has no mesh"_text, region.shape),
                   {}, "add it from its file again"_text);
     if (use.layers == regions::RegionLayers::Turning &&

@@ -122,6 +122,20 @@ TEST(RegionPlan, ARegionOutsideThePartIsReported) {
   EXPECT_THAT(reasons(plan), testing::HasSubstr("region box:100,0,0,5,5,5 is outside the part"));
 }
 
+TEST(RegionPlan, ARegionWithoutPaintHasNoEffect) {
+  const auto paths = [](PlanRequest request) {
+    request.until = project::Stage::Toolpath;
+    return planPart(request, {});
+  };
+  const PlanResult without = paths(requestWith({}, "0.2"));
+  for (const std::string use : {"settings", "cut", "flat", "around"}) {
+    const PlanResult plan = paths(requestWith({"painted:2;walls=5;use=" + use}, "0.2"));
+    EXPECT_THAT(reasons(plan), testing::HasSubstr("painted:2 is outside the part")) << use;
+    ASSERT_TRUE(plan.job.toolPlan) << use;
+    EXPECT_EQ(plan.job.toolPlan->position.size(), without.job.toolPlan->position.size()) << use;
+  }
+}
+
 TEST(RegionPlan, WrongRegionsAreRefusedBeforeThePlan) {
   for (const std::string text :
        {"box:0,0,0,5,5,5;quality=strict", "box:0,0,0,5,5,5;wals=3", "box:0,0,0,5,5,5;walls=99",
