@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace voluta::regions {
@@ -54,10 +55,9 @@ std::size_t longestSide(const Piece& piece) {
 }
 
 // Returns whether a piece is not divided any more.
-bool isFine(const Piece& piece, const Brush& brush) {
+bool isFine(const Piece& piece, double finest) {
   const std::size_t longest = longestSide(piece);
-  return (piece.corners[(longest + 1) % 3] - piece.corners[longest]).norm() <=
-         kFinest * brush.radius;
+  return (piece.corners[(longest + 1) % 3] - piece.corners[longest]).norm() <= finest;
 }
 
 // Returns the halves of a piece, across its longest side.
@@ -80,7 +80,7 @@ void addPieces(TriangleMesh& mesh, const Piece& piece, const Brush& brush, bool 
       add(mesh, piece);
     return;
   }
-  if (isFine(piece, brush)) {
+  if (isFine(piece, finestOf(brush))) {
     if (isWithin(piece.middle(), brush) == inside)
       add(mesh, piece);
     return;
@@ -119,12 +119,12 @@ private:
 
 // Adds the pieces of a triangle that are not covered; returns whether it is all of it, which is
 // then one piece.
-bool addUncovered(TriangleMesh& mesh, const Piece& piece, const Cover& cover, const Brush& brush) {
-  if (!cover.mayTouch(piece) || !touches(piece, brush)) {
+bool addUncovered(TriangleMesh& mesh, const Piece& piece, const Cover& cover, double finest) {
+  if (!cover.mayTouch(piece)) {
     add(mesh, piece);
     return true;
   }
-  if (isFine(piece, brush)) {
+  if (isFine(piece, finest)) {
     const bool isLeft = !cover.covers(piece.middle());
     if (isLeft)
       add(mesh, piece);
@@ -133,13 +133,28 @@ bool addUncovered(TriangleMesh& mesh, const Piece& piece, const Cover& cover, co
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   bool isWhole = true;
   for (const Piece& half : halves(piece))
-    isWhole = addUncovered(mesh, half, cover, brush) && isWhole;
+    isWhole = addUncovered(mesh, half, cover, finest) && isWhole;
   if (isWhole) {
     mesh.vertices.resize(vertices);
     mesh.triangles.resize(triangles);
     add(mesh, piece);
   }
   return isWhole;
+}
+
+// Returns a convex polygon without its part behind a plane through a point.
+std::vector<Vector3d> cutOff(const std::vector<Vector3d>& polygon, const Vector3d& inward,
+                             const Vector3d& through) {
+  std::vector<Vector3d> left;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector3d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double inA = inward.dot(a - through), inB = inward.dot(b - through);
+    if (inA >= 0.0)
+      left.push_back(a);
+    if ((inA >= 0.0) != (inB >= 0.0))
+      left.push_back(a + inA / (inA - inB) * (b - a));
+  }
+  return left;
 }
 
 Vector3d normalOf(const Piece& piece) {
@@ -193,6 +208,51 @@ TriangleMesh PaintableSurface::within(const Brush& brush) const {
   return pieces;
 }
 
+TriangleMesh PaintableSurface::seen(const SeenThrough& through, double finest) const {
+  std::array<Vector3d, 4> inward;
+  const Vector3d ahead =
+      through.corners[0] + through.corners[1] + through.corners[2] + through.corners[3];
+  for (std::size_t k = 0; k < 4; ++k) {
+    inward[k] = through.corners[k].cross(through.corners[(k + 1) % 4]).normalized();
+    if (inward[k].dot(ahead) < 0.0)
+      inward[k] = -inward[k];
+  }
+  constexpr double kClear = 1e-4; // of the way to the eye, to leave the surface
+  const auto isSeen = [&](const Vector3d& place) {
+    return !query_.firstHit(place + kClear * (through.eye - place), through.eye);
+  };
+  TriangleMesh mesh;
+  // Corners belong to other triangles too: places a little inside are asked.
+  const std::function<void(const Piece&)> addSeen = [&](const Piece& piece) {
+    constexpr double kInside = 0.05;
+    const Vector3d middle = piece.middle();
+    int seen = isSeen(middle) ? 1 : 0;
+    const bool middleSeen = seen > 0;
+    for (const Vector3d& corner : piece.corners)
+      seen += isSeen(corner + kInside * (middle - corner)) ? 1 : 0;
+    constexpr double kCoarse = 8.0; // what hides a part of a larger piece may be between the places
+    const bool isSame = seen == 0 || seen == 4;
+    if (isSame ? isFine(piece, kCoarse * finest) : isFine(piece, finest)) {
+      if (middleSeen)
+        add(mesh, piece);
+      return;
+    }
+    for (const Piece& half : halves(piece))
+      addSeen(half);
+  };
+  for (std::size_t t = 0; t < part_->triangles.size(); ++t) {
+    const Piece whole = pieceOf(*part_, t);
+    if (normalOf(whole).dot(through.eye - whole.middle()) <= 0.0)
+      continue;
+    std::vector<Vector3d> corners(whole.corners.begin(), whole.corners.end());
+    for (const Vector3d& side : inward)
+      corners = cutOff(corners, side, through.eye);
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      addSeen({{corners[0], corners[k - 1], corners[k]}});
+  }
+  return mesh;
+}
+
 TriangleMesh PaintableSurface::facesFrom(const Vector3d& place, double angleRad) const {
   TriangleMesh faces;
   const auto piece = [&](int triangle) {
@@ -224,15 +284,24 @@ TriangleMesh withPaint(const TriangleMesh& painted, const TriangleMesh& more) {
   return all;
 }
 
-TriangleMesh withPaint(const TriangleMesh& painted, const TriangleMesh& more, const Brush& brush) {
-  if (more.empty())
-    return painted;
-  TriangleMesh all;
-  const Cover cover(more);
-  for (std::size_t t = 0; t < painted.triangles.size(); ++t)
-    addUncovered(all, pieceOf(painted, t), cover, brush);
+TriangleMesh withPaint(const TriangleMesh& painted, const TriangleMesh& more, double finest) {
+  TriangleMesh all = withoutPaint(painted, more, finest);
   geometry::appendMesh(all, more);
   return all;
+}
+
+TriangleMesh withoutPaint(const TriangleMesh& painted, const TriangleMesh& less, double finest) {
+  if (less.empty())
+    return painted;
+  TriangleMesh left;
+  const Cover cover(less);
+  for (std::size_t t = 0; t < painted.triangles.size(); ++t)
+    addUncovered(left, pieceOf(painted, t), cover, finest);
+  return left;
+}
+
+double finestOf(const Brush& brush) {
+  return kFinest * brush.radius;
 }
 
 TriangleMesh withoutPaint(const TriangleMesh& painted, const Brush& brush) {

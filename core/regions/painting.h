@@ -18,6 +18,12 @@ struct Brush {
   double radius = 1.0; // > 0
 };
 
+// A rectangle of the screen: what is seen between four rays from the eye, in their order around it.
+struct SeenThrough {
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
+  std::array<Eigen::Vector3d, 4> corners = {}; // directions
+};
+
 // The surface of a part that does not change. Every query is const and safe from many threads.
 class PaintableSurface {
 public:
@@ -26,6 +32,9 @@ public:
   // Returns the surface within the brush, as far as it is connected with the point nearest to its
   // middle. Triangles at its edge are divided, down to a quarter of its radius.
   geometry::TriangleMesh within(const Brush& brush) const;
+  // Returns the surface that is seen from the eye, in front of all else. Triangles at an edge that
+  // hides others are divided down to `finest`.
+  geometry::TriangleMesh seen(const SeenThrough& through, double finest) const;
   // Returns the triangles that continue from the one nearest to a place, without an edge at which
   // the surface turns by more than an angle [rad].
   geometry::TriangleMesh facesFrom(const Eigen::Vector3d& place, double angleRad) const;
@@ -43,10 +52,13 @@ geometry::TriangleMesh withPaint(const geometry::TriangleMesh& painted,
                                  const geometry::TriangleMesh& more);
 geometry::TriangleMesh withoutPaint(const geometry::TriangleMesh& painted,
                                     const geometry::TriangleMesh& less);
-// Returns the painted surface with that within a brush (`more`, as PaintableSurface::within()
-// returns it): triangles at its edge are divided, so that nothing is painted twice.
+// As those; triangles that are covered in part are divided, with sides down to `finest`.
 geometry::TriangleMesh withPaint(const geometry::TriangleMesh& painted,
-                                 const geometry::TriangleMesh& more, const Brush& brush);
+                                 const geometry::TriangleMesh& more, double finest);
+geometry::TriangleMesh withoutPaint(const geometry::TriangleMesh& painted,
+                                    const geometry::TriangleMesh& less, double finest);
+// Returns the length of the sides of triangles at a brush's edge.
+double finestOf(const Brush& brush);
 // Returns the painted surface outside a brush.
 geometry::TriangleMesh withoutPaint(const geometry::TriangleMesh& painted, const Brush& brush);
 

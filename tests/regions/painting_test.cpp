@@ -1,5 +1,6 @@
 // Painted surfaces of a part.
 #include "base/units.h"
+#include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "helpers/shapes.h"
 #include "regions/painting.h"
@@ -55,7 +56,7 @@ TEST(Painting, DabsOfAStrokeLeaveNoGapAndPaintNothingTwice) {
   constexpr double kRadius = 3.0;
   for (double x = -8.0; x <= 8.0; x += 0.8) {
     const Brush brush{{x, 0, 10}, kRadius};
-    painted = regions::withPaint(painted, surface.within(brush), brush);
+    painted = regions::withPaint(painted, surface.within(brush), regions::finestOf(brush));
   }
   const double area = 16.0 * 2.0 * kRadius + base::kPi * kRadius * kRadius;
   EXPECT_NEAR(geometry::area(painted), area, 0.03 * area);
@@ -63,6 +64,40 @@ TEST(Painting, DabsOfAStrokeLeaveNoGapAndPaintNothingTwice) {
   for (double x = -8.0; x <= 8.0; x += 0.25)
     for (double y = -2.0; y <= 2.0; y += 0.25)
       EXPECT_GE(query.closest({x, y, 10}, 1e-6).triangle, 0) << x << ' ' << y;
+}
+
+// A plate with a smaller block on it, from above: 10 mm of the plate beside the block are seen.
+TEST(Painting, ARectanglePaintsWhatIsSeenThroughIt) {
+  TriangleMesh part = box({-30, -30, 0}, {30, 30, 5});
+  const TriangleMesh roof = box({0, -30, 10}, {30, 30, 12});
+  geometry::appendMesh(part, roof);
+  const PaintableSurface surface(std::make_shared<const TriangleMesh>(part));
+  const Eigen::Vector3d eye(0, 0, 1000);
+  const auto through = [&](double x0, double y0, double x1, double y1, double z) {
+    regions::SeenThrough seen;
+    seen.eye = eye;
+    seen.corners = {Eigen::Vector3d(x0, y0, z) - eye, Eigen::Vector3d(x1, y0, z) - eye,
+                    Eigen::Vector3d(x1, y1, z) - eye, Eigen::Vector3d(x0, y1, z) - eye};
+    return seen;
+  };
+  const TriangleMesh left = surface.seen(through(-25, -10, -5, 10, 5), 0.5);
+  EXPECT_NEAR(geometry::area(left), 20.0 * 20.0, 1e-6) << "clipped at the rectangle";
+  for (const Eigen::Vector3d& v : left.vertices)
+    EXPECT_NEAR(v.z(), 5.0, 1e-9);
+  const TriangleMesh both = surface.seen(through(-10, -10, 10, 10, 12), 0.5);
+  double onRoof = 0.0, onPlate = 0.0;
+  for (std::size_t t = 0; t < both.triangles.size(); ++t) {
+    const double area =
+        0.5 *
+        (both.corner(t, 1) - both.corner(t, 0)).cross(both.corner(t, 2) - both.corner(t, 0)).norm();
+    (both.corner(t, 0).z() > 8.0 ? onRoof : onPlate) += area;
+  }
+  EXPECT_NEAR(onRoof, 10.0 * 20.0, 1e-6);
+  EXPECT_NEAR(onPlate, 10.0 * 20.0, 8.0) << "the roof hides the rest";
+  // Erased again, and the rest stays.
+  const TriangleMesh top = surface.facesFrom({-20, 0, 5}, 0.1);
+  const TriangleMesh rest = regions::withoutPaint(top, left, 0.5);
+  EXPECT_NEAR(geometry::area(rest), geometry::area(top) - 400.0, 20.0);
 }
 
 TEST(Painting, FacesContinueUpToAnAngle) {
