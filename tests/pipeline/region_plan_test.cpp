@@ -129,7 +129,10 @@ TEST(RegionPlan, ARegionWithoutPaintHasNoEffect) {
   };
   const PlanResult without = paths(requestWith({}, "0.2"));
   for (const std::string use : {"settings", "cut", "flat", "around"}) {
-    const PlanResult plan = paths(requestWith({"painted:2;walls=5;use=" + use}, "0.2"));
+    PlanRequest request = requestWith({}, "0.2");
+    request.choices.item().regions = {
+        {.shape = "painted:2", .use = use, .parameters = {{"walls", "5"}}}};
+    const PlanResult plan = paths(std::move(request));
     EXPECT_THAT(reasons(plan), testing::HasSubstr("painted:2 is outside the part")) << use;
     ASSERT_TRUE(plan.job.toolPlan) << use;
     EXPECT_EQ(plan.job.toolPlan->position.size(), without.job.toolPlan->position.size()) << use;
