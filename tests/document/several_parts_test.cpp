@@ -127,6 +127,39 @@ TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
   EXPECT_EQ(job.item(1).parameters.at("voxelMm"), "1.5");
 }
 
+// A box of 8 x 8 x 4 mm in the corner of its file is printed in the middle of the plate; its halves
+// have the coordinates of the plate.
+TEST(SeveralParts, RegionsStayInTheirPlacesWhenAPartIsCut) {
+  Document document;
+  document.openPart(test::boxPart(), "/box.stl", true);
+  project::Choices choices = document.choices();
+  choices.item().placement.centreMm = {20.0, 10.0};
+  choices.item().regions = {{.shape = "sphere:4,4,1,1"},
+                            {.shape = "box:4,4,3,2,2,1"},
+                            {.shape = "height:2.5,3.5"},
+                            {.shape = "sphere:4,4,1,1", .use = "cut"}};
+  document.setChoices(choices, "regions");
+  const auto half = [](double low, double high) {
+    Document::Successor made;
+    made.part = test::loadedBox({16.0, 6.0, low}, {24.0, 14.0, high}, "half.stl");
+    made.placement.centreMm = {20.0, 10.0};
+    return made;
+  };
+  Document::Successor pin = half(1.0, 3.0);
+  pin.hasRegions = false;
+  document.replacePart(0, {half(0.0, 2.0), half(2.0, 4.0), pin}, "Cut");
+  const auto& lower = document.jobChoices().item(0).regions;
+  ASSERT_EQ(lower.size(), 1u) << "the others are above";
+  EXPECT_EQ(lower[0].shape, "sphere:20,10,1,1");
+  const auto& upper = document.jobChoices().item(1).regions;
+  ASSERT_EQ(upper.size(), 2u);
+  EXPECT_EQ(upper[0].shape, "box:20,10,3,2,2,1");
+  EXPECT_EQ(upper[1].shape.substr(0, 12), "box:20,10,3,") << "put down by 2 mm with the half";
+  EXPECT_TRUE(document.jobChoices().item(2).regions.empty());
+  document.undoStack()->undo();
+  EXPECT_EQ(document.choices().item().regions, choices.item().regions);
+}
+
 TEST(SeveralParts, MakingAPartActiveIsNoEdit) {
   Document document;
   openFlat(document);

@@ -18,6 +18,10 @@
 #include <string>
 #include <vector>
 
+namespace voluta::regions {
+struct PieceOfPart;
+}
+
 namespace voluta::document {
 
 enum class StageState {
@@ -121,9 +125,10 @@ public:
     std::shared_ptr<const project::LoadedPart> part; // its mesh in mm
     geometry::Placement placement;
     bool keepsPlace = false; // if no successor before it is there; else it goes beside all
+    bool hasRegions = true;  // those of the part, at the same places of the material
   };
   // Replaces a part by others, at scale 1, with its choices; the first one is active. Precondition:
-  // item < partCount(), there is at least one successor.
+  // item < partCount(), there is at least one successor, and their meshes are in the work frame.
   void replacePart(std::size_t item, const std::vector<Successor>& by, const QString& editName);
   // Gives the active part another name; the ending of the present one stays. An empty name changes
   // nothing. Precondition: there is a part, and sourceReady().
@@ -271,6 +276,7 @@ private:
                                                   const QString& path, bool ready);
   // Bounding box on the plate of a part in its place.
   Eigen::AlignedBox3d placedBox(std::size_t item) const;
+  regions::PieceOfPart pieceOf(std::size_t item) const;
   // Returns the key of a stage's shown data; for a resumed print that of the choices with which it
   // was opened or run, `keys`.
   static std::string shownKey(const pipeline::PlanResult& result, std::size_t stage,

@@ -7,15 +7,18 @@
 #include "geometry/measures.h"
 #include "modes/mode_stages.h"
 #include "modes/mode_table.h"
+#include "modes/platform_body.h"
 #include "pipeline/automatic.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_options.h"
 #include "process/process.h"
+#include "regions/moved_regions.h"
 #include "robot/cell.h"
 
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -24,6 +27,8 @@ namespace voluta::document {
 using project::Stage;
 
 namespace {
+constexpr double kSameHeightMm = 1e-6;
+
 Eigen::AlignedBox2d onPlate(const Eigen::AlignedBox3d& box) {
   return {box.min().head<2>(), box.max().head<2>()};
 }
@@ -183,6 +188,24 @@ Eigen::AlignedBox3d Document::placedBox(std::size_t item) const {
       geometry::place(*loaded.mesh, ownScale(loaded, own), own.item().placement));
 }
 
+// Where the part is printed, as far as it is known.
+regions::PieceOfPart Document::pieceOf(std::size_t item) const {
+  const project::LoadedPart& loaded = *parts_->items[item]->part;
+  const project::Choices own = project::onlyItem(choices_, item);
+  double scale = ownScale(loaded, own);
+  geometry::Placement placement = own.item().placement;
+  if (const auto placed = result(Stage::Load); placed && upToDate(Stage::Load))
+    if (const project::JobItem& job = placed->job.item(item); job.part && job.placement) {
+      scale = job.scale * pipeline::unitMm(loaded, own);
+      placement = *job.placement;
+    }
+  regions::PieceOfPart piece;
+  piece.work_T_file = modes::motionOf(*loaded.mesh, scale, placement);
+  piece.scale = scale;
+  piece.partBox = placedBox(item);
+  return piece;
+}
+
 Document::State Document::withSources(project::Choices choices,
                                       const std::vector<std::shared_ptr<Source>>& sources) const {
   std::vector<Eigen::AlignedBox2d> others;
@@ -254,6 +277,8 @@ void Document::replacePart(std::size_t item, const std::vector<Successor>& by,
   // By places on the mesh that is replaced, or directions of its file
   for (const char* ofPlaces : {"cutPlanes", "layerPlanes", "loadDirection", "pieceRoot"})
     own.parameters.erase(ofPlaces);
+  const std::vector<project::Region> regions = std::exchange(own.regions, {});
+  regions::PieceOfPart piece = pieceOf(item);
   project::Choices choices = choices_;
   const auto parts = std::make_shared<Parts>();
   parts->items = parts_->items;
@@ -262,6 +287,11 @@ void Document::replacePart(std::size_t item, const std::vector<Successor>& by,
   parts->items.erase(parts->items.begin() + at);
   for (std::size_t k = 0; k < by.size(); ++k) {
     own.placement = by[k].placement;
+    piece.box = geometry::bounds(*by[k].part->mesh);
+    piece.keepsHeight = own.placement.rotation.isApprox(Eigen::Quaterniond::Identity()) &&
+                        std::abs(own.placement.liftMm - piece.box.min().z()) < kSameHeightMm;
+    own.regions =
+        by[k].hasRegions ? regions::regionsOfPiece(regions, piece) : std::vector<project::Region>();
     const Eigen::AlignedBox3d box =
         geometry::bounds(geometry::place(*by[k].part->mesh, 1.0, own.placement));
     const pipeline::Footprint added{{}, box.max().z(), pipeline::mayLean(own)};

@@ -122,9 +122,10 @@ std::vector<Document::Successor> cutParts(const TriangleMesh& part, const planar
   if (halves.dowels.empty())
     return parts;
   // One part, in as many copies as there are pins.
-  const Document::Successor dowel =
+  Document::Successor dowel =
       successor(nameWith(name, dowelWord), std::move(halves.dowels.front()), repair,
                 geometry::rotationLayingFlat(-plane.normal), false, ctx.sub(0.9, 1.0));
+  dowel.hasRegions = false;
   parts.insert(parts.end(), halves.dowels.size(), dowel);
   return parts;
 }
@@ -509,8 +510,11 @@ void CutTool::makeParts(
         if (open_)
           work_.viewport.setTool(Tool::None);
         work_.planning.cancel();
+        const bool hadRegions = !work_.document.choices().item().regions.empty();
         work_.document.replacePart(item, *made, editName);
-        work_.shell.say(tr("%n parts", nullptr, static_cast<int>(made->size())));
+        const QString parts = tr("%n parts", nullptr, static_cast<int>(made->size()));
+        work_.shell.say(hadRegions ? tr("%1. Their regions have moved with them.").arg(parts)
+                                   : parts);
       },
       1);
 }
