@@ -171,6 +171,12 @@ void ParameterRow::buildEditor() {
     combo->setMaximumWidth(std::clamp(widestText(*combo), width, widest));
     return;
   }
+  if (qobject_cast<QLineEdit*>(editor_) && spec_.file.patterns.empty()) {
+    // Texts are longer than numbers.
+    editor_->setMinimumWidth(width);
+    editor_->setMaximumWidth(std::max(width, fontMetrics().averageCharWidth() * kMaxChoiceLetters));
+    return;
+  }
   editor_->setFixedWidth(width);
 }
 
@@ -234,6 +240,7 @@ void ParameterRow::showValue() {
   case base::ParameterType::Text:
     static_cast<QLineEdit*>(editor_)->setText(
         QString::fromStdString(std::get<std::string>(value_)));
+    static_cast<QLineEdit*>(editor_)->setCursorPosition(0);
     break;
   }
   showLabel();

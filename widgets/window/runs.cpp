@@ -148,7 +148,8 @@ QString endText(const document::Document& document) {
 QString cancelText(const document::Document& document) {
   return planned(document.lastResult())
              ? Runs::tr("Cancelled. The previous results are still shown.")
-             : Runs::tr("Cancelled. Press Plan to start again.");
+         : document.source() ? Runs::tr("Cancelled. Press Plan to start again.")
+                             : QString(); // opening it was undone
 }
 
 QString previewEndText(const document::Document& document) {
