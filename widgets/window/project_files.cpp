@@ -12,6 +12,7 @@
 #include "window/cell/arm_import_dialog.h"
 #include "window/together/together_dialog.h"
 
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -398,10 +399,17 @@ void ProjectFiles::offerRecovered() {
   box.exec();
   if (box.clickedButton() == recover) {
     // Keep the copy until the document has adopted it.
-    connect(
-        &opening_, &Opening::opened, autosave_.get(), [this, latest] { autosave_->adopt(latest); },
-        Qt::SingleShotConnection);
+    const auto adopts = connect(&opening_, &Opening::opened, autosave_.get(),
+                                [this, latest] { autosave_->adopt(latest); });
+    // Another file, such as that of the command line, waits: it would replace the request, and its
+    // part the copy.
+    QEventLoop reading;
+    connect(&opening_, &Opening::opened, &reading, &QEventLoop::quit);
+    connect(&opening_, &Opening::failed, &reading, &QEventLoop::quit);
+    connect(&opening_, &Opening::cancelled, &reading, &QEventLoop::quit);
     opening_.openRecovered(latest);
+    reading.exec();
+    disconnect(adopts);
   } else if (box.clickedButton() == discard) {
     document::discardRecovered(latest);
   }
