@@ -20,7 +20,9 @@ std::shared_ptr<const ItemLoad> itemLoad(const geometry::TriangleMesh& part,
                                          const base::RunContext& ctx) {
   std::vector<geometry::TriangleMesh> holds;
   std::vector<elastic::BodyForce> forces;
-  for (std::size_t i = 0; i < regions.size(); ++i)
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (bodies[i].empty())
+      continue; // not painted yet
     switch (regions::findUse(regions[i].use).load) {
     case regions::RegionLoad::Held:
       holds.push_back(bodies[i]);
@@ -31,6 +33,7 @@ std::shared_ptr<const ItemLoad> itemLoad(const geometry::TriangleMesh& part,
     case regions::RegionLoad::None:
       break;
     }
+  }
   if (forces.empty())
     return nullptr;
   if (holds.empty())

@@ -6,6 +6,7 @@
 #include "panels/regions_panel.h"
 #include "regions/region_kinds.h"
 #include "viewer/camera_control.h"
+#include "window/legend_view.h"
 #include "window/view_tools.h"
 
 #include <QAction>
@@ -352,6 +353,7 @@ TEST_F(RegionsWindowTest, ASurfaceIsPaintedStrokeByStroke) {
   EXPECT_TRUE(problem().contains("nothing is painted", Qt::CaseInsensitive));
   ASSERT_TRUE(bodiesDrawn());
   ASSERT_EQ(viewport().tool(), viewer::Tool::Paint);
+  EXPECT_TRUE(find<QAction>("plan")->isEnabled()) << "the region has no effect yet";
   viewport().viewFrom(Eigen::Vector3d(0.3, -0.5, 1).normalized());
   picture();
   const viewer::CameraControl camera(viewport().scene().renderer());
@@ -383,6 +385,18 @@ TEST_F(RegionsWindowTest, ASurfaceIsPaintedStrokeByStroke) {
   EXPECT_GT(area(), 20.0);
   document().undoStack()->undo();
   EXPECT_NEAR(area(), painted, 1e-9);
+  // A hand that is faster than the events paints the line between them.
+  document().undoStack()->undo();
+  EXPECT_EQ(area(), 0.0);
+  type(find<QDoubleSpinBox>("regionPaintSize"), "3");
+  const int index = document().undoStack()->index();
+  QTest::mousePress(&viewport(), Qt::LeftButton, {}, at(-5, 0));
+  QTest::mouseMove(&viewport(), at(5, 0));
+  QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at(5, 0));
+  ASSERT_TRUE(waitFor([&] { return document().undoStack()->index() != index; }, 20000));
+  EXPECT_NEAR(area(), 28.3 + 10 * 6, 6.0);
+  picture();
+  keepPicture(window(), "regions_fast_stroke");
   auto* with = find<QComboBox>("regionPaintWith");
   with->setCurrentIndex(1);
   emit with->activated(1);
@@ -397,6 +411,104 @@ TEST_F(RegionsWindowTest, ASurfaceIsPaintedStrokeByStroke) {
   QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, beside + QPoint(-60, 0));
   EXPECT_GT((viewport().scene().towardsEye() - eye).norm(), 0.01);
   ASSERT_TRUE(settled());
+}
+
+TEST_F(RegionsWindowTest, ARectanglePaintsWhatIsSeenInIt) {
+  openFlat(open(block()));
+  openTool();
+  add("painted");
+  ASSERT_TRUE(bodiesDrawn());
+  viewport().viewFrom(Eigen::Vector3d(0.0, -0.02, 1.0).normalized());
+  picture();
+  auto* with = find<QComboBox>("regionPaintWith");
+  with->setCurrentIndex(2);
+  emit with->activated(2);
+  EXPECT_FALSE(find<QDoubleSpinBox>("regionPaintSize")->isVisible());
+  const viewer::CameraControl camera(viewport().scene().renderer());
+  const Eigen::Vector3d top(0.0, 0.0, 12.0), display = camera.project(top);
+  const QPoint middle = viewport().fromDisplay({display.x(), display.y()}).toPoint();
+  const double mm = viewport().mmPerPoint(top);
+  const auto area = [&] { return regions()[0].mesh ? geometry::area(*regions()[0].mesh) : 0.0; };
+  const auto drag = [&](const QPoint& from, const QPoint& to, Qt::MouseButton button) {
+    const int before = document().undoStack()->index();
+    QTest::mousePress(&viewport(), button, {}, middle + from);
+    QTest::mouseMove(&viewport(), middle + (from + to) / 2);
+    QTest::mouseMove(&viewport(), middle + to);
+    picture();
+    keepPicture(window(), "regions_rectangle");
+    QTest::mouseRelease(&viewport(), button, {}, middle + to);
+    ASSERT_TRUE(waitFor([&] { return document().undoStack()->index() != before; }, 20000));
+  };
+  drag({-60, -40}, {60, 40}, Qt::LeftButton);
+  const double painted = 120 * 80 * mm * mm;
+  EXPECT_NEAR(area(), painted, 0.05 * painted);
+  for (const Eigen::Vector3d& v : regions()[0].mesh->vertices)
+    EXPECT_NEAR(v.z(), 12.0, 1e-6) << "hidden sides are not painted";
+  drag({0, -60}, {80, 60}, Qt::RightButton);
+  EXPECT_NEAR(area(), 0.5 * painted, 0.05 * painted);
+  picture();
+  keepPicture(window(), "regions_rectangle_erased");
+}
+
+TEST_F(RegionsWindowTest, UndoInABoxIsThatOfTheWindowUnlessANumberIsTyped) {
+  openFlat(open(block()));
+  openTool();
+  add("sphere");
+  auto* box = find<QDoubleSpinBox>("regionNumber3");
+  typeNumber(3, "5,5");
+  EXPECT_EQ(regions()[0].shape, "sphere:0,0,6,5.5");
+  EXPECT_EQ(QApplication::focusWidget(), box);
+  QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(regions()[0].shape, "sphere:0,0,6,4");
+  EXPECT_DOUBLE_EQ(box->value(), 4.0);
+  box->selectAll();
+  QTest::keyClicks(box, "7");
+  QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(regions()[0].shape, "sphere:0,0,6,4") << "only the text";
+  EXPECT_EQ(regions().size(), 1u);
+}
+
+// A project that is saved before anything is painted shows its part.
+TEST_F(RegionsWindowTest, ARegionWithoutPaintIsSavedAndPlanned) {
+  openFlat(open(block()));
+  openTool();
+  add("painted");
+  const QString file = path("unpainted.voluta");
+  answerFileDialog(file);
+  clickMenu("fileMenu", "saveAs");
+  ASSERT_TRUE(waitFor([&] { return document().projectFile() == file; }, 20000));
+  window().open(file);
+  ASSERT_TRUE(waitFor([&] { return document().undoStack()->count() == 0; }, 20000));
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(regions().size(), 1u);
+  EXPECT_TRUE(document().result(Stage::Load));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Layers));
+}
+
+TEST_F(RegionsWindowTest, GroupsOfRegionsAreNamedInTheLegend) {
+  openFlat(open(block()));
+  openTool();
+  add("skin");
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Layers));
+  choosePage(Page::Layers);
+  picture();
+  const auto names = [&](scene::ColourBy colourBy) {
+    auto* combo = find<QComboBox>("colourBy");
+    combo->setCurrentIndex(combo->findData(static_cast<int>(colourBy)));
+    emit combo->activated(combo->currentIndex());
+    EXPECT_TRUE(waitFor([&] { return viewport().view().colourBy == colourBy; }, 20000));
+    picture();
+    QStringList shown;
+    for (const scene::LegendEntry& entry : find<window::LegendView>("legend")->legend().entries)
+      shown << QString::fromStdString(base::english(entry.text()));
+    return shown;
+  };
+  EXPECT_EQ(names(scene::ColourBy::Group), QStringList({"1", "Skin below the upper surface"}));
+  keepPicture(window(), "regions_groups");
+  QTest::mouseClick(find<QToolButton>("subject2"), Qt::LeftButton); // layers
+  EXPECT_EQ(names(scene::ColourBy::Region), QStringList({"Part", "Skin below the upper surface"}));
 }
 
 TEST_F(RegionsWindowTest, FitsASmallScreenInEveryLanguageAndLook) {

@@ -147,6 +147,17 @@ TEST(LayersDrawing, SpacingIsCentredOnTheNominalHeightWithItsLimitsMarked) {
   EXPECT_EQ(legend.marks.size(), 2u);
 }
 
+TEST(LayersDrawing, GroupsOfRegionsAndSupportHaveNames) {
+  scene::ColourValues values;
+  values.group = {0, 1, layers::kSupportGroup, layers::kRegionGroups + 2};
+  const scene::Legend legend = scene::legendOf(values, scene::ColourBy::Group);
+  ASSERT_EQ(legend.entries.size(), 4u);
+  EXPECT_EQ(base::english(legend.entries[0].text()), "Support");
+  EXPECT_EQ(base::english(legend.entries[1].text()), "1");
+  EXPECT_EQ(base::english(legend.entries[2].text()), "2");
+  EXPECT_EQ(base::english(legend.entries[3].text()), "Region 3");
+}
+
 // A block of straight beads, 1 mm apart in y and z.
 plan::ToolPlan block(int layers, int beads, int waypoints) {
   plan::ToolPlan plan;

@@ -17,7 +17,7 @@ PaintForm::PaintForm(QWidget* parent) : QWidget(parent) {
   grid->setColumnStretch(1, 1);
   with_ = forms::makeCombo(this);
   with_->setObjectName(QStringLiteral("regionPaintWith"));
-  with_->addItems({{}, {}});
+  with_->addItems({{}, {}, {}});
   withLabel_ = new QLabel(this);
   withLabel_->setBuddy(with_);
   size_ = new forms::NumberBox(this);
@@ -32,20 +32,26 @@ PaintForm::PaintForm(QWidget* parent) : QWidget(parent) {
   grid->addWidget(size_, 1, 1);
   grid->addWidget(hint_, 2, 0, 1, 2);
   connect(with_, &QComboBox::activated, this, [this](int with) {
-    choices_.faces = with == 1;
+    choices_.with = static_cast<PaintChoices::With>(with);
     showChoices();
+    emit changed();
   });
-  connect(size_, &QDoubleSpinBox::valueChanged, this,
-          [this](double size) { (choices_.faces ? choices_.angleDeg : choices_.radiusMm) = size; });
+  connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double size) {
+    (choices_.with == PaintChoices::With::Faces ? choices_.angleDeg : choices_.radiusMm) = size;
+  });
   showChoices();
 }
 
 void PaintForm::showChoices() {
-  const bool faces = choices_.faces;
+  const bool faces = choices_.with == PaintChoices::With::Faces;
+  const bool rectangle = choices_.with == PaintChoices::With::Rectangle;
   withLabel_->setText(tr("Paint with"));
   with_->setItemText(0, tr("Brush"));
   with_->setItemText(1, tr("Whole faces"));
-  with_->setCurrentIndex(faces ? 1 : 0);
+  with_->setItemText(2, tr("Rectangle"));
+  with_->setCurrentIndex(static_cast<int>(choices_.with));
+  sizeLabel_->setVisible(!rectangle);
+  size_->setVisible(!rectangle);
   const QString label = faces ? tr("Up to edges of") : tr("Radius");
   sizeLabel_->setText(label);
   const QSignalBlocker quiet(size_);
@@ -53,7 +59,10 @@ void PaintForm::showChoices() {
   size_->setUnit(faces ? QStringLiteral("°") : QStringLiteral("mm"));
   size_->setRange(faces ? 0.0 : 0.1, faces ? 180.0 : 100.0);
   size_->setValue(faces ? choices_.angleDeg : choices_.radiusMm);
-  hint_->setText(tr("Paint on the part. Shift or the right button erases."));
+  hint_->setText(rectangle
+                     ? tr("Drag a rectangle: it paints what you see in it. Shift or the right "
+                          "button erases.")
+                     : tr("Paint on the part. Shift or the right button erases."));
 }
 
 void PaintForm::changeEvent(QEvent* event) {

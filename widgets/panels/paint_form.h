@@ -1,4 +1,4 @@
-// How the surface of a part is painted: with a brush, or face by face.
+// How the surface of a part is painted: with a brush, face by face, or within a rectangle.
 #pragma once
 
 #include <QWidget>
@@ -13,7 +13,12 @@ class NumberBox;
 namespace voluta::panels {
 
 struct PaintChoices {
-  bool faces = false; // those that continue from the clicked one; false: with a brush
+  enum class With {
+    Brush,
+    Faces,    // those that continue from the clicked one
+    Rectangle // what is seen through it
+  };
+  With with = With::Brush;
   double radiusMm = 3.0;
   double angleDeg = 20.0; // of the edges at which faces end
 };
@@ -25,6 +30,9 @@ public:
   explicit PaintForm(QWidget* parent = nullptr);
 
   const PaintChoices& choices() const { return choices_; }
+
+signals:
+  void changed();
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -8,6 +8,7 @@
 #include "forms/value_boxes.h"
 #include "language/words.h"
 #include "panels/paint_form.h"
+#include "panels/region_names.h"
 #include "pipeline/stage_options.h"
 #include "regions/region_uses.h"
 
@@ -16,6 +17,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -143,6 +145,9 @@ void RegionsPanel::buildList(QVBoxLayout& column) {
   list_ = new QTreeWidget(this);
   list_->setObjectName(QStringLiteral("regionList"));
   list_->setColumnCount(2);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -239,6 +244,7 @@ void RegionsPanel::buildFields(QVBoxLayout& column) {
                                     [this, i](double number) { takeShapeNumber(i, number); }));
   column.addLayout(grid);
   paint_ = new PaintForm(this);
+  connect(paint_, &PaintForm::changed, this, &RegionsPanel::paintChanged);
   column.addWidget(paint_);
 }
 
@@ -322,25 +328,6 @@ void RegionsPanel::openAddMenu() {
   shapes_->popup(add_->mapToGlobal(QPoint(0, add_->height())));
 }
 
-// A region without a name is called by its shape, numbered if there are several.
-QString RegionsPanel::nameOf(std::size_t region) const {
-  const Region& one = regions_[region];
-  if (!one.name.empty())
-    return QString::fromStdString(one.name);
-  const auto shape = shapeOf(one);
-  if (!shape)
-    return QString::fromStdString(one.shape);
-  if (!shape->file.empty())
-    return QString::fromStdString(shape->file);
-  int number = 1;
-  for (std::size_t i = 0; i < region; ++i) {
-    const auto other = shapeOf(regions_[i]);
-    number += other && other->kind == shape->kind && regions_[i].name.empty() ? 1 : 0;
-  }
-  const QString label = language::heading(shape->kind->label);
-  return number == 1 ? label : QStringLiteral("%1 %2").arg(label).arg(number);
-}
-
 void RegionsPanel::refresh() {
   showList();
   const auto at = selected();
@@ -371,7 +358,7 @@ void RegionsPanel::showList() {
     QTreeWidgetItem* item = list_->topLevelItem(i);
     const Region& region = regions_[static_cast<std::size_t>(i)];
     const RegionUse* use = useOf(region);
-    item->setText(0, nameOf(static_cast<std::size_t>(i)));
+    item->setText(0, nameOfRegion(regions_, static_cast<std::size_t>(i)));
     item->setText(1, use ? language::heading(use->label) : QString::fromStdString(region.use));
     item->setToolTip(0, item->text(0));
     item->setToolTip(1, item->text(1));
@@ -460,7 +447,7 @@ void RegionsPanel::takeName(QTreeWidgetItem* item) {
   if (at >= regions_.size())
     return;
   const QString name = item->text(0).trimmed();
-  if (name == nameOf(at)) {
+  if (name == nameOfRegion(regions_, at)) {
     showList();
     return;
   }

@@ -63,6 +63,7 @@ signals:
   void addRequested(const QString& kind); // word of regions::regionKinds()
   void edited(const std::vector<voluta::project::Region>& regions, const QString& editName);
   void selectionChanged();
+  void paintChanged();
   void closeRequested();
 
 protected:
@@ -85,7 +86,6 @@ private:
   void showFields(const project::Region& region);
   void showSettings(const project::Region& region);
   void retranslate();
-  QString nameOf(std::size_t region) const;
 
   project::Region* chosen();
   void emitEdited(const QString& editName);

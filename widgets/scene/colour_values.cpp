@@ -1,6 +1,7 @@
 #include "scene/colour_values.h"
 
 #include "base/shown_number.h"
+#include "layers/layer_stack.h"
 #include "plan/tool_plan.h"
 
 #include <algorithm>
@@ -161,6 +162,20 @@ Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme) {
   return legend;
 }
 
+namespace {
+base::Value categoryName(ColourBy colourBy, std::int32_t v) {
+  if (colourBy == ColourBy::Kind)
+    return kKindNames[static_cast<std::size_t>(v) % kKindNames.size()];
+  if (colourBy == ColourBy::Region)
+    return v == 0 ? base::Value("Part"_text) : base::Value(v);
+  if (colourBy == ColourBy::Group && v == layers::kSupportGroup)
+    return "Support"_text;
+  if (colourBy == ColourBy::Group && v >= layers::kRegionGroups)
+    return base::message("Region {number}"_text, v - layers::kRegionGroups + 1);
+  return v + 1;
+}
+} // namespace
+
 Legend legendOf(const ColourValues& values, ColourBy colourBy) {
   const ColourByRow& row = rowOf(colourBy);
   if (colourBy == ColourBy::Spacing)
@@ -172,14 +187,7 @@ Legend legendOf(const ColourValues& values, ColourBy colourBy) {
   present.erase(std::unique(present.begin(), present.end()), present.end());
   Legend legend{row.label, std::string(row.unit), true, false, {}, {}};
   for (const std::int32_t v : present)
-    legend.entries.push_back(
-        {double(v),
-         colourBy == ColourBy::Kind
-             ? base::Value(kKindNames[static_cast<std::size_t>(v) % kKindNames.size()])
-         : colourBy != ColourBy::Region ? base::Value(v + 1)
-         : v == 0                       ? base::Value("Part"_text)
-                                        : base::Value(v),
-         categoricalColour(v)});
+    legend.entries.push_back({double(v), categoryName(colourBy, v), categoricalColour(v)});
   return legend;
 }
 

@@ -38,6 +38,8 @@ protected:
     painter.setRenderHint(QPainter::Antialiasing);
     if (!viewport_.marks_.empty())
       paintMarks(painter);
+    if (viewport_.band_)
+      paintBand(painter);
     if (!hasHandles(viewport_.gizmo_.tool()))
       return;
     viewport_.gizmo_.paint(
@@ -55,6 +57,14 @@ protected:
   }
 
 private:
+  void paintBand(QPainter& painter) const {
+    QColor inside = palette().highlight().color();
+    inside.setAlphaF(0.15F);
+    painter.setPen(QPen(palette().highlight().color(), 1.0, Qt::DashLine));
+    painter.setBrush(inside);
+    painter.drawRect(viewport_.band_->normalized());
+  }
+
   // Twice, so that they are seen on every ground.
   void paintMarks(QPainter& painter) const {
     constexpr double kDot = 4.0, kLine = 2.0, kRim = 2.0;
@@ -159,7 +169,7 @@ void Viewport::setDragging(bool on) {
 
 // A widget over the whole picture is put together with it in every frame, also without content.
 void Viewport::updateOverlay() {
-  overlay_->setVisible(!marks_.empty() || hasHandles(gizmo_.tool()));
+  overlay_->setVisible(!marks_.empty() || band_ || hasHandles(gizmo_.tool()));
   overlay_->update();
 }
 
@@ -339,21 +349,59 @@ Ray Viewport::rayAt(const QPointF& place) const {
   return camera_.rayThrough(display.x(), display.y());
 }
 
+bool Viewport::spanRectangle(const QMouseEvent& event) {
+  if (event.type() == QEvent::MouseButtonPress) {
+    if (tool() != Tool::Paint || event.button() == Qt::MiddleButton)
+      return false;
+    erasing_ = event.button() == Qt::RightButton || event.modifiers() & Qt::ShiftModifier;
+    band_ = QRectF(event.position(), event.position());
+    return true;
+  }
+  if (!band_)
+    return false;
+  band_->setBottomRight(event.position());
+  updateOverlay();
+  if (event.type() != QEvent::MouseButtonRelease)
+    return true;
+  const QRectF rectangle = std::exchange(band_, std::nullopt)->normalized();
+  updateOverlay();
+  constexpr double kLeast = 3.0; // a click spans nothing
+  if (std::min(rectangle.width(), rectangle.height()) >= kLeast)
+    emit rectanglePainted({rayAt(rectangle.topLeft()), rayAt(rectangle.topRight()),
+                           rayAt(rectangle.bottomRight()), rayAt(rectangle.bottomLeft())},
+                          erasing_);
+  return true;
+}
+
 // A stroke begins on the part; beside it the buttons move the camera.
 bool Viewport::paint(const QMouseEvent& event) {
+  if (paintsRectangles_ && !painting_)
+    return spanRectangle(event);
   if (!painting_ && (event.type() != QEvent::MouseButtonPress || tool() != Tool::Paint ||
                      event.button() == Qt::MiddleButton))
     return false;
+  const auto partAt = [this](const QPointF& place) {
+    const auto hit = hitAt(place);
+    return hit && hit->what == scene::Hit::What::Part ? hit : std::nullopt;
+  };
   const bool isLast = event.type() == QEvent::MouseButtonRelease;
-  auto hit = hitAt(event.position());
-  if (hit && hit->what != scene::Hit::What::Part)
-    hit = std::nullopt;
+  const QPointF to = event.position();
+  const auto hit = partAt(to);
   if (!painting_) {
     if (!hit)
       return false;
     painting_ = true;
     erasing_ = event.button() == Qt::RightButton || event.modifiers() & Qt::ShiftModifier;
+    strokeAt_ = to;
   }
+  // A fast mouse is reported at few places: the stroke is a line between them.
+  constexpr double kStep = 4.0;
+  const QPointF from = std::exchange(strokeAt_, to);
+  const int steps =
+      static_cast<int>(std::ceil(std::hypot(to.x() - from.x(), to.y() - from.y()) / kStep));
+  for (int i = 1; i < steps; ++i)
+    if (const auto between = partAt(from + (to - from) * i / steps))
+      emit painted(between, erasing_, false);
   if (isLast)
     painting_ = false;
   emit painted(hit, erasing_, isLast);
@@ -380,7 +428,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const QPointF d = event->position() - last_;
   last_ = event->position();
-  if (painting_) {
+  if (painting_ || band_) {
     paint(*event);
     return;
   }

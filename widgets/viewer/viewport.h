@@ -10,7 +10,9 @@
 #include "viewer/typed_change.h"
 #include "viewer/vtk_view.h"
 
+#include <QRectF>
 #include <QTimer>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,6 +32,8 @@ public:
   void setView(const scene::ViewState& view);
   const scene::ViewState& view() const { return scene_.view(); }
 
+  // With Tool::Paint: a drag from anywhere spans a rectangle instead of a stroke.
+  void setPaintsRectangles(bool on) { paintsRectangles_ = on; }
   void setTool(Tool tool);
   Tool tool() const { return gizmo_.tool(); }
   // Sets the position of the handles in the world: the part's centre, or a cutting plane. `axes`:
@@ -74,9 +78,11 @@ signals:
   void gizmoStarted();
   // A click without a drag.
   void clicked(const std::optional<voluta::scene::Hit>& hit);
-  // With Tool::Paint: a stroke over the part is at this place; none: beside the part. Shift, or the
-  // right button, erases. Once more with finished = true.
+  // With Tool::Paint: a stroke over the part is at this place, or has passed it; none: beside the
+  // part. Shift, or the right button, erases. Once more with finished = true.
   void painted(const std::optional<voluta::scene::Hit>& hit, bool erases, bool finished);
+  // With Tool::Paint and rectangles: the rays through its corners, in their order around it.
+  void rectanglePainted(const std::array<voluta::viewer::Ray, 4>& corners, bool erases);
   // A click with the right button, without a drag.
   void menuAsked(const std::optional<voluta::scene::Hit>& hit, const QPoint& global);
   // The cursor rests on something.
@@ -111,6 +117,7 @@ private:
   std::optional<scene::Hit> hitAt(const QPointF& place) const;
   std::optional<scene::Hit> clickedAt(const QPointF& place) const;
   bool paint(const QMouseEvent& event); // begins, continues or ends a stroke
+  bool spanRectangle(const QMouseEvent& event);
   QPointF projected(const Eigen::Vector3d& world) const;
   double gizmoMmPerPixel() const;
   Ray rayAt(const QPointF& place) const;
@@ -133,6 +140,9 @@ private:
   bool turning_ = false, moving_ = false, dragged_ = false, heldByOthers_ = false;
   bool usersCamera_ = false, ambientOcclusion_ = false;
   bool painting_ = false, erasing_ = false;
+  QPointF strokeAt_; // of the last place of the stroke
+  bool paintsRectangles_ = false;
+  std::optional<QRectF> band_; // the rectangle that is being dragged
 };
 
 } // namespace voluta::viewer

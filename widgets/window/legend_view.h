@@ -26,6 +26,7 @@ public:
   // The row of the entry with that value; empty: there is none.
   QRect rowOf(int value) const;
   const LegendFigures& figures() const { return figures_; }
+  const scene::Legend& legend() const { return legend_; }
 
 signals:
   void entryClicked(int value);

@@ -1,7 +1,10 @@
 #include "window/pages/page_stack.h"
 
 #include "document/document.h"
+#include "layers/layer_stack.h"
 #include "panels/object_tree.h"
+#include "panels/region_names.h"
+#include "pipeline/plan_result.h"
 #include "plan/waypoints.h"
 #include "timeline/layer_range_slider.h"
 #include "window/flow_bar.h"
@@ -12,6 +15,7 @@
 #include "window/presenters/presenter.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace voluta::window {
@@ -277,6 +281,23 @@ bool PageStack::isToolsPicture() const {
   return page_->layout().aboutPart && workspace_.viewport.tool() != viewer::Tool::None;
 }
 
+namespace {
+// With several parts a number stands for a region of each.
+void nameRegions(scene::Legend& legend, scene::ColourBy colourBy,
+                 const std::shared_ptr<const pipeline::PlanResult>& result) {
+  if (!legend.categorical || !result || result->job.choices.items.size() != 1)
+    return;
+  const int first = colourBy == scene::ColourBy::Region  ? 1
+                    : colourBy == scene::ColourBy::Group ? layers::kRegionGroups
+                                                         : std::numeric_limits<int>::max();
+  const std::vector<project::Region>& regions = result->job.choices.item().regions;
+  for (scene::LegendEntry& entry : legend.entries)
+    if (const double at = entry.value - first;
+        at >= 0.0 && at < static_cast<double>(regions.size()))
+      entry.label = panels::nameOfRegion(regions, static_cast<std::size_t>(at)).toStdString();
+}
+} // namespace
+
 // Beads by kind have their statistics beside them: those of a layer that is shown alone, else of
 // the whole print.
 void PageStack::showLegend() {
@@ -296,7 +317,9 @@ void PageStack::showLegend() {
                                      workspace_.picture.look().hiddenKinds)
                      : legendFigures(of.whole, tr("Total"), workspace_.picture.look().hiddenKinds);
   }
-  legend_.setLegend(workspace_.viewport.scene().legend(), figures);
+  scene::Legend legend = workspace_.viewport.scene().legend();
+  nameRegions(legend, view.colourBy, workspace_.document.lastResult());
+  legend_.setLegend(legend, figures);
 }
 
 // Shows a badge if the view is for other settings than the present ones.

@@ -1,7 +1,6 @@
 #include "window/pages/regions_tool.h"
 
 #include "base/error.h"
-#include "base/units.h"
 #include "document/mode_switch.h"
 #include "forms/file_patterns.h"
 #include "geometry/measures.h"
@@ -19,8 +18,8 @@
 #include "regions/part_regions.h"
 #include "regions/region_kinds.h"
 #include "regions/region_text.h"
-#include "regions/region_uses.h"
 #include "window/pages/new_region.h"
+#include "window/pages/region_bodies.h"
 #include "window/picture_area.h"
 #include "window/presenters/presenter.h"
 
@@ -47,40 +46,12 @@ struct RegionsTool::Made {
   QString problem; // empty: every region has a body
 };
 
-struct RegionsTool::Painted {
-  std::shared_ptr<const regions::PaintableSurface> surface;
-  Mesh mesh;
-  std::shared_ptr<const scene::RegionsDrawing> bodies;
-};
-
 namespace {
 constexpr double kGlass = 0.38; // opacity of the part around its regions
-
-scene::RegionLook lookOf(const Region& region) {
-  const regions::RegionUse& use = regions::findUse(region.use);
-  return use.cuts          ? scene::RegionLook::Cut
-         : use.hasLayers() ? scene::RegionLook::Layers
-                           : scene::RegionLook::Settings;
-}
 
 bool samePlace(const geometry::Placement& a, const geometry::Placement& b) {
   return a.centreMm == b.centreMm && a.liftMm == b.liftMm &&
          a.rotation.coeffs() == b.rotation.coeffs();
-}
-
-// Returns a painted surface in the work frame, slightly over the part.
-geometry::TriangleMesh overPart(const geometry::TriangleMesh& painted,
-                                const Eigen::Isometry3d& work_T_file, double scale) {
-  constexpr double kOverMm = 0.05;
-  geometry::TriangleMesh over;
-  for (std::size_t t = 0; t < painted.triangles.size(); ++t) {
-    const Vector3d normal = work_T_file.linear() * geometry::triangleNormal(painted, t);
-    const int first = static_cast<int>(over.vertices.size());
-    for (int k = 0; k < 3; ++k)
-      over.vertices.push_back(work_T_file * (scale * painted.corner(t, k)) + kOverMm * normal);
-    over.triangles.push_back({first, first + 1, first + 2});
-  }
-  return over;
 }
 
 QString sentence(const base::Error& error) {
@@ -127,9 +98,16 @@ void RegionsTool::listen() {
   connect(panel_, &RegionsPanel::edited, this, &RegionsTool::set);
   connect(panel_, &RegionsPanel::selectionChanged, this, [this] {
     movedMm_.setZero();
+    showProblem();
     showHandles();
     work_.shell.showView();
   });
+  connect(panel_, &RegionsPanel::paintChanged, this, [this] {
+    work_.viewport.setPaintsRectangles(panel_->paint().with ==
+                                       panels::PaintChoices::With::Rectangle);
+    work_.viewport.setFocus(Qt::OtherFocusReason);
+  });
+  connect(&work_.viewport, &viewer::Viewport::rectanglePainted, this, &RegionsTool::paintRectangle);
   connect(panel_, &RegionsPanel::closeRequested, this,
           [this] { work_.viewport.setTool(Tool::None); });
 }
@@ -269,7 +247,11 @@ void RegionsTool::showProblem() {
   }
   try {
     pipeline::checkRegions(work_.document.choices().item(), pipeline::allParameters());
-    panel_->setProblem(bodyProblem_);
+    const auto at = panel_->selected();
+    const bool lacksPaint = isPainted() && !panel_->regions()[*at].mesh;
+    panel_->setProblem(lacksPaint && bodyProblem_.isEmpty()
+                           ? tr("Nothing is painted yet: the region has no effect.")
+                           : bodyProblem_);
   } catch (const base::Error& error) {
     panel_->setProblem(sentence(error));
   }
@@ -426,108 +408,6 @@ void RegionsTool::gizmoDragged(const viewer::GizmoChange& change, bool finished)
   set(all, tr("Move region"));
 }
 
-// ---- painting
-
-bool RegionsTool::isPainted() const {
-  const auto at = panel_->selected();
-  try {
-    return at && regions::parsedShape(panel_->regions()[*at].shape).kind->mesh ==
-                     regions::ShapeMesh::Painted;
-  } catch (const base::Error&) { // shown as a problem
-    return false;
-  }
-}
-
-void RegionsTool::painted(const std::optional<scene::Hit>& hit, bool erases, bool finished) {
-  const auto at = panel_->selected();
-  if (!open_ || !isPosed_ || !at || (!isStroke_ && !isPainted()))
-    return;
-  if (!isStroke_) {
-    isStroke_ = true;
-    strokeEnds_ = false;
-    strokeOf_ = *at;
-    stroke_ = panel_->regions()[*at].mesh;
-  }
-  const panels::PaintChoices& with = panel_->paint();
-  if (hit)
-    dabs_.push_back({work_T_file_.inverse() * hit->point / placed_.scale,
-                     with.radiusMm / placed_.scale, base::degreesToRadians(with.angleDeg),
-                     with.faces, erases});
-  strokeEnds_ = strokeEnds_ || finished;
-  if (!painting_.running())
-    paintDabs();
-}
-
-void RegionsTool::paintDabs() {
-  if (strokeOf_ >= panel_->regions().size()) { // undone meanwhile
-    dropStroke();
-    return;
-  }
-  if (dabs_.empty() || !bodies_) {
-    if (strokeEnds_)
-      endStroke();
-    return;
-  }
-  const Mesh part = placed_.source->mesh;
-  const Region& region = panel_->regions()[strokeOf_];
-  painting_.run(
-      [part, stroke = stroke_, dabs = std::exchange(dabs_, {}), bodies = bodies_, at = strokeOf_,
-       look = lookOf(region), work_T_file = work_T_file_, scale = placed_.scale,
-       surface = surfaceOf_ == part ? surface_ : nullptr](const base::RunContext&) {
-        Painted made{surface, stroke, nullptr};
-        if (!made.surface)
-          made.surface = std::make_shared<const regions::PaintableSurface>(part);
-        geometry::TriangleMesh mesh = stroke ? *stroke : geometry::TriangleMesh{};
-        for (const Dab& dab : dabs) {
-          if (dab.faces) {
-            const auto faces = made.surface->facesFrom(dab.place, dab.angleRad);
-            mesh =
-                dab.erases ? regions::withoutPaint(mesh, faces) : regions::withPaint(mesh, faces);
-          } else {
-            const regions::Brush brush{dab.place, dab.radius};
-            mesh = dab.erases ? regions::withoutPaint(mesh, brush)
-                              : regions::withPaint(mesh, made.surface->within(brush));
-          }
-        }
-        const auto over =
-            std::make_shared<const geometry::TriangleMesh>(overPart(mesh, work_T_file, scale));
-        made.bodies = scene::withRegion(*bodies, at, {over, look});
-        made.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
-        return made;
-      },
-      [this, part](const base::Outcome<Painted>& outcome) {
-        const auto* made = std::get_if<Painted>(&outcome);
-        if (!made || !isStroke_) {
-          dropStroke();
-          return;
-        }
-        surface_ = made->surface;
-        surfaceOf_ = part;
-        stroke_ = made->mesh;
-        bodies_ = made->bodies;
-        work_.viewport.scene().setRegions(bodies_);
-        work_.shell.showView();
-        paintDabs();
-      },
-      1);
-}
-
-void RegionsTool::dropStroke() {
-  isStroke_ = strokeEnds_ = false;
-  stroke_ = nullptr;
-  dabs_.clear();
-}
-
-// One edit for the whole stroke.
-void RegionsTool::endStroke() {
-  isStroke_ = strokeEnds_ = false;
-  std::vector<Region> all = panel_->regions();
-  if (strokeOf_ >= all.size() || !stroke_)
-    return;
-  all[strokeOf_].mesh = stroke_->empty() ? nullptr : std::exchange(stroke_, nullptr);
-  set(all, tr("Paint region"));
-}
-
 // ---- edits
 
 void RegionsTool::set(const std::vector<Region>& regions, const QString& editName) {
@@ -541,6 +421,7 @@ void RegionsTool::append(Region region) {
   all.push_back(std::move(region));
   set(all, tr("Add region"));
   panel_->select(all.size() - 1);
+  showProblem();
   showHandles();
   work_.shell.showView();
 }

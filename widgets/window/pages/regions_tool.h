@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <QObject>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,9 +59,10 @@ private:
   struct Made;
   // A touch of the brush, in the coordinates of the part's file.
   struct Dab {
-    Eigen::Vector3d place;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
     double radius = 0.0, angleRad = 0.0;
     bool faces = false, erases = false;
+    std::optional<regions::SeenThrough> through = {}; // a rectangle instead
   };
   struct Painted;
 
@@ -73,6 +75,8 @@ private:
   void makeBodies();
   void takeBodies(const Made& made);
   void showHandles();
+  bool beginStroke();
+  void paintRectangle(const std::array<viewer::Ray, 4>& corners, bool erases);
   void paintDabs();
   void endStroke();
   void dropStroke();
@@ -100,7 +104,8 @@ private:
   // The stroke that is being painted.
   std::shared_ptr<const regions::PaintableSurface> surface_; // of surfaceOf_
   Mesh surfaceOf_, stroke_;
-  std::vector<Dab> dabs_;    // not painted yet
+  std::vector<Dab> dabs_; // not painted yet
+  std::optional<Eigen::Vector3d> lastDabMm_;
   std::size_t strokeOf_ = 0; // the region
   bool isStroke_ = false, strokeEnds_ = false;
 };
