@@ -4,7 +4,9 @@
 #include "timeline/sample_program.h"
 #include "timeline/scrub_slider.h"
 
+#include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -97,6 +99,24 @@ TEST_F(TimelineBarTest, AClickNearAMarkMeansTheMark) {
   bar_.setMarks({{7.0, true, "collision"}});
   QTest::mouseClick(slider(), Qt::LeftButton, {}, slider()->rect().center() + QPoint(3, 0));
   EXPECT_NEAR(bar_.timeS(), 7.0, 1e-9);
+}
+
+TEST_F(TimelineBarTest, EventsAreMarkedAndAClickNearOneJumpsThere) {
+  const QImage without = slider()->grab().toImage();
+  bar_.setEvents({{7.0, "Pause"}});
+  EXPECT_NE(slider()->grab().toImage(), without);
+  QTest::mouseClick(slider(), Qt::LeftButton, {}, slider()->rect().center() + QPoint(4, 0));
+  EXPECT_NEAR(bar_.timeS(), 7.0, 1e-9);
+  // The right button asks for a menu at its place, and only while the bar shows times.
+  QSignalSpy asked(&bar_, &TimelineBar::menuAsked);
+  const QPoint place = slider()->rect().center() + QPoint(60, 0);
+  QContextMenuEvent menu(QContextMenuEvent::Mouse, place, slider()->mapToGlobal(place));
+  QApplication::sendEvent(slider(), &menu);
+  ASSERT_EQ(asked.size(), 1);
+  EXPECT_GT(asked[0][0].toDouble(), 7.0);
+  bar_.setMode(BarMode::Moves);
+  QApplication::sendEvent(slider(), &menu);
+  EXPECT_EQ(asked.size(), 1);
 }
 
 TEST_F(TimelineBarTest, AStretchOfTimeIsSetOffInModeTimeOnly) {

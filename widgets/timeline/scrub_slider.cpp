@@ -2,6 +2,7 @@
 
 #include "forms/colours.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kHandleRadius = 7.0;
 constexpr double kGrooveHeight = 4.0;
 constexpr double kMarkHalf = 4.0; // half of a mark's width
+constexpr double kEventHalf = 1.5;
 constexpr double kSpanGap = 4.0, kSpanHeight = 3.0;
 constexpr double kSnapPx = 5.0; // a click this close to a mark selects the mark
 } // namespace
@@ -39,10 +41,7 @@ void ScrubSlider::setPosition(double position) {
 
 void ScrubSlider::setMarks(std::vector<SliderMark> marks) {
   marks_ = std::move(marks);
-  // Blocking ones are drawn last, on top of the others.
-  std::stable_sort(marks_.begin(), marks_.end(), [](const SliderMark& a, const SliderMark& b) {
-    return !a.blocking && b.blocking;
-  });
+  std::ranges::stable_sort(marks_, {}, &SliderMark::kind);
   update();
 }
 
@@ -79,7 +78,7 @@ const ScrubSlider::SliderMark* ScrubSlider::markAt(double x) const {
   double distance = kSnapPx;
   for (const SliderMark& mark : marks_) {
     const double away = std::abs(xOf(mark.position) - x);
-    if (away < distance || (nearest && away == distance && mark.blocking)) {
+    if (away < distance || (nearest && away == distance && mark.kind > nearest->kind)) {
       nearest = &mark;
       distance = away;
     }
@@ -142,18 +141,31 @@ void ScrubSlider::mouseReleaseEvent(QMouseEvent* event) {
   update();
 }
 
-// Blocking findings are squares above the groove, others triangles, so that they differ without
-// colour.
+void ScrubSlider::contextMenuEvent(QContextMenuEvent* event) {
+  if (end_ > 0.0)
+    emit menuAsked(positionAt(event->pos().x()), event->globalPos());
+}
+
+// Blocking findings are squares above the groove, others triangles, and events bars, so that they
+// differ without colour.
 void ScrubSlider::paintMark(QPainter& painter, const SliderMark& mark) const {
   const double x = xOf(mark.position), top = 1.0;
-  if (mark.blocking) {
+  switch (mark.kind) {
+  case MarkKind::Blocking:
     painter.setBrush(forms::blockedColour(palette()));
     painter.drawRect(QRectF(x - 0.75 * kMarkHalf, top, 1.5 * kMarkHalf, 1.5 * kMarkHalf));
-  } else {
+    break;
+  case MarkKind::Warning:
     painter.setBrush(forms::warningColour(palette()));
     painter.drawPolygon(QPolygonF({{x - kMarkHalf, top + 1.6 * kMarkHalf},
                                    {x, top},
                                    {x + kMarkHalf, top + 1.6 * kMarkHalf}}));
+    break;
+  case MarkKind::Event:
+    painter.setBrush(palette().color(QPalette::WindowText));
+    painter.drawRoundedRect(QRectF(x - kEventHalf, top, 2.0 * kEventHalf, groove().top() - top),
+                            1.0, 1.0);
+    break;
   }
 }
 

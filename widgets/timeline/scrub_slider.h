@@ -13,9 +13,11 @@ class ScrubSlider : public QWidget {
   Q_OBJECT
 
 public:
+  // The later ones are drawn on top.
+  enum class MarkKind { Event, Warning, Blocking };
   struct SliderMark {
     double position;
-    bool blocking;
+    MarkKind kind;
     QString text;
   };
 
@@ -41,6 +43,7 @@ public:
 signals:
   void moved(double position); // by the user
   void dragging(bool on);
+  void menuAsked(double position, const QPoint& global); // by the right button
 
 protected:
   bool event(QEvent* event) override;
@@ -48,6 +51,7 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   QRectF groove() const;

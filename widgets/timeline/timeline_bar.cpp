@@ -89,6 +89,10 @@ void TimelineBar::buildWidgets() {
     player_->setPosition(mode_ == BarMode::Time ? position : std::round(position));
   });
   connect(slider_, &ScrubSlider::dragging, this, &TimelineBar::dragging);
+  connect(slider_, &ScrubSlider::menuAsked, this, [this](double position, const QPoint& global) {
+    if (mode_ == BarMode::Time)
+      emit menuAsked(position, global);
+  });
   connect(speed_, &QComboBox::currentIndexChanged, this,
           [this] { player_->setSpeed(speed_->currentData().toDouble()); });
 }
@@ -215,6 +219,11 @@ void TimelineBar::setMarks(std::vector<Mark> marks) {
   showMarks();
 }
 
+void TimelineBar::setEvents(std::vector<EventMark> events) {
+  events_ = std::move(events);
+  showMarks();
+}
+
 void TimelineBar::setSpans(std::vector<Span> spans) {
   spans_ = std::move(spans);
   showMarks();
@@ -222,9 +231,13 @@ void TimelineBar::setSpans(std::vector<Span> spans) {
 
 void TimelineBar::showMarks() {
   std::vector<ScrubSlider::SliderMark> shown;
-  if (mode_ == BarMode::Time)
+  using Kind = ScrubSlider::MarkKind;
+  if (mode_ == BarMode::Time) {
+    for (const EventMark& event : events_)
+      shown.push_back({event.timeS, Kind::Event, event.text});
     for (const Mark& mark : marks_)
-      shown.push_back({mark.timeS, mark.blocking, mark.text});
+      shown.push_back({mark.timeS, mark.blocking ? Kind::Blocking : Kind::Warning, mark.text});
+  }
   slider_->setMarks(std::move(shown));
   std::vector<ScrubSlider::SliderSpan> spans;
   if (mode_ == BarMode::Time)

@@ -24,6 +24,12 @@ struct Mark {
   QString text; // tool tip
 };
 
+// An event of the program, such as a pause.
+struct EventMark {
+  double timeS = 0.0;
+  QString text; // tool tip
+};
+
 // A time span marked below the groove.
 struct Span {
   double fromS = 0.0, toS = 0.0;
@@ -56,6 +62,9 @@ public:
   // Number of growth steps, >= 0; shows all of them if the number changed.
   void setStepCount(int steps);
   void setMarks(std::vector<Mark> marks);
+  // Shown in mode Time; a click jumps there.
+  void setEvents(std::vector<EventMark> events);
+  const std::vector<EventMark>& events() const { return events_; }
   // In order; shown in mode Time.
   void setSpans(std::vector<Span> spans);
   const std::vector<Span>& spans() const { return spans_; }
@@ -91,6 +100,8 @@ signals:
   void layerStepRequested(int step); // mode Moves: +1 or -1
   void playingChanged(bool playing);
   void dragging(bool on); // the handle is held; for level of detail
+  // A click with the right button on the groove, in mode Time.
+  void menuAsked(double timeS, const QPoint& global);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -114,6 +125,7 @@ private:
   double timeS_ = 0.0;
   int move_ = 0, moveCount_ = 0, step_ = 0, stepCount_ = 0;
   std::vector<Mark> marks_;
+  std::vector<EventMark> events_;
   std::vector<Span> spans_;
   Player* player_;
   ScrubSlider* slider_ = nullptr;

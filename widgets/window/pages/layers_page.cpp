@@ -2,17 +2,18 @@
 
 #include "base/error.h"
 #include "document/document.h"
-#include "motion/layer_event_text.h"
-#include "motion/layer_events.h"
 #include "panels/layer_info.h"
 #include "panels/object_tree.h"
 #include "panels/pieces_panel.h"
 #include "plan/finding_kinds.h"
 #include "timeline/layer_range_slider.h"
+#include "window/pages/layer_event_edits.h"
 #include "window/picture.h"
 #include "window/presenters/presenter.h"
 #include "window/spacing_view.h"
 
+#include <QHBoxLayout>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -47,7 +48,8 @@ int nearestLayer(const plan::ToolPlan& plan, const Eigen::Vector3d& place) {
 LayersPage::LayersPage(const Workspace& workspace)
     : Page({"layers", QT_TRANSLATE_NOOP("Commands", "&Layers")}, workspace),
       pieces_(workspace, [this] { return isShown() && subject() == LayerSubject::Pieces; }),
-      options_(new ViewOptions), info_(new panels::LayerInfo), spacing_(new SpacingView) {
+      options_(new ViewOptions), info_(new panels::LayerInfo), addEvent_(new QPushButton),
+      spacing_(new SpacingView) {
   build();
   listenToBars();
   listenToDrawings();
@@ -59,8 +61,14 @@ void LayersPage::build() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   for (QWidget* panel : {static_cast<QWidget*>(options_), static_cast<QWidget*>(pieces_.panel()),
-                         static_cast<QWidget*>(info_), static_cast<QWidget*>(spacing_)})
+                         static_cast<QWidget*>(info_)})
     column->addWidget(panel);
+  addEvent_->setObjectName("layersAddEvent");
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 0, 8, 0);
+  row->addWidget(addEvent_);
+  column->addLayout(row);
+  column->addWidget(spacing_);
   column->addStretch(1);
   side_ = scrolled(content);
 }
@@ -81,7 +89,10 @@ void LayersPage::listenToBars() {
     work().shell.showView();
     showMeasures(work().layers.last());
   });
-  connect(&layers, &timeline::LayerRangeSlider::pauseWished, this, &LayersPage::wishPause);
+  connect(&layers, &timeline::LayerRangeSlider::pauseWished, this,
+          [this](int layer, bool pause) { setPause(work(), layer, pause); });
+  connect(addEvent_, &QPushButton::clicked, this,
+          [this] { askForEvent(work(), work().layers.last(), side_->window()); });
   connect(&work().document, &document::Document::choicesChanged, this, &LayersPage::showPauses);
   using timeline::TimelineBar;
   connect(&work().timeline, &TimelineBar::moveChanged, this, [this] { work().shell.showView(); });
@@ -342,82 +353,13 @@ void LayersPage::showCount() {
 // Layers of voxels are not those of the paths.
 void LayersPage::showPauses() {
   const bool ofPaths = subject() == LayerSubject::Paths || subject() == LayerSubject::Layers;
-  work().layers.setPauses(ofPaths ? pausedLayers() : std::vector<int>{}, ofPaths);
+  addEvent_->setVisible(ofPaths && work().layers.layerCount() > 0);
+  work().layers.setPauses(ofPaths ? pausedLayers(work()) : std::vector<int>{}, ofPaths);
 }
 
-namespace {
-// As typed, from 1. A text that is no list yet has none.
-std::vector<int> pauseLayersOf(const project::ItemChoices& item) {
-  const auto text = item.parameters.find(motion::kPauseLayers);
-  if (text == item.parameters.end())
-    return {};
-  try {
-    return motion::pauseLayersOf(text->second);
-  } catch (const base::Error&) {
-    return {};
-  }
-}
-} // namespace
-
-// Of all parts, as the slider counts them, from 0.
-std::vector<int> LayersPage::pausedLayers() const {
-  const auto& items = work().document.jobChoices().items;
-  const auto plan = shownPlan();
-  std::vector<int> paused;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    for (const int layer : pauseLayersOf(items[i])) {
-      if (items.size() == 1) {
-        paused.push_back(layer - 1);
-        continue;
-      }
-      if (!plan)
-        continue;
-      const auto places =
-          motion::eventPlaces(*plan, {{.item = static_cast<int>(i), .layer = layer}});
-      if (!places.empty())
-        paused.push_back(plan->paths[places.front().path].layer);
-    }
-  std::ranges::sort(paused);
-  paused.erase(std::ranges::unique(paused).begin(), paused.end());
-  return paused;
-}
-
-std::shared_ptr<const plan::ToolPlan> LayersPage::shownPlan() const {
-  const auto result = work().document.lastResult();
-  return result ? result->job.toolPlan : nullptr;
-}
-
-// The pause is one of the part that has the layer, which becomes the active one.
-void LayersPage::wishPause(int layer, bool pause) {
-  const std::size_t count = work().document.partCount();
-  std::vector<motion::LayerOfItem> parts{{0, layer + 1}};
-  if (count > 1) {
-    const auto plan = shownPlan();
-    parts = plan ? motion::itemsInLayer(*plan, layer) : std::vector<motion::LayerOfItem>();
-    std::erase_if(parts, [&](const motion::LayerOfItem& part) {
-      return part.item >= static_cast<int>(count);
-    });
-    // The print pauses once, but any of the parts may have asked for it.
-    if (pause && parts.size() > 1)
-      parts.resize(1);
-  }
-  if (parts.empty())
-    return;
-  for (const motion::LayerOfItem& part : parts) {
-    const auto item = static_cast<std::size_t>(part.item);
-    std::vector<int> layers = pauseLayersOf(work().document.choices().item(item));
-    if (std::erase(layers, part.layer) == 0 && !pause)
-      continue;
-    if (count > 1)
-      work().document.setActive(item);
-    if (pause)
-      layers.push_back(part.layer);
-    std::ranges::sort(layers);
-    work().document.setParameter(QString::fromLatin1(motion::kPauseLayers),
-                                 QString::fromStdString(motion::pauseLayersText(layers)));
-  }
-  work().shell.say(pause ? tr("The next plan pauses before layer %1.").arg(layer + 1)
-                         : tr("The next plan does not pause before layer %1.").arg(layer + 1));
+void LayersPage::retranslate() {
+  addEvent_->setText(tr("Event before this layer…"));
+  addEvent_->setToolTip(tr("A pause, a wait, an output, another tool or a line of your own"));
 }
 
 void LayersPage::showMoves() {

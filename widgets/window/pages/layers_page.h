@@ -16,6 +16,8 @@ namespace voluta::plan {
 struct ToolPlan;
 }
 
+class QPushButton;
+
 namespace voluta::window {
 
 struct LayerFacts;
@@ -32,6 +34,7 @@ public:
   std::vector<project::Stage> stages() const override;
   std::vector<ViewportInput*> inputs() override { return {this, &pieces_}; }
 
+  void retranslate() override;
   void draw(scene::ViewState& view) override;
   void drawn() override { pieces_.showHandles(); }
   std::optional<PrintProgress> printProgress() const override;
@@ -60,10 +63,7 @@ private:
   bool replaysGrowth() const;
   void showGrowth(LayerSubject subject);
   void showCount();
-  std::vector<int> pausedLayers() const;
-  std::shared_ptr<const plan::ToolPlan> shownPlan() const;
   void showPauses();
-  void wishPause(int layer, bool pause);
   void showMoves();
   void showMeasures(int layer);
   bool lookAtMissed(const plan::Finding& finding);
@@ -71,6 +71,7 @@ private:
   PieceCuts pieces_;
   ViewOptions* options_;
   panels::LayerInfo* info_;
+  QPushButton* addEvent_;
   SpacingView* spacing_;
   QWidget* side_;
   std::array<bool, 3> newest_{}; // availability of newer results: determines the shown view

@@ -1,9 +1,11 @@
 #include "window/pages/simulate_page.h"
 
+#include "base/error.h"
 #include "base/units.h"
 #include "document/document.h"
 #include "forms/value_boxes.h"
 #include "jobs/job_runner.h"
+#include "motion/layer_event_text.h"
 #include "motion/resumed_motion.h"
 #include "panels/cursor_info.h"
 #include "panels/jog_panel.h"
@@ -16,7 +18,9 @@
 #include "timeline/layer_range_slider.h"
 #include "window/background.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/event_marks.h"
 #include "window/pages/jogging.h"
+#include "window/pages/layer_event_edits.h"
 #include "window/pages/resumable.h"
 #include "window/picture_area.h"
 #include "window/presenters/presenter.h"
@@ -29,6 +33,8 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -62,6 +68,8 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   traces_->addItems({{}, {}, {}, {}}); // named by retranslate()
   cursor_ = new panels::CursorInfo(side_);
   cursor_->setObjectName("cursorInfo");
+  addEvent_ = new QPushButton(side_);
+  addEvent_->setObjectName("simulateAddEvent");
   resume_ = new panels::ResumeBar(side_);
   resume_->setContentsMargins(6, 0, 6, 4);
   lines_ = new ProgramPreview(this);
@@ -96,6 +104,11 @@ void SimulatePage::build() {
   column->addWidget(cursor_);
   column->addWidget(plotsArea_, 1);
   column->addWidget(jogArea_, 1);
+  auto* adding = new QHBoxLayout;
+  adding->setContentsMargins(6, 0, 6, 0);
+  adding->addStretch(1);
+  adding->addWidget(addEvent_);
+  column->addLayout(adding);
   column->addWidget(resume_);
 }
 
@@ -128,6 +141,9 @@ void SimulatePage::listen() {
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
   connect(&work().presenter, &Presenter::statisticsReady, this, &SimulatePage::showCursor);
   connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
+  connect(bar, &timeline::TimelineBar::menuAsked, this, &SimulatePage::openTimeMenu);
+  connect(addEvent_, &QPushButton::clicked, this,
+          [this] { askForEvent(work(), layerShown(), side_->window()); });
   connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
   connect(&work().document, &document::Document::stateChanged, this, &SimulatePage::showResume);
 }
@@ -295,6 +311,51 @@ void SimulatePage::showRunPlaces() {
   work().timeline.setSpans(std::move(spans));
 }
 
+// Those of the shown motion; the choices that are planned next may have others.
+void SimulatePage::showEvents() {
+  std::vector<double> waits;
+  const auto motion = work().document.result(Stage::Motion);
+  if (motion)
+    for (const project::ItemChoices& item : motion->job.choices.items)
+      if (const auto text = item.parameters.find(motion::kLayerEvents);
+          text != item.parameters.end())
+        try {
+          for (const plan::LayerEvent& event : motion::layerEventsOf(text->second))
+            if (event.kind == plan::LayerEventKind::Wait)
+              waits.push_back(event.seconds);
+        } catch (const base::Error&) { // the plan reports it
+        }
+  const auto& clock = work().presenter.clock();
+  work().timeline.setEvents(clock ? eventMarks(*clock, waits) : std::vector<timeline::EventMark>());
+}
+
+int SimulatePage::layerShown() const {
+  const auto& clock = work().presenter.clock();
+  return clock && !clock->empty() ? clock->layerAt(work().timeline.timeS()) : -1;
+}
+
+void SimulatePage::openTimeMenu(double timeS, const QPoint& global) {
+  const auto& clock = work().presenter.clock();
+  if (!isShown() || !clock || clock->empty())
+    return;
+  work().timeline.setTimeS(timeS);
+  const int layer = layerShown();
+  auto* menu = new QMenu(side_->window());
+  menu->setObjectName("timeMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const bool isPaused = std::ranges::binary_search(pausedLayers(work()), layer);
+  QAction* pause = menu->addAction(isPaused ? tr("Remove the pause before layer %1").arg(layer + 1)
+                                            : tr("Pause before layer %1").arg(layer + 1));
+  pause->setObjectName("pauseHere");
+  connect(pause, &QAction::triggered, this,
+          [this, layer, isPaused] { setPause(work(), layer, !isPaused); });
+  QAction* event = menu->addAction(tr("Event before layer %1…").arg(layer + 1));
+  event->setObjectName("eventHere");
+  connect(event, &QAction::triggered, this,
+          [this, layer] { askForEvent(work(), layer, side_->window()); });
+  menu->popup(global);
+}
+
 std::optional<std::size_t> SimulatePage::resumePoint() const {
   return resumableAt(work(), [&](const plan::Trajectory& t) {
     return motion::resumePointOfBead(t, work().presenter.clock()->pointAt(work().timeline.timeS()));
@@ -304,6 +365,7 @@ std::optional<std::size_t> SimulatePage::resumePoint() const {
 void SimulatePage::showResume() {
   if (!isShown())
     return;
+  addEvent_->setEnabled(layerShown() >= 0);
   const auto point = resumePoint();
   resume_->setPlace(point ? placeOfPoint(work(), *point) : QString());
 }
@@ -330,6 +392,8 @@ void SimulatePage::retranslate() {
   traces_->setItemText(kLastMinute, tr("Last %1 s").arg(QLocale().toString(kLongTraceS)));
   traces_->setItemText(kWholeTrace, tr("Whole print"));
   traces_->setToolTip(tr("Solid where the nozzle prints, dashed where it travels"));
+  addEvent_->setText(tr("Event before this layer…"));
+  addEvent_->setToolTip(tr("A pause, a wait, an output, another tool or a line of your own"));
   jogging_->retranslate();
   showResume();
 }
@@ -343,6 +407,7 @@ void SimulatePage::entered() {
 void SimulatePage::showMotion() {
   runPlaces_.clear(); // of another motion
   showRunPlaces();
+  showEvents();
   const auto& clock = work().presenter.clock();
   std::vector<robot::JointLimits> limits;
   std::vector<robot::ExternalAxis> externalAxes;

@@ -10,6 +10,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace voluta::jobs {
 class JobRunner;
@@ -73,6 +74,10 @@ private:
   void compareRun();
   void printTogether();
   void showRunPlaces();
+  void showEvents();
+  // The layer at the time-line's position, from 0; negative: there is none.
+  int layerShown() const;
+  void openTimeMenu(double timeS, const QPoint& global);
   void goToPoint(std::size_t point);
   // Returns the start of the bead at the time-line's position; none if the print cannot be resumed
   // there.
@@ -101,6 +106,7 @@ private:
   std::shared_ptr<const Traced> traced_;               // null: not known yet
   std::vector<panels::TextLines> texts_;               // of the program's files
   panels::ResumeBar* resume_;
+  QPushButton* addEvent_;
   std::vector<record::ErrorPlace> runPlaces_; // of the run compared last with this motion
   QWidget* side_;
 };
