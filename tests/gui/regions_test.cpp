@@ -203,6 +203,43 @@ TEST_F(RegionsWindowTest, UsesThatMakeNoSenseAreGreyAndProblemsAreNamed) {
   EXPECT_EQ(withoutName(window()), QStringList());
 }
 
+// A bar is held at one end and pushed at the other: its infill runs along.
+TEST_F(RegionsWindowTest, AHoldAndAForceAreGivenByClicksAndPlanned) {
+  openFlat(open(box({-30, -8, 0}, {30, 8, 3.2})));
+  openTool();
+  add("box");
+  for (const auto& [at, value] : {std::pair{0, "-28"}, {3, "4"}, {4, "16"}, {5, "4"}})
+    typeNumber(at, value);
+  chooseUse("hold");
+  EXPECT_EQ(regions()[0].use, "hold");
+  EXPECT_FALSE(panel()->findChild<QWidget*>("region.infillDensity")->isVisible())
+      << "it has no settings";
+  add("box");
+  for (const auto& [at, value] : {std::pair{0, "28"}, {3, "4"}, {4, "16"}, {5, "4"}})
+    typeNumber(at, value);
+  chooseUse("load");
+  EXPECT_EQ(regions()[1].use, "load:0,0,-10");
+  type(find<QDoubleSpinBox>("regionUseNumber1"), "-20");
+  type(find<QDoubleSpinBox>("regionUseNumber2"), "0");
+  EXPECT_EQ(regions()[1].use, "load:0,-20,0");
+  EXPECT_TRUE(problem().isEmpty()) << problem().toStdString();
+  document().setParameter("infill", "field");
+  ASSERT_TRUE(bodiesDrawn());
+  picture();
+  keepPicture(window(), "regions_load");
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  const plan::LoadStatistics& load = document().lastResult()->job.report.toolpath.load;
+  EXPECT_EQ(load.forceN, 20.0);
+  EXPECT_GT(load.infillAlignedFraction, 0.6);
+  choosePage(Page::Layers);
+  picture();
+  keepPicture(window(), "regions_load_layers");
+  document().undoStack()->undo(); // the infill
+  document().undoStack()->undo();
+  EXPECT_EQ(regions()[1].use, "load:0,-20,-10");
+}
+
 TEST_F(RegionsWindowTest, ANumberTypedHalfwayIsTakenOnLeaving) {
   openFlat(open(block()));
   openTool();

@@ -76,7 +76,9 @@ const RegionUse* useOf(const Region& region) {
 
 std::size_t colourOf(const Region& region) {
   const RegionUse* use = useOf(region);
-  return !use ? 0 : use->cuts ? 2 : use->hasLayers() ? 1 : 0;
+  if (!use)
+    return 0;
+  return use->hasLayers() ? 1 : use->cuts ? 2 : use->hasSettings() ? 0 : 3;
 }
 
 bool isSolid(const Region& region) { // unless its density is set
@@ -89,6 +91,8 @@ bool isSolid(const Region& region) { // unless its density is set
 std::string textOfNew(const RegionUse& use) {
   if (use.fields.empty())
     return std::string(use.id);
+  if (use.load == regions::RegionLoad::Force)
+    return textOf(use.id, {0.0, 0.0, -10.0});
   const bool turns = use.layers == regions::RegionLayers::Turning;
   return textOf(use.id, turns ? std::vector{1.0, 0.0, 1.0} : std::vector{0.0, 0.0, 1.0});
 }
@@ -308,7 +312,7 @@ void RegionsPanel::setPartValues(const base::ParameterTable& table,
   refresh();
 }
 
-void RegionsPanel::setColours(const std::array<QColor, 3>& colours) {
+void RegionsPanel::setColours(const std::array<QColor, 4>& colours) {
   colours_ = colours;
   showList();
 }
@@ -379,7 +383,9 @@ void RegionsPanel::showFields(const Region& region) {
     const RegionUse& one = regions::regionUses()[static_cast<std::size_t>(i)];
     const bool makesSense = one.layers != regions::RegionLayers::Surface || followsSurface;
     model->item(i)->setEnabled(makesSense);
-    model->item(i)->setToolTip(makesSense ? QString() : tr("Only a skin or a painted surface says which faces the layers follow"));
+    model->item(i)->setToolTip(
+        makesSense ? QString()
+                   : tr("Only a skin or a painted surface says which faces the layers follow"));
   }
   use_->setCurrentIndex(use ? use_->findData(qString(use->id)) : -1);
   const auto fill = [](const std::vector<Field>& fields, const std::vector<ShapeField>& specs,

@@ -49,8 +49,9 @@ public:
   // Sets the part's values, as the defaults of a table, and the keys of the settings that affect
   // the result.
   void setPartValues(const base::ParameterTable& table, const std::set<std::string>& applying);
-  // Colours of regions with settings, with layers of their own, and that cut.
-  void setColours(const std::array<QColor, 3>& colours);
+  // Colours of regions with settings, with layers of their own, that cut, and that hold or push the
+  // part.
+  void setColours(const std::array<QColor, 4>& colours);
   void setProblem(const QString& text);
 
   const std::vector<project::Region>& regions() const { return regions_; }
@@ -101,7 +102,7 @@ private:
   QString part_;
   std::set<std::string> applying_;
   base::ParameterValue partDensity_ = 1.0; // density of the infill
-  std::array<QColor, 3> colours_;
+  std::array<QColor, 4> colours_;
   QLabel *title_, *none_, *useLabel_, *icon_, *problem_;
   QTreeWidget* list_;
   QToolButton *add_, *up_, *down_;

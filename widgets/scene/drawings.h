@@ -126,7 +126,8 @@ std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double e
 Eigen::Vector3d basePlaneOffset(const PiecesDrawing& drawing, std::size_t piece, double explodeMm);
 
 // Use of a region, from which its colour follows.
-enum class RegionLook { Settings, Layers, Cut };
+enum class RegionLook { Settings, Layers, Cut, Load };
+inline constexpr std::size_t kRegionLooks = 4;
 struct RegionBody {
   std::shared_ptr<const geometry::TriangleMesh> body; // null: not shown
   RegionLook look = RegionLook::Settings;

@@ -16,6 +16,8 @@ Colour colourOf(RegionLook look, const Theme& theme) {
     return theme.regionLayers;
   case RegionLook::Cut:
     return theme.regionCut;
+  case RegionLook::Load:
+    return theme.regionLoad;
   case RegionLook::Settings:
     break;
   }

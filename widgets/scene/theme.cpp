@@ -36,6 +36,7 @@ Theme lightTheme() {
   t.regionSettings = {0.24, 0.20, 0.78};
   t.regionLayers = {0.00, 0.56, 0.36};
   t.regionCut = {0.84, 0.33, 0.05};
+  t.regionLoad = {0.78, 0.62, 0.00};
   return t;
 }
 
@@ -67,6 +68,7 @@ Theme darkTheme() {
   t.regionSettings = {0.56, 0.52, 1.00};
   t.regionLayers = {0.20, 0.80, 0.55};
   t.regionCut = {0.98, 0.50, 0.20};
+  t.regionLoad = {0.96, 0.82, 0.22};
   return t;
 }
 
@@ -98,6 +100,7 @@ Theme highContrastTheme() {
   t.regionSettings = {0.72, 0.66, 1.0};
   t.regionLayers = {0.30, 1.0, 0.65};
   t.regionCut = {1.0, 0.60, 0.25};
+  t.regionLoad = {1.0, 0.88, 0.25};
   return t;
 }
 

@@ -24,7 +24,7 @@ struct Theme {
   Colour unreached, cascade;
   Colour risky;                 // faces of pieces that need support
   Colour current, ghost, front; // growth: the current step, later ones, the convex front
-  Colour regionSettings, regionLayers, regionCut; // bodies of regions, by their use
+  Colour regionSettings, regionLayers, regionCut, regionLoad; // bodies of regions, by their use
 };
 
 Theme lightTheme();

@@ -10,9 +10,10 @@ using project::Region;
 
 scene::RegionLook lookOf(const Region& region) {
   const regions::RegionUse& use = regions::findUse(region.use);
-  return use.cuts          ? scene::RegionLook::Cut
-         : use.hasLayers() ? scene::RegionLook::Layers
-                           : scene::RegionLook::Settings;
+  return use.cuts             ? scene::RegionLook::Cut
+         : use.hasLayers()    ? scene::RegionLook::Layers
+         : !use.hasSettings() ? scene::RegionLook::Load
+                              : scene::RegionLook::Settings;
 }
 
 geometry::TriangleMesh overPart(const geometry::TriangleMesh& painted,

@@ -58,9 +58,9 @@ QString sentence(const base::Error& error) {
   return language::capitalized(language::words(error.whole()));
 }
 
-std::array<QColor, 3> regionColours(const QPalette& palette) {
+std::array<QColor, scene::kRegionLooks> regionColours(const QPalette& palette) {
   const scene::Theme theme = sceneTheme(palette);
-  std::array<QColor, 3> colours;
+  std::array<QColor, scene::kRegionLooks> colours;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const scene::Colour c = scene::colourOf(static_cast<scene::RegionLook>(i), theme);
     colours[i] = QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
