@@ -108,8 +108,8 @@ TEST_F(EventMarksTest, EventsAreAddedAtTheShownLayerAndMarkedAfterThePlan) {
 TEST_F(EventMarksTest, TheMenuOfTheTimeLinePausesThere) {
   planPlinth();
   choosePage(Page::Simulate);
-  const QPoint place(slider()->width() / 2, slider()->height() / 2);
   const auto choose = [&](const char* name) {
+    const QPoint place(7 * slider()->width() / 16, slider()->height() / 2); // of 8 layers
     QContextMenuEvent asks(QContextMenuEvent::Mouse, place, slider()->mapToGlobal(place));
     QApplication::sendEvent(slider(), &asks);
     auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
