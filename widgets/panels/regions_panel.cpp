@@ -149,9 +149,8 @@ void RegionsPanel::buildList(QVBoxLayout& column) {
   list_ = new QTreeWidget(this);
   list_->setObjectName(QStringLiteral("regionList"));
   list_->setColumnCount(2);
-  list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  // The use is shown below the list too, the name is not.
+  list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -112,7 +112,7 @@ QString LayerEventDialog::event() {
 }
 
 void LayerEventDialog::showProblem(const base::Error& error) {
-  problem_->setText(language::capitalized(language::words(error.whole())));
+  problem_->setText(language::capitalized(language::words(error.message())));
   problem_->show();
   adjustSize();
 }
