@@ -57,9 +57,10 @@ inline constexpr FindingRow kLayersRows[] = {
         "{help}"_text,
         {.whyNoRemedy =
              "move one of the parts on the Prepare page, or print one after another"_text}),
-    info(RegionOutside, "regionOutside",
-         "region {region} is outside the part, behind later regions, or not painted: it has no effect"_text,
-         "move it into the part, paint it, or remove it"_text),
+    info(
+        RegionOutside, "regionOutside",
+        "region {region} is outside the part, behind later regions, or not painted: it has no effect"_text,
+        "move it into the part, paint it, or remove it"_text),
     info(Staircase, "staircase",
          "{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average"_text,
          "a skin of layers along the surface has none"_text, {.remedies = kOffers<AddSkin>}),
