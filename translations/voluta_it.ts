@@ -1185,10 +1185,6 @@ mm³</translation>
         <translation>Larghezza nominale di un cordone; il processo ne fissa i limiti.</translation>
     </message>
     <message>
-        <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
-        <translation>Sostiene i voxel che la crescita mancherebbe con colonne larghe un voxel, da staccare alla fine.</translation>
-    </message>
-    <message>
         <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
         <translation>L’asse del pezzo che si allinea alla barra. auto: quello parallelo ai suoi fianchi.</translation>
     </message>
@@ -8013,10 +8009,6 @@ previsto</translation>
         <translation>percorsi dei nastri &apos;{id}&apos; sconosciuti</translation>
     </message>
     <message>
-        <source>&apos;{part}&apos; is no point of a curve for tapes</source>
-        <translation>&apos;{part}&apos; non è un punto di una curva per nastri</translation>
-    </message>
-    <message>
         <source>give points in mm: x,y or x,y,z, separated by spaces, at least two for each curve, and semicolons between curves</source>
         <translation>indica punti in mm: x,y oppure x,y,z, separati da spazi, almeno due per curva, e punto e virgola tra le curve</translation>
     </message>
@@ -10613,10 +10605,6 @@ facce %</translation>
         <translation>guarda quella riga: esporta di nuovo il file senza di essa, con linee rette o archi (G1, G2, G3)</translation>
     </message>
     <message>
-        <source>machine {machine} is safe to run, but does not print its part as asked: {reason}</source>
-        <translation>la macchina {machine} è sicura da eseguire, ma non stampa il suo pezzo come richiesto: {reason}</translation>
-    </message>
-    <message>
         <source>move the part on the plate, or slice it again for a lower speed there</source>
         <translation>sposta il pezzo sul piatto, o affettalo di nuovo con una velocità minore in quel punto</translation>
     </message>
@@ -11158,10 +11146,6 @@ non stampati</translation>
         <translation>A</translation>
     </message>
     <message>
-        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
-        <translation>Che cosa succede prima di strati del pezzo, separato da punti e virgola. Ogni voce inizia con uno strato (12) o un&apos;altezza in mm (z5.5): 12 pause TESTO; 20 wait SECONDI; 30 output NUMERO on; 40 tool NUMERO; 50 statement FORMATO RIGA.</translation>
-    </message>
-    <message>
         <source>a change of colour</source>
         <translation>un cambio di colore</translation>
     </message>
@@ -11238,10 +11222,6 @@ non stampati</translation>
         <translation>indica una direzione inclinata</translation>
     </message>
     <message>
-        <source>give it as a skin, or use it for settings</source>
-        <translation>dalla come pelle, o usala per impostazioni</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>dai prima l&apos;altezza minore</translation>
     </message>
@@ -11252,10 +11232,6 @@ non stampati</translation>
     <message>
         <source>give {field} from {least} to {most}</source>
         <translation>dai {field} da {least} a {most}</translation>
-    </message>
-    <message>
-        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
-        <translation>indica, per esempio, 12 pause; 20 pause Inserisci il dado; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript RIGA</translation>
     </message>
     <message>
         <source>height {height}</source>
@@ -11300,10 +11276,6 @@ non stampati</translation>
     <message>
         <source>mode {mode} prints on the part: it has no regions</source>
         <translation>la modalità {mode} stampa sul pezzo: non ha regioni</translation>
-    </message>
-    <message>
-        <source>move it into the part, or remove it</source>
-        <translation>spostala dentro il pezzo, o rimuovila</translation>
     </message>
     <message>
         <source>move the plane further into the part</source>
@@ -11474,10 +11446,6 @@ non stampati</translation>
         <translation>la regione {region} non ha una mesh</translation>
     </message>
     <message>
-        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
-        <translation>la regione {region} è fuori dal pezzo, o dietro regioni successive: non ha effetto</translation>
-    </message>
-    <message>
         <source>region {region} is thinner than the lowest layer ({least})</source>
         <translation>la regione {region} è più sottile dello strato più basso ({least})</translation>
     </message>
@@ -11594,14 +11562,6 @@ non stampati</translation>
         <translation>Regione</translation>
     </message>
     <message>
-        <source>nothing is painted for region {region}</source>
-        <translation>per la regione {region} non è dipinto nulla</translation>
-    </message>
-    <message>
-        <source>paint on the part, or delete the region</source>
-        <translation>dipingi sul pezzo, o elimina la regione</translation>
-    </message>
-    <message>
         <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
         <translation>&apos;{code}&apos; manca prima della riga: verrebbe eseguita prima che il braccio arrivi</translation>
     </message>
@@ -11648,6 +11608,389 @@ non stampati</translation>
         <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
         <translation>dai alla cella un punto di spurgo o una posizione di riposo accanto al piatto, o sposta il pezzo sul piatto</translation>
     </message>
+    <message>
+        <source>&apos;Close&apos; is missing behind the text</source>
+        <translation>&apos;Close&apos; manca dopo il testo</translation>
+    </message>
+    <message>
+        <source>&apos;Close&apos; without its &apos;Open&apos; before it</source>
+        <translation>&apos;Close&apos; senza il suo &apos;Open&apos; prima</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; between PVTEnter and PVTExit</source>
+        <translation>&apos;{name}&apos; tra PVTEnter e PVTExit</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no point of a curve</source>
+        <translation>&apos;{part}&apos; non è un punto di una curva</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement &apos;{text}&apos; {effect}</source>
+        <translation>&apos;{word}&apos; nell&apos;istruzione &apos;{text}&apos; {effect}</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement before {place}, &apos;{text}&apos;, {effect}</source>
+        <translation>&apos;{word}&apos; nell&apos;istruzione prima di {place}, &apos;{text}&apos;, {effect}</translation>
+    </message>
+    <message>
+        <source>Across
+layers MPa</source>
+        <translation>Tra gli
+strati MPa</translation>
+    </message>
+    <message>
+        <source>Add a skin</source>
+        <translation>Aggiungi una pelle</translation>
+    </message>
+    <message>
+        <source>Along
+stress %</source>
+        <translation>Lungo le
+tensioni %</translation>
+    </message>
+    <message>
+        <source>Break-away columns below overhangs beyond the overhang angle, in mode curved below voxels that growth would miss. A region without them blocks them.</source>
+        <translation>Colonne da staccare sotto gli sbalzi oltre l&apos;angolo di sbalzo, nel modo curved sotto i voxel che la crescita mancherebbe. Una regione senza colonne le blocca.</translation>
+    </message>
+    <message>
+        <source>Deflec-
+tion mm</source>
+        <translation>Infles-
+sione mm</translation>
+    </message>
+    <message>
+        <source>Factor of the speed of the part&apos;s beads, within the flow of the extruder and the speed of bridges.</source>
+        <translation>Fattore della velocità dei cordoni del pezzo, entro il flusso dell&apos;estrusore e la velocità dei ponti.</translation>
+    </message>
+    <message>
+        <source>For infill along a field: a direction x,y,z, or x,y,z,dx,dy,dz in mm on the plate, separated by spaces or lines, or a file of them. Empty: along the stress between regions that hold the part and regions with a force.</source>
+        <translation>Per il riempimento lungo un campo: una direzione x,y,z, oppure x,y,z,dx,dy,dz in mm sul piatto, separati da spazi o righe, o un file di questi. Vuoto: lungo le tensioni tra le regioni che tengono il pezzo e le regioni con una forza.</translation>
+    </message>
+    <message>
+        <source>Force X</source>
+        <translation>Forza X</translation>
+    </message>
+    <message>
+        <source>Force Y</source>
+        <translation>Forza Y</translation>
+    </message>
+    <message>
+        <source>Force Z</source>
+        <translation>Forza Z</translation>
+    </message>
+    <message>
+        <source>Force on the part</source>
+        <translation>Forza sul pezzo</translation>
+    </message>
+    <message>
+        <source>Held under load</source>
+        <translation>Tenuto fermo sotto carico</translation>
+    </message>
+    <message>
+        <source>In a region: closed beads that pass through it begin there, or never do if they can begin elsewhere.</source>
+        <translation>In una regione: i cordoni chiusi che la attraversano iniziano lì, oppure mai se possono iniziare altrove.</translation>
+    </message>
+    <message>
+        <source>In flat layers the region reaches half of it into the part around it, in every other layer the part reaches as far into the region, so that both hold each other.</source>
+        <translation>Negli strati piani la regione entra per metà di questo valore nel pezzo attorno; uno strato sì e uno no è il pezzo a entrare altrettanto nella regione, così i due si tengono a vicenda.</translation>
+    </message>
+    <message>
+        <source>Region {number}</source>
+        <translation>Regione {number}</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements, which nothing checks.</source>
+        <translation>Sicuro da eseguire, salvo le istruzioni proprie, che nulla controlla.</translation>
+    </message>
+    <message>
+        <source>Three curved layers along the upper surface, over the flat ones</source>
+        <translation>Tre strati curvi lungo la superficie superiore, sopra quelli piani</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 35 photo OUTPUT SECONDS; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Che cosa succede prima di strati del pezzo, separato da punti e virgola. Ogni voce inizia con uno strato (12) o un&apos;altezza in mm (z5.5): 12 pause TESTO; 20 wait SECONDI; 30 output NUMERO on; 35 photo USCITA SECONDI; 40 tool NUMERO; 50 statement FORMATO RIGA.</translation>
+    </message>
+    <message>
+        <source>a line for a wait differs from the line before in its last number</source>
+        <translation>la riga di un&apos;attesa differisce dalla riga precedente nell&apos;ultimo numero</translation>
+    </message>
+    <message>
+        <source>a region with a force contains nothing of the part that is held</source>
+        <translation>una regione con una forza non contiene nulla del pezzo che è tenuto fermo</translation>
+    </message>
+    <message>
+        <source>a skin of layers along the surface has none</source>
+        <translation>una pelle di strati lungo la superficie non ne ha</translation>
+    </message>
+    <message>
+        <source>a statement of your own sets &apos;{name}&apos;, which the program uses itself</source>
+        <translation>un&apos;istruzione propria imposta &apos;{name}&apos;, che il programma stesso usa</translation>
+    </message>
+    <message>
+        <source>add a second region of that shape for its settings</source>
+        <translation>aggiungi una seconda regione di quella forma per le sue impostazioni</translation>
+    </message>
+    <message>
+        <source>along a field</source>
+        <translation>lungo un campo</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>sempre</translation>
+    </message>
+    <message>
+        <source>changes a temperature</source>
+        <translation>modifica una temperatura</translation>
+    </message>
+    <message>
+        <source>changes the extruder</source>
+        <translation>modifica l&apos;estrusore</translation>
+    </message>
+    <message>
+        <source>changes the order of the program&apos;s lines</source>
+        <translation>modifica l&apos;ordine delle righe del programma</translation>
+    </message>
+    <message>
+        <source>changes the origin, the tool or the units</source>
+        <translation>modifica l&apos;origine, l&apos;utensile o le unità</translation>
+    </message>
+    <message>
+        <source>deflection under the forces</source>
+        <translation>inflessione sotto le forze</translation>
+    </message>
+    <message>
+        <source>field of the infill</source>
+        <translation>campo del riempimento</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the part under its load</source>
+        <translation>non trovato alcun equilibrio del pezzo sotto il suo carico</translation>
+    </message>
+    <message>
+        <source>from the file: {event} at a height of {height}</source>
+        <translation>dal file: {event} a un&apos;altezza di {height}</translation>
+    </message>
+    <message>
+        <source>give a direction x,y,z or samples x,y,z,dx,dy,dz, or the part regions that hold it and regions with a force</source>
+        <translation>dai una direzione x,y,z o campioni x,y,z,dx,dy,dz, oppure al pezzo regioni che lo tengono e regioni con una forza</translation>
+    </message>
+    <message>
+        <source>give a region where the part is fixed the use &apos;hold&apos;</source>
+        <translation>dai l&apos;uso &apos;hold&apos; a una regione in cui il pezzo è fissato</translation>
+    </message>
+    <message>
+        <source>give it as a skin or a painted surface, or use it for settings</source>
+        <translation>dalla come pelle o superficie dipinta, o usala per impostazioni</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>indica, per esempio, 12 pause; 20 pause Inserisci il dado; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript RIGA</translation>
+    </message>
+    <message>
+        <source>hold the part in more places</source>
+        <translation>tieni fermo il pezzo in più punti</translation>
+    </message>
+    <message>
+        <source>infill along the stress</source>
+        <translation>riempimento lungo le tensioni</translation>
+    </message>
+    <message>
+        <source>interlock of a region</source>
+        <translation>incastro di una regione</translation>
+    </message>
+    <message>
+        <source>is above &apos;alongMPa&apos;</source>
+        <translation>è maggiore di &apos;alongMPa&apos;</translation>
+    </message>
+    <message>
+        <source>is above {limit}</source>
+        <translation>è maggiore di {limit}</translation>
+    </message>
+    <message>
+        <source>leave it out: the plan moves the arm</source>
+        <translation>toglila: è il piano a muovere il braccio</translation>
+    </message>
+    <message>
+        <source>machine {machine} is {verdict}: {reason}</source>
+        <translation>la macchina {machine} è {verdict}: {reason}</translation>
+    </message>
+    <message>
+        <source>move it into the part, paint it, or remove it</source>
+        <translation>spostala dentro il pezzo, dipingila, o rimuovila</translation>
+    </message>
+    <message>
+        <source>move it onto the part, or make it larger</source>
+        <translation>spostala sul pezzo, o ingrandiscila</translation>
+    </message>
+    <message>
+        <source>move them onto the part, or make them larger</source>
+        <translation>spostale sul pezzo, o ingrandiscile</translation>
+    </message>
+    <message>
+        <source>moves the arm, or changes how it moves</source>
+        <translation>muove il braccio, o modifica il modo in cui si muove</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>mai</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used, as it is damaged: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, {where})</source>
+        <translation>
+            <numerusform>non usato, perché danneggiato: {paint} su {count} triangolo di &apos;{object}&apos; ({attribute}, {where})</numerusform>
+            <numerusform>non usato, perché danneggiato: {paint} su {count} triangoli di &apos;{object}&apos; ({attribute}, {where})</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops behind the last bead, where the print is done</source>
+        <translation>
+            <numerusform>non usato: {count} arresto dopo l&apos;ultimo cordone, dove la stampa è finita</numerusform>
+            <numerusform>non usati: {count} arresti dopo l&apos;ultimo cordone, dove la stampa è finita</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} in the file: the part ends at {top}</source>
+        <translation>non usato: {event} a un&apos;altezza di {height} nel file: il pezzo finisce a {top}</translation>
+    </message>
+    <message>
+        <source>nothing of the part is within the regions that hold it</source>
+        <translation>nulla del pezzo è entro le regioni che lo tengono</translation>
+    </message>
+    <message>
+        <source>paint whole faces</source>
+        <translation>dipingi facce intere</translation>
+    </message>
+    <message>
+        <source>put it into a routine on the controller, and call that</source>
+        <translation>mettila in una routine sul controllore, e richiama quella</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports, which mode {mode} does not have</source>
+        <translation>la regione {region} chiede supporti, che la modalità {mode} non ha</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports: its own layers have none</source>
+        <translation>la regione {region} chiede supporti: i suoi strati propri non ne hanno</translation>
+    </message>
+    <message>
+        <source>region {region} carries the load: it has no settings</source>
+        <translation>la regione {region} porta il carico: non ha impostazioni</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, behind later regions, or not painted: it has no effect</source>
+        <translation>la regione {region} è fuori dal pezzo, dietro regioni successive, o non dipinta: non ha effetto</translation>
+    </message>
+    <message>
+        <source>region {region}: half of no face of the part is painted</source>
+        <translation>regione {region}: nessuna faccia del pezzo è dipinta almeno per metà</translation>
+    </message>
+    <message>
+        <source>safe to run but for its own statements, which nothing checks</source>
+        <translation>sicura da eseguire, salvo le sue istruzioni proprie, che nulla controlla</translation>
+    </message>
+    <message>
+        <source>safe to run, but does not print its part as asked</source>
+        <translation>sicura da eseguire, ma non stampa il suo pezzo come richiesto</translation>
+    </message>
+    <message>
+        <source>seam here</source>
+        <translation>giunzione qui</translation>
+    </message>
+    <message>
+        <source>set `supports=none` for the region, or choose another mode</source>
+        <translation>imposta `supports=none` per la regione, o scegli un&apos;altra modalità</translation>
+    </message>
+    <message>
+        <source>set it in the cell before the program starts</source>
+        <translation>impostalo nella cella prima che il programma inizi</translation>
+    </message>
+    <message>
+        <source>set it in the process</source>
+        <translation>impostalo nel processo</translation>
+    </message>
+    <message>
+        <source>set the temperatures of the material</source>
+        <translation>imposta le temperature del materiale</translation>
+    </message>
+    <message>
+        <source>sets an output</source>
+        <translation>imposta un&apos;uscita</translation>
+    </message>
+    <message>
+        <source>speed factor</source>
+        <translation>fattore di velocità</translation>
+    </message>
+    <message>
+        <source>stops or ends the program</source>
+        <translation>ferma o termina il programma</translation>
+    </message>
+    <message>
+        <source>tension across layers</source>
+        <translation>trazione tra gli strati</translation>
+    </message>
+    <message>
+        <source>there are regions with a force, but none that holds the part</source>
+        <translation>ci sono regioni con una forza, ma nessuna che tiene il pezzo</translation>
+    </message>
+    <message>
+        <source>there is no field of directions for the infill</source>
+        <translation>non c&apos;è un campo di direzioni per il riempimento</translation>
+    </message>
+    <message>
+        <source>under all overhangs</source>
+        <translation>sotto tutti gli sbalzi</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, with `use=settings`</source>
+        <translation>usa una regione a parte per i supporti, con `use=settings`</translation>
+    </message>
+    <message>
+        <source>use another name</source>
+        <translation>usa un altro nome</translation>
+    </message>
+    <message>
+        <source>use the event `output`, for example 30 output 3 on</source>
+        <translation>usa l&apos;evento `output`, per esempio 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>use the event `pause`, for example 12 pause Put in the nut</source>
+        <translation>usa l&apos;evento `pause`, per esempio 12 pause Inserisci il dado</translation>
+    </message>
+    <message>
+        <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
+        <translation>il {share:.0f} della superficie è in lieve pendenza, con gradini di {mean:.2g} in media</translation>
+    </message>
+</context>
+<context>
+    <name>EventMarks</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Pause: %1</source>
+        <translation>Pausa: %1</translation>
+    </message>
+    <message>
+        <source>Wait: %1 s</source>
+        <translation>Attesa: %1 s</translation>
+    </message>
+    <message>
+        <source>Output %1 on</source>
+        <translation>Uscita %1 accesa</translation>
+    </message>
+    <message>
+        <source>Output %1 off</source>
+        <translation>Uscita %1 spenta</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Utensile %1</translation>
+    </message>
+    <message>
+        <source>Before layer %1: %2</source>
+        <translation>Prima dello strato %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11681,6 +12024,21 @@ non stampati</translation>
     <message>
         <source>Block height</source>
         <translation>Altezza del blocco</translation>
+    </message>
+</context>
+<context>
+    <name>LayerEvents</name>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Il prossimo piano fa una pausa prima dello strato %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Il prossimo piano non fa pause prima dello strato %1.</translation>
+    </message>
+    <message>
+        <source>The next plan has the event before layer %1.</source>
+        <translation>Il prossimo piano ha l&apos;evento prima dello strato %1.</translation>
     </message>
 </context>
 <context>
@@ -13064,6 +13422,18 @@ Fai clic per sceglierne un altro</translation>
         <source>Do not run the programs before these are solved.</source>
         <translation>Non eseguire i programmi prima di aver risolto queste segnalazioni.</translation>
     </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Non controllato</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Sicuro da eseguire, salvo le istruzioni proprie: %1</translation>
+    </message>
+    <message>
+        <source>Nothing checks what they do. Try them on the controller with the arm clear first.</source>
+        <translation>Nulla controlla che cosa fanno. Provale prima sul controllore con il braccio in posizione libera.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsModel</name>
@@ -13093,6 +13463,10 @@ Fai clic per sceglierne un altro</translation>
             <numerusform>%n punto</numerusform>
             <numerusform>%n punti</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not checked: %1</source>
+        <translation>Non controllato: %1</translation>
     </message>
 </context>
 <context>
@@ -13207,6 +13581,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Safe to run, not as asked: %1</source>
         <translation>Sicuro da eseguire, non come richiesto: %1</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Sicuro da eseguire, salvo le istruzioni proprie: %1</translation>
     </message>
 </context>
 <context>
@@ -13494,6 +13872,14 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Paint on the part. Shift or the right button erases.</source>
         <translation>Dipingi sul pezzo. Maiusc o il tasto destro cancella.</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rettangolo</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
+        <translation>Trascina un rettangolo: dipinge ciò che vi si vede. Maiusc o il tasto destro cancella.</translation>
     </message>
 </context>
 <context>
@@ -13866,10 +14252,6 @@ Fai clic per sceglierne un altro</translation>
         <translation>Regioni di %1</translation>
     </message>
     <message>
-        <source>Only a skin follows the surface</source>
-        <translation>Solo una pelle segue la superficie</translation>
-    </message>
-    <message>
         <source>Rename region</source>
         <translation>Rinomina regione</translation>
     </message>
@@ -13936,6 +14318,10 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Close</source>
         <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Only a skin or a painted surface says which faces the layers follow</source>
+        <translation>Solo una pelle o una superficie dipinta dice quali facce seguono gli strati</translation>
     </message>
 </context>
 <context>
@@ -15014,6 +15400,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
             <numerusform>%n pezzi</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1. Their regions have moved with them.</source>
+        <translation>%1. Le loro regioni si sono spostate insieme.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ExportPage</name>
@@ -15184,8 +15574,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>bloccato: vedi le segnalazioni</translation>
     </message>
     <message>
-        <source>not as asked: see the findings</source>
-        <translation>non come richiesto: vedere le segnalazioni</translation>
+        <source>not as asked or not checked: see the findings</source>
+        <translation>non come richiesto o non controllato: vedere le segnalazioni</translation>
     </message>
 </context>
 <context>
@@ -15242,6 +15632,73 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::LayerEventDialog</name>
+    <message>
+        <source>Event before layer %1</source>
+        <translation>Evento prima dello strato %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Attesa</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Uscita</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Utensile</translation>
+    </message>
+    <message>
+        <source>Own statement</source>
+        <translation>Istruzione propria</translation>
+    </message>
+    <message>
+        <source>Shown to the operator; the arm waits until the operator continues</source>
+        <translation>Mostrato all&apos;operatore; il braccio attende finché l&apos;operatore non prosegue</translation>
+    </message>
+    <message>
+        <source>This line is written into programs of the format. Nothing checks it</source>
+        <translation>Questa riga viene scritta nei programmi del formato. Nulla la controlla</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Accesa</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>&amp;Evento</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>Te&amp;sto</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Durata</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Numero</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>&amp;Utensile</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Riga</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -15252,12 +15709,12 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>I pezzi sono mostrati interi</translation>
     </message>
     <message>
-        <source>The next plan pauses before layer %1.</source>
-        <translation>Il prossimo piano fa una pausa prima dello strato %1.</translation>
+        <source>Event before this layer…</source>
+        <translation>Evento prima di questo strato…</translation>
     </message>
     <message>
-        <source>The next plan does not pause before layer %1.</source>
-        <translation>Il prossimo piano non fa pause prima dello strato %1.</translation>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>Una pausa, un&apos;attesa, un&apos;uscita, un altro utensile o una riga propria</translation>
     </message>
 </context>
 <context>
@@ -16408,6 +16865,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Reading %1…</source>
         <translation>Lettura di %1…</translation>
     </message>
+    <message>
+        <source>Nothing is painted yet: the region has no effect.</source>
+        <translation>Non è ancora dipinto nulla: la regione non ha effetto.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::RemedyEffect</name>
@@ -16661,6 +17122,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Done. Safe to run, not as asked: %1.</source>
         <translation>Fatto. Sicuro da eseguire, non come richiesto: %1.</translation>
     </message>
+    <message>
+        <source>safe to run but for your own statements</source>
+        <translation>sicuro da eseguire, salvo le istruzioni proprie</translation>
+    </message>
+    <message>
+        <source>Done. Safe to run but for your own statements.</source>
+        <translation>Fatto. Sicuro da eseguire, salvo le istruzioni proprie.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -16762,6 +17231,26 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Solid where the nozzle prints, dashed where it travels</source>
         <translation>Continua dove l&apos;ugello stampa, tratteggiata dove si sposta</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Rimuovi la pausa prima dello strato %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1</source>
+        <translation>Pausa prima dello strato %1</translation>
+    </message>
+    <message>
+        <source>Event before layer %1…</source>
+        <translation>Evento prima dello strato %1…</translation>
+    </message>
+    <message>
+        <source>Event before this layer…</source>
+        <translation>Evento prima di questo strato…</translation>
+    </message>
+    <message>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>Una pausa, un&apos;attesa, un&apos;uscita, un altro utensile o una riga propria</translation>
     </message>
 </context>
 <context>
@@ -17104,6 +17593,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>%1: safe to run, but it does not print the part as asked.</source>
         <translation>%1: sicuro da eseguire, ma non stampa il pezzo come richiesto.</translation>
+    </message>
+    <message>
+        <source>%1: safe to run but for your own statements, which nothing checks.</source>
+        <translation>%1: sicuro da eseguire, salvo le istruzioni proprie, che nulla controlla.</translation>
     </message>
 </context>
 <context>

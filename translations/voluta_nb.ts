@@ -1185,10 +1185,6 @@ mm³</translation>
         <translation>Nominell strengbredde; begrenset av prosessen.</translation>
     </message>
     <message>
-        <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
-        <translation>Støtter voksler som veksten ellers ville miste, med avbrekkbare søyler som er én voksel brede.</translation>
-    </message>
-    <message>
         <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
         <translation>Aksen i delen som rettes inn etter stangen. auto: aksen som er parallell med sidene.</translation>
     </message>
@@ -8013,10 +8009,6 @@ tid</translation>
         <translation>ukjente tapebaner &apos;{id}&apos;</translation>
     </message>
     <message>
-        <source>&apos;{part}&apos; is no point of a curve for tapes</source>
-        <translation>&apos;{part}&apos; er ikke et punkt på en kurve for tape</translation>
-    </message>
-    <message>
         <source>give points in mm: x,y or x,y,z, separated by spaces, at least two for each curve, and semicolons between curves</source>
         <translation>oppgi punkter i mm: x,y eller x,y,z, atskilt med mellomrom, minst to for hver kurve, og semikolon mellom kurver</translation>
     </message>
@@ -10613,10 +10605,6 @@ flater %</translation>
         <translation>se på den linjen: eksporter filen på nytt uten den, med rette linjer eller buer (G1, G2, G3)</translation>
     </message>
     <message>
-        <source>machine {machine} is safe to run, but does not print its part as asked: {reason}</source>
-        <translation>maskin {machine} er trygg å kjøre, men printer ikke delen sin som ønsket: {reason}</translation>
-    </message>
-    <message>
         <source>move the part on the plate, or slice it again for a lower speed there</source>
         <translation>flytt delen på byggeplaten, eller slice den på nytt for lavere hastighet der</translation>
     </message>
@@ -11158,10 +11146,6 @@ uten utskrift</translation>
         <translation>Til</translation>
     </message>
     <message>
-        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
-        <translation>Det som skjer før lag i delen, atskilt med semikolon. Hvert begynner med et lag (12) eller en høyde i mm (z5.5): 12 pause TEKST; 20 wait SEKUNDER; 30 output NUMMER on; 40 tool NUMMER; 50 statement FORMAT LINJE.</translation>
-    </message>
-    <message>
         <source>a change of colour</source>
         <translation>et fargebytte</translation>
     </message>
@@ -11238,10 +11222,6 @@ uten utskrift</translation>
         <translation>oppgi en skrå retning</translation>
     </message>
     <message>
-        <source>give it as a skin, or use it for settings</source>
-        <translation>oppgi den som hud, eller bruk den til innstillinger</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>oppgi den laveste høyden først</translation>
     </message>
@@ -11252,10 +11232,6 @@ uten utskrift</translation>
     <message>
         <source>give {field} from {least} to {most}</source>
         <translation>oppgi {field} fra {least} til {most}</translation>
-    </message>
-    <message>
-        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
-        <translation>oppgi for eksempel 12 pause; 20 pause Legg inn mutteren; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINJE</translation>
     </message>
     <message>
         <source>height {height}</source>
@@ -11300,10 +11276,6 @@ uten utskrift</translation>
     <message>
         <source>mode {mode} prints on the part: it has no regions</source>
         <translation>modus {mode} skriver ut på delen: den har ingen regioner</translation>
-    </message>
-    <message>
-        <source>move it into the part, or remove it</source>
-        <translation>flytt den inn i delen, eller fjern den</translation>
     </message>
     <message>
         <source>move the plane further into the part</source>
@@ -11474,10 +11446,6 @@ uten utskrift</translation>
         <translation>region {region} har ikke noe nett</translation>
     </message>
     <message>
-        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
-        <translation>region {region} ligger utenfor delen, eller bak senere regioner: den har ingen virkning</translation>
-    </message>
-    <message>
         <source>region {region} is thinner than the lowest layer ({least})</source>
         <translation>region {region} er tynnere enn det laveste laget ({least})</translation>
     </message>
@@ -11594,14 +11562,6 @@ uten utskrift</translation>
         <translation>Region</translation>
     </message>
     <message>
-        <source>nothing is painted for region {region}</source>
-        <translation>ingenting er malt for region {region}</translation>
-    </message>
-    <message>
-        <source>paint on the part, or delete the region</source>
-        <translation>mal på delen, eller slett regionen</translation>
-    </message>
-    <message>
         <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
         <translation>&apos;{code}&apos; mangler før linjen: den ville kjøre foran armen</translation>
     </message>
@@ -11648,6 +11608,389 @@ uten utskrift</translation>
         <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
         <translation>gi cellen en spyleplass eller en hvilestilling ved siden av byggeplaten, eller flytt delen på byggeplaten</translation>
     </message>
+    <message>
+        <source>&apos;Close&apos; is missing behind the text</source>
+        <translation>&apos;Close&apos; mangler etter teksten</translation>
+    </message>
+    <message>
+        <source>&apos;Close&apos; without its &apos;Open&apos; before it</source>
+        <translation>&apos;Close&apos; uten tilhørende &apos;Open&apos; foran</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; between PVTEnter and PVTExit</source>
+        <translation>&apos;{name}&apos; mellom PVTEnter og PVTExit</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no point of a curve</source>
+        <translation>&apos;{part}&apos; er ikke et punkt på en kurve</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement &apos;{text}&apos; {effect}</source>
+        <translation>&apos;{word}&apos; i setningen &apos;{text}&apos; {effect}</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement before {place}, &apos;{text}&apos;, {effect}</source>
+        <translation>&apos;{word}&apos; i setningen før {place}, &apos;{text}&apos;, {effect}</translation>
+    </message>
+    <message>
+        <source>Across
+layers MPa</source>
+        <translation>På tvers av
+lag MPa</translation>
+    </message>
+    <message>
+        <source>Add a skin</source>
+        <translation>Legg til en hud</translation>
+    </message>
+    <message>
+        <source>Along
+stress %</source>
+        <translation>Langs
+spenning %</translation>
+    </message>
+    <message>
+        <source>Break-away columns below overhangs beyond the overhang angle, in mode curved below voxels that growth would miss. A region without them blocks them.</source>
+        <translation>Avbrekkbare søyler under overheng utover overhengsvinkelen, i modus curved under voksler som veksten ellers ville miste. En region uten dem blokkerer dem.</translation>
+    </message>
+    <message>
+        <source>Deflec-
+tion mm</source>
+        <translation>Ned-
+bøyning mm</translation>
+    </message>
+    <message>
+        <source>Factor of the speed of the part&apos;s beads, within the flow of the extruder and the speed of bridges.</source>
+        <translation>Faktor for hastigheten til delens strenger, innenfor ekstruderens materialstrøm og brohastigheten.</translation>
+    </message>
+    <message>
+        <source>For infill along a field: a direction x,y,z, or x,y,z,dx,dy,dz in mm on the plate, separated by spaces or lines, or a file of them. Empty: along the stress between regions that hold the part and regions with a force.</source>
+        <translation>For fyll langs et felt: en retning x,y,z, eller x,y,z,dx,dy,dz i mm på byggeplaten, atskilt med mellomrom eller linjeskift, eller en fil med dem. Tomt: langs spenningene mellom regioner som holder delen, og regioner med en kraft.</translation>
+    </message>
+    <message>
+        <source>Force X</source>
+        <translation>Kraft X</translation>
+    </message>
+    <message>
+        <source>Force Y</source>
+        <translation>Kraft Y</translation>
+    </message>
+    <message>
+        <source>Force Z</source>
+        <translation>Kraft Z</translation>
+    </message>
+    <message>
+        <source>Force on the part</source>
+        <translation>Kraft på delen</translation>
+    </message>
+    <message>
+        <source>Held under load</source>
+        <translation>Holdt fast under last</translation>
+    </message>
+    <message>
+        <source>In a region: closed beads that pass through it begin there, or never do if they can begin elsewhere.</source>
+        <translation>I en region: lukkede strenger som går gjennom den, begynner der, eller aldri hvis de kan begynne et annet sted.</translation>
+    </message>
+    <message>
+        <source>In flat layers the region reaches half of it into the part around it, in every other layer the part reaches as far into the region, so that both hold each other.</source>
+        <translation>I flate lag går regionen halve verdien inn i delen rundt; i annethvert lag går delen like langt inn i regionen, så de holder hverandre fast.</translation>
+    </message>
+    <message>
+        <source>Region {number}</source>
+        <translation>Region {number}</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements, which nothing checks.</source>
+        <translation>Trygt å kjøre, bortsett fra egne setninger, som ingenting kontrollerer.</translation>
+    </message>
+    <message>
+        <source>Three curved layers along the upper surface, over the flat ones</source>
+        <translation>Tre krumme lag langs den øvre overflaten, over de flate</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 35 photo OUTPUT SECONDS; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Det som skjer før lag i delen, atskilt med semikolon. Hvert begynner med et lag (12) eller en høyde i mm (z5.5): 12 pause TEKST; 20 wait SEKUNDER; 30 output NUMMER on; 35 photo UTGANG SEKUNDER; 40 tool NUMMER; 50 statement FORMAT LINJE.</translation>
+    </message>
+    <message>
+        <source>a line for a wait differs from the line before in its last number</source>
+        <translation>en linje for venting skiller seg fra linjen før i det siste tallet</translation>
+    </message>
+    <message>
+        <source>a region with a force contains nothing of the part that is held</source>
+        <translation>en region med en kraft inneholder ingenting av delen som holdes fast</translation>
+    </message>
+    <message>
+        <source>a skin of layers along the surface has none</source>
+        <translation>en hud av lag langs overflaten har ingen</translation>
+    </message>
+    <message>
+        <source>a statement of your own sets &apos;{name}&apos;, which the program uses itself</source>
+        <translation>en egen setning setter &apos;{name}&apos;, som programmet selv bruker</translation>
+    </message>
+    <message>
+        <source>add a second region of that shape for its settings</source>
+        <translation>legg til en region til med samme form for innstillingene</translation>
+    </message>
+    <message>
+        <source>along a field</source>
+        <translation>langs et felt</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>alltid</translation>
+    </message>
+    <message>
+        <source>changes a temperature</source>
+        <translation>endrer en temperatur</translation>
+    </message>
+    <message>
+        <source>changes the extruder</source>
+        <translation>endrer ekstruderen</translation>
+    </message>
+    <message>
+        <source>changes the order of the program&apos;s lines</source>
+        <translation>endrer rekkefølgen på programmets linjer</translation>
+    </message>
+    <message>
+        <source>changes the origin, the tool or the units</source>
+        <translation>endrer origo, verktøyet eller enhetene</translation>
+    </message>
+    <message>
+        <source>deflection under the forces</source>
+        <translation>nedbøyning under kreftene</translation>
+    </message>
+    <message>
+        <source>field of the infill</source>
+        <translation>felt for fyllet</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the part under its load</source>
+        <translation>fant ingen likevekt for delen under lasten</translation>
+    </message>
+    <message>
+        <source>from the file: {event} at a height of {height}</source>
+        <translation>fra filen: {event} i en høyde på {height}</translation>
+    </message>
+    <message>
+        <source>give a direction x,y,z or samples x,y,z,dx,dy,dz, or the part regions that hold it and regions with a force</source>
+        <translation>oppgi en retning x,y,z eller punkter x,y,z,dx,dy,dz, eller gi delen regioner som holder den, og regioner med en kraft</translation>
+    </message>
+    <message>
+        <source>give a region where the part is fixed the use &apos;hold&apos;</source>
+        <translation>gi en region der delen er festet, bruken &apos;hold&apos;</translation>
+    </message>
+    <message>
+        <source>give it as a skin or a painted surface, or use it for settings</source>
+        <translation>oppgi den som hud eller malt overflate, eller bruk den til innstillinger</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>oppgi for eksempel 12 pause; 20 pause Legg inn mutteren; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINJE</translation>
+    </message>
+    <message>
+        <source>hold the part in more places</source>
+        <translation>hold delen fast på flere steder</translation>
+    </message>
+    <message>
+        <source>infill along the stress</source>
+        <translation>fyll langs spenningene</translation>
+    </message>
+    <message>
+        <source>interlock of a region</source>
+        <translation>sammenlåsing av en region</translation>
+    </message>
+    <message>
+        <source>is above &apos;alongMPa&apos;</source>
+        <translation>er over &apos;alongMPa&apos;</translation>
+    </message>
+    <message>
+        <source>is above {limit}</source>
+        <translation>er over {limit}</translation>
+    </message>
+    <message>
+        <source>leave it out: the plan moves the arm</source>
+        <translation>utelat den: det er planen som beveger armen</translation>
+    </message>
+    <message>
+        <source>machine {machine} is {verdict}: {reason}</source>
+        <translation>maskin {machine} er {verdict}: {reason}</translation>
+    </message>
+    <message>
+        <source>move it into the part, paint it, or remove it</source>
+        <translation>flytt den inn i delen, mal den, eller fjern den</translation>
+    </message>
+    <message>
+        <source>move it onto the part, or make it larger</source>
+        <translation>flytt den inn på delen, eller gjør den større</translation>
+    </message>
+    <message>
+        <source>move them onto the part, or make them larger</source>
+        <translation>flytt dem inn på delen, eller gjør dem større</translation>
+    </message>
+    <message>
+        <source>moves the arm, or changes how it moves</source>
+        <translation>beveger armen, eller endrer hvordan den beveger seg</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>aldri</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used, as it is damaged: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, {where})</source>
+        <translation>
+            <numerusform>ikke brukt, fordi det er skadet: {paint} på {count} trekant i &apos;{object}&apos; ({attribute}, {where})</numerusform>
+            <numerusform>ikke brukt, fordi det er skadet: {paint} på {count} trekanter i &apos;{object}&apos; ({attribute}, {where})</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops behind the last bead, where the print is done</source>
+        <translation>
+            <numerusform>ikke brukt: {count} stopp etter den siste strengen, der utskriften er ferdig</numerusform>
+            <numerusform>ikke brukt: {count} stopp etter den siste strengen, der utskriften er ferdig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} in the file: the part ends at {top}</source>
+        <translation>ikke brukt: {event} i en høyde på {height} i filen: delen slutter ved {top}</translation>
+    </message>
+    <message>
+        <source>nothing of the part is within the regions that hold it</source>
+        <translation>ingenting av delen er innenfor regionene som holder den</translation>
+    </message>
+    <message>
+        <source>paint whole faces</source>
+        <translation>mal hele flater</translation>
+    </message>
+    <message>
+        <source>put it into a routine on the controller, and call that</source>
+        <translation>legg den i en rutine på styringen, og kall rutinen</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports, which mode {mode} does not have</source>
+        <translation>region {region} ber om støtte, som modus {mode} ikke har</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports: its own layers have none</source>
+        <translation>region {region} ber om støtte: dens egne lag har ingen</translation>
+    </message>
+    <message>
+        <source>region {region} carries the load: it has no settings</source>
+        <translation>region {region} bærer lasten: den har ingen innstillinger</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, behind later regions, or not painted: it has no effect</source>
+        <translation>region {region} ligger utenfor delen, bak senere regioner, eller er ikke malt: den har ingen virkning</translation>
+    </message>
+    <message>
+        <source>region {region}: half of no face of the part is painted</source>
+        <translation>region {region}: ingen flate på delen er malt til minst halvparten</translation>
+    </message>
+    <message>
+        <source>safe to run but for its own statements, which nothing checks</source>
+        <translation>trygg å kjøre, bortsett fra dens egne setninger, som ingenting kontrollerer</translation>
+    </message>
+    <message>
+        <source>safe to run, but does not print its part as asked</source>
+        <translation>trygg å kjøre, men printer ikke delen sin som ønsket</translation>
+    </message>
+    <message>
+        <source>seam here</source>
+        <translation>søm her</translation>
+    </message>
+    <message>
+        <source>set `supports=none` for the region, or choose another mode</source>
+        <translation>sett `supports=none` for regionen, eller velg en annen modus</translation>
+    </message>
+    <message>
+        <source>set it in the cell before the program starts</source>
+        <translation>angi det i cellen før programmet starter</translation>
+    </message>
+    <message>
+        <source>set it in the process</source>
+        <translation>angi det i prosessen</translation>
+    </message>
+    <message>
+        <source>set the temperatures of the material</source>
+        <translation>angi materialets temperaturer</translation>
+    </message>
+    <message>
+        <source>sets an output</source>
+        <translation>setter en utgang</translation>
+    </message>
+    <message>
+        <source>speed factor</source>
+        <translation>hastighetsfaktor</translation>
+    </message>
+    <message>
+        <source>stops or ends the program</source>
+        <translation>stopper eller avslutter programmet</translation>
+    </message>
+    <message>
+        <source>tension across layers</source>
+        <translation>strekk på tvers av lagene</translation>
+    </message>
+    <message>
+        <source>there are regions with a force, but none that holds the part</source>
+        <translation>det finnes regioner med en kraft, men ingen som holder delen</translation>
+    </message>
+    <message>
+        <source>there is no field of directions for the infill</source>
+        <translation>det finnes ikke noe retningsfelt for fyllet</translation>
+    </message>
+    <message>
+        <source>under all overhangs</source>
+        <translation>under alle overheng</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, with `use=settings`</source>
+        <translation>bruk en egen region for støtten, med `use=settings`</translation>
+    </message>
+    <message>
+        <source>use another name</source>
+        <translation>bruk et annet navn</translation>
+    </message>
+    <message>
+        <source>use the event `output`, for example 30 output 3 on</source>
+        <translation>bruk hendelsen `output`, for eksempel 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>use the event `pause`, for example 12 pause Put in the nut</source>
+        <translation>bruk hendelsen `pause`, for eksempel 12 pause Legg inn mutteren</translation>
+    </message>
+    <message>
+        <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
+        <translation>{share:.0f} av overflaten er slake skråninger med trinn på {mean:.2g} i snitt</translation>
+    </message>
+</context>
+<context>
+    <name>EventMarks</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause: %1</source>
+        <translation>Pause: %1</translation>
+    </message>
+    <message>
+        <source>Wait: %1 s</source>
+        <translation>Vent: %1 s</translation>
+    </message>
+    <message>
+        <source>Output %1 on</source>
+        <translation>Utgang %1 på</translation>
+    </message>
+    <message>
+        <source>Output %1 off</source>
+        <translation>Utgang %1 av</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Verktøy %1</translation>
+    </message>
+    <message>
+        <source>Before layer %1: %2</source>
+        <translation>Før lag %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11681,6 +12024,21 @@ uten utskrift</translation>
     <message>
         <source>Block height</source>
         <translation>Blokkhøyde</translation>
+    </message>
+</context>
+<context>
+    <name>LayerEvents</name>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Neste plan tar pause før lag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Neste plan tar ikke pause før lag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan has the event before layer %1.</source>
+        <translation>Neste plan har hendelsen før lag %1.</translation>
     </message>
 </context>
 <context>
@@ -13064,6 +13422,18 @@ Klikk for å velge en annen</translation>
         <source>Do not run the programs before these are solved.</source>
         <translation>Ikke kjør programmene før disse er løst.</translation>
     </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Ikke kontrollert</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Trygt å kjøre, bortsett fra egne setninger: %1</translation>
+    </message>
+    <message>
+        <source>Nothing checks what they do. Try them on the controller with the arm clear first.</source>
+        <translation>Ingenting kontrollerer hva de gjør. Prøv dem først på styringen med armen i fri stilling.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsModel</name>
@@ -13093,6 +13463,10 @@ Klikk for å velge en annen</translation>
             <numerusform>%n sted</numerusform>
             <numerusform>%n steder</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not checked: %1</source>
+        <translation>Ikke kontrollert: %1</translation>
     </message>
 </context>
 <context>
@@ -13207,6 +13581,10 @@ Klikk for å velge en annen</translation>
     <message>
         <source>Safe to run, not as asked: %1</source>
         <translation>Trygt å kjøre, ikke som ønsket: %1</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Trygt å kjøre, bortsett fra egne setninger: %1</translation>
     </message>
 </context>
 <context>
@@ -13494,6 +13872,14 @@ Klikk for å velge en annen</translation>
     <message>
         <source>Paint on the part. Shift or the right button erases.</source>
         <translation>Mal på delen. Shift eller høyre knapp visker ut.</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rektangel</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
+        <translation>Dra et rektangel: det maler det du ser i det. Shift eller høyre knapp visker ut.</translation>
     </message>
 </context>
 <context>
@@ -13866,10 +14252,6 @@ Klikk for å velge en annen</translation>
         <translation>Regioner i %1</translation>
     </message>
     <message>
-        <source>Only a skin follows the surface</source>
-        <translation>Bare en hud følger overflaten</translation>
-    </message>
-    <message>
         <source>Rename region</source>
         <translation>Gi region nytt navn</translation>
     </message>
@@ -13936,6 +14318,10 @@ Klikk for å velge en annen</translation>
     <message>
         <source>Close</source>
         <translation>Lukk</translation>
+    </message>
+    <message>
+        <source>Only a skin or a painted surface says which faces the layers follow</source>
+        <translation>Bare en hud eller en malt overflate angir hvilke flater lagene følger</translation>
     </message>
 </context>
 <context>
@@ -15014,6 +15400,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
             <numerusform>%n deler</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1. Their regions have moved with them.</source>
+        <translation>%1. Regionene deres har flyttet seg med dem.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ExportPage</name>
@@ -15184,8 +15574,8 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <translation>blokkert: se funnene</translation>
     </message>
     <message>
-        <source>not as asked: see the findings</source>
-        <translation>ikke som ønsket: se funnene</translation>
+        <source>not as asked or not checked: see the findings</source>
+        <translation>ikke som ønsket eller ikke kontrollert: se funnene</translation>
     </message>
 </context>
 <context>
@@ -15242,6 +15632,73 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     </message>
 </context>
 <context>
+    <name>voluta::window::LayerEventDialog</name>
+    <message>
+        <source>Event before layer %1</source>
+        <translation>Hendelse før lag %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Venting</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Utgang</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Verktøy</translation>
+    </message>
+    <message>
+        <source>Own statement</source>
+        <translation>Egen setning</translation>
+    </message>
+    <message>
+        <source>Shown to the operator; the arm waits until the operator continues</source>
+        <translation>Vises til operatøren; armen venter til operatøren fortsetter</translation>
+    </message>
+    <message>
+        <source>This line is written into programs of the format. Nothing checks it</source>
+        <translation>Denne linjen skrives inn i programmer i formatet. Ingenting kontrollerer den</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>På</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>&amp;Hendelse</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>Te&amp;kst</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Varighet</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Nummer</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>Verk&amp;tøy</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Linje</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -15252,12 +15709,12 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <translation>Stykker vises alltid hele</translation>
     </message>
     <message>
-        <source>The next plan pauses before layer %1.</source>
-        <translation>Neste plan tar pause før lag %1.</translation>
+        <source>Event before this layer…</source>
+        <translation>Hendelse før dette laget…</translation>
     </message>
     <message>
-        <source>The next plan does not pause before layer %1.</source>
-        <translation>Neste plan tar ikke pause før lag %1.</translation>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>En pause, en venting, en utgang, et annet verktøy eller en egen linje</translation>
     </message>
 </context>
 <context>
@@ -16408,6 +16865,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <source>Reading %1…</source>
         <translation>Leser %1…</translation>
     </message>
+    <message>
+        <source>Nothing is painted yet: the region has no effect.</source>
+        <translation>Ingenting er malt ennå: regionen har ingen virkning.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::RemedyEffect</name>
@@ -16661,6 +17122,14 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
         <source>Done. Safe to run, not as asked: %1.</source>
         <translation>Ferdig. Trygt å kjøre, ikke som ønsket: %1.</translation>
     </message>
+    <message>
+        <source>safe to run but for your own statements</source>
+        <translation>trygt å kjøre, bortsett fra egne setninger</translation>
+    </message>
+    <message>
+        <source>Done. Safe to run but for your own statements.</source>
+        <translation>Ferdig. Trygt å kjøre, bortsett fra egne setninger.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -16762,6 +17231,26 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>Solid where the nozzle prints, dashed where it travels</source>
         <translation>Heltrukket der dysen skriver ut, stiplet der den forflytter seg</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Fjern pausen før lag %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1</source>
+        <translation>Pause før lag %1</translation>
+    </message>
+    <message>
+        <source>Event before layer %1…</source>
+        <translation>Hendelse før lag %1…</translation>
+    </message>
+    <message>
+        <source>Event before this layer…</source>
+        <translation>Hendelse før dette laget…</translation>
+    </message>
+    <message>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>En pause, en venting, en utgang, et annet verktøy eller en egen linje</translation>
     </message>
 </context>
 <context>
@@ -17104,6 +17593,10 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>%1: safe to run, but it does not print the part as asked.</source>
         <translation>%1: trygt å kjøre, men det printer ikke delen som ønsket.</translation>
+    </message>
+    <message>
+        <source>%1: safe to run but for your own statements, which nothing checks.</source>
+        <translation>%1: trygt å kjøre, bortsett fra egne setninger, som ingenting kontrollerer.</translation>
     </message>
 </context>
 <context>

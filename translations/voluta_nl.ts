@@ -1185,10 +1185,6 @@ mm³</translation>
         <translation>Nominale strengbreedte; begrensd door het proces.</translation>
     </message>
     <message>
-        <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
-        <translation>Ondersteunt voxels die de groei zou missen met afbreekbare kolommen van één voxel breed.</translation>
-    </message>
-    <message>
         <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
         <translation>De as van het onderdeel die met de staaf wordt uitgelijnd. auto: de as evenwijdig aan de zijden.</translation>
     </message>
@@ -8013,10 +8009,6 @@ tijd</translation>
         <translation>onbekende banen van tapes &apos;{id}&apos;</translation>
     </message>
     <message>
-        <source>&apos;{part}&apos; is no point of a curve for tapes</source>
-        <translation>&apos;{part}&apos; is geen punt van een kromme voor tapes</translation>
-    </message>
-    <message>
         <source>give points in mm: x,y or x,y,z, separated by spaces, at least two for each curve, and semicolons between curves</source>
         <translation>geef punten in mm: x,y of x,y,z, gescheiden door spaties, minstens twee per kromme, met puntkomma&apos;s tussen krommen</translation>
     </message>
@@ -10613,10 +10605,6 @@ vlakken %</translation>
         <translation>bekijk die regel: exporteer het bestand opnieuw zonder, met rechte lijnen of bogen (G1, G2, G3)</translation>
     </message>
     <message>
-        <source>machine {machine} is safe to run, but does not print its part as asked: {reason}</source>
-        <translation>machine {machine} is veilig om uit te voeren, maar print haar onderdeel niet zoals gevraagd: {reason}</translation>
-    </message>
-    <message>
         <source>move the part on the plate, or slice it again for a lower speed there</source>
         <translation>verplaats het onderdeel op de plaat, of slice het opnieuw voor een lagere snelheid daar</translation>
     </message>
@@ -11158,10 +11146,6 @@ voxels</translation>
         <translation>Tot</translation>
     </message>
     <message>
-        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
-        <translation>Wat er vóór lagen van het onderdeel gebeurt, gescheiden door puntkomma&apos;s. Elk begint met een laag (12) of een hoogte in mm (z5.5): 12 pause TEKST; 20 wait SECONDEN; 30 output NUMMER on; 40 tool NUMMER; 50 statement FORMAAT REGEL.</translation>
-    </message>
-    <message>
         <source>a change of colour</source>
         <translation>een kleurwissel</translation>
     </message>
@@ -11238,10 +11222,6 @@ voxels</translation>
         <translation>geef een schuine richting op</translation>
     </message>
     <message>
-        <source>give it as a skin, or use it for settings</source>
-        <translation>geef het op als huid, of gebruik het voor instellingen</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>geef eerst de laagste hoogte op</translation>
     </message>
@@ -11252,10 +11232,6 @@ voxels</translation>
     <message>
         <source>give {field} from {least} to {most}</source>
         <translation>geef {field} op van {least} tot {most}</translation>
-    </message>
-    <message>
-        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
-        <translation>geef bijvoorbeeld 12 pause; 20 pause Plaats de moer; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript REGEL op</translation>
     </message>
     <message>
         <source>height {height}</source>
@@ -11300,10 +11276,6 @@ voxels</translation>
     <message>
         <source>mode {mode} prints on the part: it has no regions</source>
         <translation>modus {mode} print op het onderdeel: die heeft geen gebieden</translation>
-    </message>
-    <message>
-        <source>move it into the part, or remove it</source>
-        <translation>verplaats het in het onderdeel, of verwijder het</translation>
     </message>
     <message>
         <source>move the plane further into the part</source>
@@ -11474,10 +11446,6 @@ voxels</translation>
         <translation>gebied {region} heeft geen net</translation>
     </message>
     <message>
-        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
-        <translation>gebied {region} ligt buiten het onderdeel, of achter latere gebieden: het heeft geen effect</translation>
-    </message>
-    <message>
         <source>region {region} is thinner than the lowest layer ({least})</source>
         <translation>gebied {region} is dunner dan de laagste laag ({least})</translation>
     </message>
@@ -11594,14 +11562,6 @@ voxels</translation>
         <translation>Gebied</translation>
     </message>
     <message>
-        <source>nothing is painted for region {region}</source>
-        <translation>er is niets geschilderd voor gebied {region}</translation>
-    </message>
-    <message>
-        <source>paint on the part, or delete the region</source>
-        <translation>schilder op het onderdeel, of verwijder het gebied</translation>
-    </message>
-    <message>
         <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
         <translation>&apos;{code}&apos; ontbreekt vóór de regel: hij zou op de arm vooruitlopen</translation>
     </message>
@@ -11648,6 +11608,389 @@ voxels</translation>
         <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
         <translation>geef de cel een spoelplaats of een rustpositie naast de plaat, of verplaats het onderdeel op de plaat</translation>
     </message>
+    <message>
+        <source>&apos;Close&apos; is missing behind the text</source>
+        <translation>&apos;Close&apos; ontbreekt na de tekst</translation>
+    </message>
+    <message>
+        <source>&apos;Close&apos; without its &apos;Open&apos; before it</source>
+        <translation>&apos;Close&apos; zonder bijbehorende &apos;Open&apos; ervoor</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; between PVTEnter and PVTExit</source>
+        <translation>&apos;{name}&apos; tussen PVTEnter en PVTExit</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no point of a curve</source>
+        <translation>&apos;{part}&apos; is geen punt van een kromme</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement &apos;{text}&apos; {effect}</source>
+        <translation>&apos;{word}&apos; in de instructie &apos;{text}&apos; {effect}</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement before {place}, &apos;{text}&apos;, {effect}</source>
+        <translation>&apos;{word}&apos; in de instructie vóór {place}, &apos;{text}&apos;, {effect}</translation>
+    </message>
+    <message>
+        <source>Across
+layers MPa</source>
+        <translation>Dwars op
+lagen MPa</translation>
+    </message>
+    <message>
+        <source>Add a skin</source>
+        <translation>Een huid toevoegen</translation>
+    </message>
+    <message>
+        <source>Along
+stress %</source>
+        <translation>Langs
+spanning %</translation>
+    </message>
+    <message>
+        <source>Break-away columns below overhangs beyond the overhang angle, in mode curved below voxels that growth would miss. A region without them blocks them.</source>
+        <translation>Afbreekbare kolommen onder overhangen voorbij de overhanghoek, in modus curved onder voxels die de groei zou missen. Een gebied zonder kolommen houdt ze tegen.</translation>
+    </message>
+    <message>
+        <source>Deflec-
+tion mm</source>
+        <translation>Door-
+buiging mm</translation>
+    </message>
+    <message>
+        <source>Factor of the speed of the part&apos;s beads, within the flow of the extruder and the speed of bridges.</source>
+        <translation>Factor voor de snelheid van de strengen van het onderdeel, binnen de doorvoer van de extruder en de snelheid van bruggen.</translation>
+    </message>
+    <message>
+        <source>For infill along a field: a direction x,y,z, or x,y,z,dx,dy,dz in mm on the plate, separated by spaces or lines, or a file of them. Empty: along the stress between regions that hold the part and regions with a force.</source>
+        <translation>Voor vulling langs een veld: een richting x,y,z, of x,y,z,dx,dy,dz in mm op de plaat, gescheiden door spaties of regels, of een bestand daarmee. Leeg: langs de spanning tussen gebieden die het onderdeel vasthouden en gebieden met een kracht.</translation>
+    </message>
+    <message>
+        <source>Force X</source>
+        <translation>Kracht X</translation>
+    </message>
+    <message>
+        <source>Force Y</source>
+        <translation>Kracht Y</translation>
+    </message>
+    <message>
+        <source>Force Z</source>
+        <translation>Kracht Z</translation>
+    </message>
+    <message>
+        <source>Force on the part</source>
+        <translation>Kracht op het onderdeel</translation>
+    </message>
+    <message>
+        <source>Held under load</source>
+        <translation>Vastgehouden onder belasting</translation>
+    </message>
+    <message>
+        <source>In a region: closed beads that pass through it begin there, or never do if they can begin elsewhere.</source>
+        <translation>In een gebied: gesloten strengen die erdoorheen gaan, beginnen daar, of nooit als ze elders kunnen beginnen.</translation>
+    </message>
+    <message>
+        <source>In flat layers the region reaches half of it into the part around it, in every other layer the part reaches as far into the region, so that both hold each other.</source>
+        <translation>In vlakke lagen reikt het gebied voor de helft van deze waarde in het onderdeel eromheen; om de andere laag reikt het onderdeel even ver in het gebied, zodat beide elkaar vasthouden.</translation>
+    </message>
+    <message>
+        <source>Region {number}</source>
+        <translation>Gebied {number}</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements, which nothing checks.</source>
+        <translation>Veilig om uit te voeren, behalve je eigen instructies, die door niets worden gecontroleerd.</translation>
+    </message>
+    <message>
+        <source>Three curved layers along the upper surface, over the flat ones</source>
+        <translation>Drie gebogen lagen langs het bovenvlak, over de vlakke heen</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 35 photo OUTPUT SECONDS; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>Wat er vóór lagen van het onderdeel gebeurt, gescheiden door puntkomma&apos;s. Elk begint met een laag (12) of een hoogte in mm (z5.5): 12 pause TEKST; 20 wait SECONDEN; 30 output NUMMER on; 35 photo UITGANG SECONDEN; 40 tool NUMMER; 50 statement FORMAAT REGEL.</translation>
+    </message>
+    <message>
+        <source>a line for a wait differs from the line before in its last number</source>
+        <translation>een regel voor een wachttijd verschilt in het laatste getal van de regel ervoor</translation>
+    </message>
+    <message>
+        <source>a region with a force contains nothing of the part that is held</source>
+        <translation>een gebied met een kracht bevat niets van het onderdeel dat wordt vastgehouden</translation>
+    </message>
+    <message>
+        <source>a skin of layers along the surface has none</source>
+        <translation>een huid van lagen langs het oppervlak heeft er geen</translation>
+    </message>
+    <message>
+        <source>a statement of your own sets &apos;{name}&apos;, which the program uses itself</source>
+        <translation>een eigen instructie stelt &apos;{name}&apos; in, die het programma zelf gebruikt</translation>
+    </message>
+    <message>
+        <source>add a second region of that shape for its settings</source>
+        <translation>voeg voor de instellingen een tweede gebied met die vorm toe</translation>
+    </message>
+    <message>
+        <source>along a field</source>
+        <translation>langs een veld</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>altijd</translation>
+    </message>
+    <message>
+        <source>changes a temperature</source>
+        <translation>wijzigt een temperatuur</translation>
+    </message>
+    <message>
+        <source>changes the extruder</source>
+        <translation>wijzigt de extruder</translation>
+    </message>
+    <message>
+        <source>changes the order of the program&apos;s lines</source>
+        <translation>wijzigt de volgorde van de programmaregels</translation>
+    </message>
+    <message>
+        <source>changes the origin, the tool or the units</source>
+        <translation>wijzigt de oorsprong, het gereedschap of de eenheden</translation>
+    </message>
+    <message>
+        <source>deflection under the forces</source>
+        <translation>doorbuiging onder de krachten</translation>
+    </message>
+    <message>
+        <source>field of the infill</source>
+        <translation>veld van de vulling</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the part under its load</source>
+        <translation>geen evenwicht van het onderdeel onder zijn belasting gevonden</translation>
+    </message>
+    <message>
+        <source>from the file: {event} at a height of {height}</source>
+        <translation>uit het bestand: {event} op een hoogte van {height}</translation>
+    </message>
+    <message>
+        <source>give a direction x,y,z or samples x,y,z,dx,dy,dz, or the part regions that hold it and regions with a force</source>
+        <translation>geef een richting x,y,z of monsters x,y,z,dx,dy,dz op, of geef het onderdeel gebieden die het vasthouden en gebieden met een kracht</translation>
+    </message>
+    <message>
+        <source>give a region where the part is fixed the use &apos;hold&apos;</source>
+        <translation>geef een gebied waar het onderdeel vastzit het gebruik &apos;hold&apos;</translation>
+    </message>
+    <message>
+        <source>give it as a skin or a painted surface, or use it for settings</source>
+        <translation>geef het op als huid of beschilderd oppervlak, of gebruik het voor instellingen</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>geef bijvoorbeeld 12 pause; 20 pause Plaats de moer; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript REGEL op</translation>
+    </message>
+    <message>
+        <source>hold the part in more places</source>
+        <translation>houd het onderdeel op meer plaatsen vast</translation>
+    </message>
+    <message>
+        <source>infill along the stress</source>
+        <translation>vulling langs de spanning</translation>
+    </message>
+    <message>
+        <source>interlock of a region</source>
+        <translation>vertanding van een gebied</translation>
+    </message>
+    <message>
+        <source>is above &apos;alongMPa&apos;</source>
+        <translation>is groter dan &apos;alongMPa&apos;</translation>
+    </message>
+    <message>
+        <source>is above {limit}</source>
+        <translation>is groter dan {limit}</translation>
+    </message>
+    <message>
+        <source>leave it out: the plan moves the arm</source>
+        <translation>laat hem weg: het plan beweegt de arm</translation>
+    </message>
+    <message>
+        <source>machine {machine} is {verdict}: {reason}</source>
+        <translation>machine {machine} is {verdict}: {reason}</translation>
+    </message>
+    <message>
+        <source>move it into the part, paint it, or remove it</source>
+        <translation>verplaats het in het onderdeel, beschilder het, of verwijder het</translation>
+    </message>
+    <message>
+        <source>move it onto the part, or make it larger</source>
+        <translation>verplaats het naar het onderdeel, of maak het groter</translation>
+    </message>
+    <message>
+        <source>move them onto the part, or make them larger</source>
+        <translation>verplaats ze naar het onderdeel, of maak ze groter</translation>
+    </message>
+    <message>
+        <source>moves the arm, or changes how it moves</source>
+        <translation>beweegt de arm, of wijzigt hoe die beweegt</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nooit</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used, as it is damaged: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, {where})</source>
+        <translation>
+            <numerusform>niet gebruikt, want beschadigd: {paint} op {count} driehoek van &apos;{object}&apos; ({attribute}, {where})</numerusform>
+            <numerusform>niet gebruikt, want beschadigd: {paint} op {count} driehoeken van &apos;{object}&apos; ({attribute}, {where})</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops behind the last bead, where the print is done</source>
+        <translation>
+            <numerusform>niet gebruikt: {count} stop na de laatste streng, waar de print klaar is</numerusform>
+            <numerusform>niet gebruikt: {count} stops na de laatste streng, waar de print klaar is</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} in the file: the part ends at {top}</source>
+        <translation>niet gebruikt: {event} op een hoogte van {height} in het bestand: het onderdeel eindigt op {top}</translation>
+    </message>
+    <message>
+        <source>nothing of the part is within the regions that hold it</source>
+        <translation>niets van het onderdeel ligt binnen de gebieden die het vasthouden</translation>
+    </message>
+    <message>
+        <source>paint whole faces</source>
+        <translation>beschilder hele vlakken</translation>
+    </message>
+    <message>
+        <source>put it into a routine on the controller, and call that</source>
+        <translation>zet hem in een routine op de besturing, en roep die aan</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports, which mode {mode} does not have</source>
+        <translation>gebied {region} vraagt om ondersteuning, die modus {mode} niet heeft</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports: its own layers have none</source>
+        <translation>gebied {region} vraagt om ondersteuning: zijn eigen lagen hebben die niet</translation>
+    </message>
+    <message>
+        <source>region {region} carries the load: it has no settings</source>
+        <translation>gebied {region} draagt de belasting: het heeft geen instellingen</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, behind later regions, or not painted: it has no effect</source>
+        <translation>gebied {region} ligt buiten het onderdeel, achter latere gebieden, of is niet beschilderd: het heeft geen effect</translation>
+    </message>
+    <message>
+        <source>region {region}: half of no face of the part is painted</source>
+        <translation>gebied {region}: geen enkel vlak van het onderdeel is minstens voor de helft beschilderd</translation>
+    </message>
+    <message>
+        <source>safe to run but for its own statements, which nothing checks</source>
+        <translation>veilig om uit te voeren, behalve haar eigen instructies, die door niets worden gecontroleerd</translation>
+    </message>
+    <message>
+        <source>safe to run, but does not print its part as asked</source>
+        <translation>veilig om uit te voeren, maar print haar onderdeel niet zoals gevraagd</translation>
+    </message>
+    <message>
+        <source>seam here</source>
+        <translation>naad hier</translation>
+    </message>
+    <message>
+        <source>set `supports=none` for the region, or choose another mode</source>
+        <translation>zet `supports=none` voor het gebied, of kies een andere modus</translation>
+    </message>
+    <message>
+        <source>set it in the cell before the program starts</source>
+        <translation>stel dit in de cel in voordat het programma start</translation>
+    </message>
+    <message>
+        <source>set it in the process</source>
+        <translation>stel dit in het proces in</translation>
+    </message>
+    <message>
+        <source>set the temperatures of the material</source>
+        <translation>stel de temperaturen van het materiaal in</translation>
+    </message>
+    <message>
+        <source>sets an output</source>
+        <translation>stelt een uitgang in</translation>
+    </message>
+    <message>
+        <source>speed factor</source>
+        <translation>snelheidsfactor</translation>
+    </message>
+    <message>
+        <source>stops or ends the program</source>
+        <translation>stopt of beëindigt het programma</translation>
+    </message>
+    <message>
+        <source>tension across layers</source>
+        <translation>trekspanning dwars op de lagen</translation>
+    </message>
+    <message>
+        <source>there are regions with a force, but none that holds the part</source>
+        <translation>er zijn gebieden met een kracht, maar geen dat het onderdeel vasthoudt</translation>
+    </message>
+    <message>
+        <source>there is no field of directions for the infill</source>
+        <translation>er is geen richtingsveld voor de vulling</translation>
+    </message>
+    <message>
+        <source>under all overhangs</source>
+        <translation>onder alle overhangen</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, with `use=settings`</source>
+        <translation>gebruik een apart gebied voor de ondersteuning, met `use=settings`</translation>
+    </message>
+    <message>
+        <source>use another name</source>
+        <translation>gebruik een andere naam</translation>
+    </message>
+    <message>
+        <source>use the event `output`, for example 30 output 3 on</source>
+        <translation>gebruik de gebeurtenis `output`, bijvoorbeeld 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>use the event `pause`, for example 12 pause Put in the nut</source>
+        <translation>gebruik de gebeurtenis `pause`, bijvoorbeeld 12 pause Plaats de moer</translation>
+    </message>
+    <message>
+        <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
+        <translation>{share:.0f} van het oppervlak bestaat uit flauwe hellingen met treden van gemiddeld {mean:.2g}</translation>
+    </message>
+</context>
+<context>
+    <name>EventMarks</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pauze</translation>
+    </message>
+    <message>
+        <source>Pause: %1</source>
+        <translation>Pauze: %1</translation>
+    </message>
+    <message>
+        <source>Wait: %1 s</source>
+        <translation>Wachten: %1 s</translation>
+    </message>
+    <message>
+        <source>Output %1 on</source>
+        <translation>Uitgang %1 aan</translation>
+    </message>
+    <message>
+        <source>Output %1 off</source>
+        <translation>Uitgang %1 uit</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Gereedschap %1</translation>
+    </message>
+    <message>
+        <source>Before layer %1: %2</source>
+        <translation>Vóór laag %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11681,6 +12024,21 @@ voxels</translation>
     <message>
         <source>Block height</source>
         <translation>Blokhoogte</translation>
+    </message>
+</context>
+<context>
+    <name>LayerEvents</name>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>Het volgende plan pauzeert vóór laag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>Het volgende plan pauzeert niet vóór laag %1.</translation>
+    </message>
+    <message>
+        <source>The next plan has the event before layer %1.</source>
+        <translation>Het volgende plan heeft de gebeurtenis vóór laag %1.</translation>
     </message>
 </context>
 <context>
@@ -13064,6 +13422,18 @@ Klik om een ander te kiezen</translation>
         <source>Do not run the programs before these are solved.</source>
         <translation>Voer de programma&apos;s niet uit voordat dit is opgelost.</translation>
     </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Niet gecontroleerd</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Veilig uit te voeren, behalve je eigen instructies: %1</translation>
+    </message>
+    <message>
+        <source>Nothing checks what they do. Try them on the controller with the arm clear first.</source>
+        <translation>Niets controleert wat ze doen. Probeer ze eerst op de besturing terwijl de arm vrij staat.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsModel</name>
@@ -13093,6 +13463,10 @@ Klik om een ander te kiezen</translation>
             <numerusform>%n plaats</numerusform>
             <numerusform>%n plaatsen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not checked: %1</source>
+        <translation>Niet gecontroleerd: %1</translation>
     </message>
 </context>
 <context>
@@ -13207,6 +13581,10 @@ Klik om een ander te kiezen</translation>
     <message>
         <source>Safe to run, not as asked: %1</source>
         <translation>Veilig uit te voeren, niet zoals gevraagd: %1</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>Veilig uit te voeren, behalve je eigen instructies: %1</translation>
     </message>
 </context>
 <context>
@@ -13494,6 +13872,14 @@ Klik om een ander te kiezen</translation>
     <message>
         <source>Paint on the part. Shift or the right button erases.</source>
         <translation>Schilder op het onderdeel. Shift of de rechterknop wist.</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechthoek</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
+        <translation>Sleep een rechthoek: die beschildert wat je erin ziet. Shift of de rechterknop wist.</translation>
     </message>
 </context>
 <context>
@@ -13866,10 +14252,6 @@ Klik om een ander te kiezen</translation>
         <translation>Gebieden van %1</translation>
     </message>
     <message>
-        <source>Only a skin follows the surface</source>
-        <translation>Alleen een huid volgt het oppervlak</translation>
-    </message>
-    <message>
         <source>Rename region</source>
         <translation>Gebied hernoemen</translation>
     </message>
@@ -13936,6 +14318,10 @@ Klik om een ander te kiezen</translation>
     <message>
         <source>Close</source>
         <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Only a skin or a painted surface says which faces the layers follow</source>
+        <translation>Alleen een huid of een beschilderd oppervlak geeft aan welke vlakken de lagen volgen</translation>
     </message>
 </context>
 <context>
@@ -15014,6 +15400,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
             <numerusform>%n onderdelen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1. Their regions have moved with them.</source>
+        <translation>%1. Hun gebieden zijn mee verplaatst.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ExportPage</name>
@@ -15184,8 +15574,8 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <translation>geblokkeerd: zie de bevindingen</translation>
     </message>
     <message>
-        <source>not as asked: see the findings</source>
-        <translation>niet zoals gevraagd: zie de bevindingen</translation>
+        <source>not as asked or not checked: see the findings</source>
+        <translation>niet zoals gevraagd of niet gecontroleerd: zie de bevindingen</translation>
     </message>
 </context>
 <context>
@@ -15242,6 +15632,73 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     </message>
 </context>
 <context>
+    <name>voluta::window::LayerEventDialog</name>
+    <message>
+        <source>Event before layer %1</source>
+        <translation>Gebeurtenis vóór laag %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauze</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Wachten</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Uitgang</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Gereedschap</translation>
+    </message>
+    <message>
+        <source>Own statement</source>
+        <translation>Eigen instructie</translation>
+    </message>
+    <message>
+        <source>Shown to the operator; the arm waits until the operator continues</source>
+        <translation>Wordt aan de operator getoond; de arm wacht tot de operator verdergaat</translation>
+    </message>
+    <message>
+        <source>This line is written into programs of the format. Nothing checks it</source>
+        <translation>Deze regel wordt in programma&apos;s van het formaat geschreven. Niets controleert hem</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Aan</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>&amp;Gebeurtenis</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>&amp;Tekst</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Duur</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>&amp;Nummer</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>Gereed&amp;schap</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formaat</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Regel</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -15252,12 +15709,12 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <translation>Delen worden altijd volledig getoond</translation>
     </message>
     <message>
-        <source>The next plan pauses before layer %1.</source>
-        <translation>Het volgende plan pauzeert vóór laag %1.</translation>
+        <source>Event before this layer…</source>
+        <translation>Gebeurtenis vóór deze laag…</translation>
     </message>
     <message>
-        <source>The next plan does not pause before layer %1.</source>
-        <translation>Het volgende plan pauzeert niet vóór laag %1.</translation>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>Een pauze, een wachttijd, een uitgang, een ander gereedschap of een eigen regel</translation>
     </message>
 </context>
 <context>
@@ -16408,6 +16865,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <source>Reading %1…</source>
         <translation>%1 lezen…</translation>
     </message>
+    <message>
+        <source>Nothing is painted yet: the region has no effect.</source>
+        <translation>Er is nog niets geschilderd: het gebied heeft geen effect.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::RemedyEffect</name>
@@ -16661,6 +17122,14 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
         <source>Done. Safe to run, not as asked: %1.</source>
         <translation>Klaar. Veilig uit te voeren, niet zoals gevraagd: %1.</translation>
     </message>
+    <message>
+        <source>safe to run but for your own statements</source>
+        <translation>veilig uit te voeren, behalve je eigen instructies</translation>
+    </message>
+    <message>
+        <source>Done. Safe to run but for your own statements.</source>
+        <translation>Klaar. Veilig uit te voeren, behalve je eigen instructies.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -16762,6 +17231,26 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>Solid where the nozzle prints, dashed where it travels</source>
         <translation>Doorgetrokken waar de spuitmond print, gestreept waar hij zich verplaatst</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>Verwijder de pauze vóór laag %1</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1</source>
+        <translation>Pauze vóór laag %1</translation>
+    </message>
+    <message>
+        <source>Event before layer %1…</source>
+        <translation>Gebeurtenis vóór laag %1…</translation>
+    </message>
+    <message>
+        <source>Event before this layer…</source>
+        <translation>Gebeurtenis vóór deze laag…</translation>
+    </message>
+    <message>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>Een pauze, een wachttijd, een uitgang, een ander gereedschap of een eigen regel</translation>
     </message>
 </context>
 <context>
@@ -17104,6 +17593,10 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>%1: safe to run, but it does not print the part as asked.</source>
         <translation>%1: veilig uit te voeren, maar print het onderdeel niet zoals gevraagd.</translation>
+    </message>
+    <message>
+        <source>%1: safe to run but for your own statements, which nothing checks.</source>
+        <translation>%1: veilig om uit te voeren, behalve je eigen instructies, die door niets worden gecontroleerd.</translation>
     </message>
 </context>
 <context>

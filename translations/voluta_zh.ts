@@ -1185,10 +1185,6 @@ mm³</translation>
         <translation>名义挤出线宽；受工艺限制。</translation>
     </message>
     <message>
-        <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
-        <translation>用一个体素宽的可掰除立柱支撑生长会遗漏的体素。</translation>
-    </message>
-    <message>
         <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
         <translation>零件上与芯棒对齐的轴。auto：与其侧面平行的轴。</translation>
     </message>
@@ -7947,10 +7943,6 @@ time</source>
         <translation>未知纤维带路径“{id}”</translation>
     </message>
     <message>
-        <source>&apos;{part}&apos; is no point of a curve for tapes</source>
-        <translation>“{part}”不是纤维带曲线的点</translation>
-    </message>
-    <message>
         <source>give points in mm: x,y or x,y,z, separated by spaces, at least two for each curve, and semicolons between curves</source>
         <translation>以 mm 给出点：x,y 或 x,y,z，以空格分隔，每条曲线至少两个，曲线之间用分号</translation>
     </message>
@@ -10533,10 +10525,6 @@ faces %</source>
         <translation>查看该行：去掉该行重新导出文件，使用直线或圆弧 (G1, G2, G3)</translation>
     </message>
     <message>
-        <source>machine {machine} is safe to run, but does not print its part as asked: {reason}</source>
-        <translation>机器 {machine} 可安全运行，但不能按要求打印其零件：{reason}</translation>
-    </message>
-    <message>
         <source>move the part on the plate, or slice it again for a lower speed there</source>
         <translation>在打印板上移动零件，或以更低的速度在该处重新切片</translation>
     </message>
@@ -11075,10 +11063,6 @@ voxels</source>
         <translation>到</translation>
     </message>
     <message>
-        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
-        <translation>零件的层之前发生的事件，用分号分隔。每项以层号 (12) 或以 mm 为单位的高度 (z5.5) 开头：12 pause 文本; 20 wait 秒数; 30 output 编号 on; 40 tool 编号; 50 statement 格式 语句行。</translation>
-    </message>
-    <message>
         <source>a change of colour</source>
         <translation>换色</translation>
     </message>
@@ -11155,10 +11139,6 @@ voxels</source>
         <translation>请给出倾斜的方向</translation>
     </message>
     <message>
-        <source>give it as a skin, or use it for settings</source>
-        <translation>将其指定为表皮，或用于设置</translation>
-    </message>
-    <message>
         <source>give the lower height first</source>
         <translation>先给出较低的高度</translation>
     </message>
@@ -11169,10 +11149,6 @@ voxels</source>
     <message>
         <source>give {field} from {least} to {most}</source>
         <translation>给出 {field}，{least} 至 {most}</translation>
-    </message>
-    <message>
-        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript LINE</source>
-        <translation>例如给出 12 pause; 20 pause 放入螺母; z5.5 wait 60; 30 output 3 on; 40 tool 2; 50 statement urscript 语句行</translation>
     </message>
     <message>
         <source>height {height}</source>
@@ -11217,10 +11193,6 @@ voxels</source>
     <message>
         <source>mode {mode} prints on the part: it has no regions</source>
         <translation>{mode} 模式在零件上打印：没有区域</translation>
-    </message>
-    <message>
-        <source>move it into the part, or remove it</source>
-        <translation>将其移入零件，或移除</translation>
     </message>
     <message>
         <source>move the plane further into the part</source>
@@ -11387,10 +11359,6 @@ voxels</source>
         <translation>区域 {region} 没有网格</translation>
     </message>
     <message>
-        <source>region {region} is outside the part, or behind later regions: it has no effect</source>
-        <translation>区域 {region} 在零件之外，或被后面的区域覆盖：它不起作用</translation>
-    </message>
-    <message>
         <source>region {region} is thinner than the lowest layer ({least})</source>
         <translation>区域 {region} 比最低的层更薄（{least}）</translation>
     </message>
@@ -11507,14 +11475,6 @@ voxels</source>
         <translation>区域</translation>
     </message>
     <message>
-        <source>nothing is painted for region {region}</source>
-        <translation>区域 {region} 没有涂绘任何内容</translation>
-    </message>
-    <message>
-        <source>paint on the part, or delete the region</source>
-        <translation>在零件上涂绘，或删除该区域</translation>
-    </message>
-    <message>
         <source>&apos;{code}&apos; is missing before the line: it would run ahead of the arm</source>
         <translation>该行之前缺少 &apos;{code}&apos;：它会先于机械臂执行</translation>
     </message>
@@ -11560,6 +11520,387 @@ voxels</source>
         <source>give the cell a place for purges or a home pose beside the plate, or move the part on the plate</source>
         <translation>为工作单元指定清料处 或打印板旁的原位，或在打印板上移动零件</translation>
     </message>
+    <message>
+        <source>&apos;Close&apos; is missing behind the text</source>
+        <translation>文本之后缺少“Close”</translation>
+    </message>
+    <message>
+        <source>&apos;Close&apos; without its &apos;Open&apos; before it</source>
+        <translation>“Close”之前没有对应的“Open”</translation>
+    </message>
+    <message>
+        <source>&apos;{name}&apos; between PVTEnter and PVTExit</source>
+        <translation>“{name}”位于 PVTEnter 和 PVTExit 之间</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no point of a curve</source>
+        <translation>“{part}”不是曲线的点</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement &apos;{text}&apos; {effect}</source>
+        <translation>语句“{text}”中的“{word}”{effect}</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; in the statement before {place}, &apos;{text}&apos;, {effect}</source>
+        <translation>{place}之前的语句“{text}”中的“{word}”{effect}</translation>
+    </message>
+    <message>
+        <source>Across
+layers MPa</source>
+        <translation>跨层应力
+MPa</translation>
+    </message>
+    <message>
+        <source>Add a skin</source>
+        <translation>添加表皮</translation>
+    </message>
+    <message>
+        <source>Along
+stress %</source>
+        <translation>沿应力
+方向 %</translation>
+    </message>
+    <message>
+        <source>Break-away columns below overhangs beyond the overhang angle, in mode curved below voxels that growth would miss. A region without them blocks them.</source>
+        <translation>在超过悬垂角的悬垂下加可掰除的立柱；curved 模式下加在生长会遗漏的体素之下。不带立柱的区域会阻止它们。</translation>
+    </message>
+    <message>
+        <source>Deflec-
+tion mm</source>
+        <translation>变形
+mm</translation>
+    </message>
+    <message>
+        <source>Factor of the speed of the part&apos;s beads, within the flow of the extruder and the speed of bridges.</source>
+        <translation>零件挤出线速度的系数，不超出挤出机的流量和桥接速度。</translation>
+    </message>
+    <message>
+        <source>For infill along a field: a direction x,y,z, or x,y,z,dx,dy,dz in mm on the plate, separated by spaces or lines, or a file of them. Empty: along the stress between regions that hold the part and regions with a force.</source>
+        <translation>用于沿场的填充：一个方向 x,y,z，或打印板上以 mm 为单位的 x,y,z,dx,dy,dz，用空格或换行分隔，或含有它们的文件。留空：沿固定零件的区域与受力区域之间的应力方向。</translation>
+    </message>
+    <message>
+        <source>Force X</source>
+        <translation>力 X</translation>
+    </message>
+    <message>
+        <source>Force Y</source>
+        <translation>力 Y</translation>
+    </message>
+    <message>
+        <source>Force Z</source>
+        <translation>力 Z</translation>
+    </message>
+    <message>
+        <source>Force on the part</source>
+        <translation>作用于零件的力</translation>
+    </message>
+    <message>
+        <source>Held under load</source>
+        <translation>受载时固定</translation>
+    </message>
+    <message>
+        <source>In a region: closed beads that pass through it begin there, or never do if they can begin elsewhere.</source>
+        <translation>在区域中：穿过该区域的闭合挤出线从此处开始；或者，只要能从别处开始，就绝不从此处开始。</translation>
+    </message>
+    <message>
+        <source>In flat layers the region reaches half of it into the part around it, in every other layer the part reaches as far into the region, so that both hold each other.</source>
+        <translation>在平面层中，区域向周围零件伸入此值的一半；每隔一层则由零件向区域伸入同样的距离，使两者相互咬合。</translation>
+    </message>
+    <message>
+        <source>Region {number}</source>
+        <translation>区域 {number}</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements, which nothing checks.</source>
+        <translation>除自定义语句外可安全运行；自定义语句未经任何检查。</translation>
+    </message>
+    <message>
+        <source>Three curved layers along the upper surface, over the flat ones</source>
+        <translation>在平面层之上，沿上表面加三个曲面层</translation>
+    </message>
+    <message>
+        <source>What happens before layers of the part, separated by semicolons. Each begins with a layer (12) or a height in mm (z5.5): 12 pause TEXT; 20 wait SECONDS; 30 output NUMBER on; 35 photo OUTPUT SECONDS; 40 tool NUMBER; 50 statement FORMAT LINE.</source>
+        <translation>零件的层之前发生的事件，用分号分隔。每项以层号 (12) 或以 mm 为单位的高度 (z5.5) 开头：12 pause 文本; 20 wait 秒数; 30 output 编号 on; 35 photo 输出编号 秒数; 40 tool 编号; 50 statement 格式 语句行。</translation>
+    </message>
+    <message>
+        <source>a line for a wait differs from the line before in its last number</source>
+        <translation>等待行与前一行的最后一个数不同</translation>
+    </message>
+    <message>
+        <source>a region with a force contains nothing of the part that is held</source>
+        <translation>受力区域不含被固定零件的任何部分</translation>
+    </message>
+    <message>
+        <source>a skin of layers along the surface has none</source>
+        <translation>由沿表面的层构成的表皮没有此项</translation>
+    </message>
+    <message>
+        <source>a statement of your own sets &apos;{name}&apos;, which the program uses itself</source>
+        <translation>自定义语句设置了程序自身使用的“{name}”</translation>
+    </message>
+    <message>
+        <source>add a second region of that shape for its settings</source>
+        <translation>为其设置再添加一个同样形状的区域</translation>
+    </message>
+    <message>
+        <source>along a field</source>
+        <translation>沿场</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>始终</translation>
+    </message>
+    <message>
+        <source>changes a temperature</source>
+        <translation>会更改温度</translation>
+    </message>
+    <message>
+        <source>changes the extruder</source>
+        <translation>会更改挤出机</translation>
+    </message>
+    <message>
+        <source>changes the order of the program&apos;s lines</source>
+        <translation>会更改程序各行的执行顺序</translation>
+    </message>
+    <message>
+        <source>changes the origin, the tool or the units</source>
+        <translation>会更改原点、工具或单位</translation>
+    </message>
+    <message>
+        <source>deflection under the forces</source>
+        <translation>受力变形</translation>
+    </message>
+    <message>
+        <source>field of the infill</source>
+        <translation>填充方向场</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the part under its load</source>
+        <translation>未找到零件在其载荷下的平衡</translation>
+    </message>
+    <message>
+        <source>from the file: {event} at a height of {height}</source>
+        <translation>来自文件：高度 {height} 处的{event}</translation>
+    </message>
+    <message>
+        <source>give a direction x,y,z or samples x,y,z,dx,dy,dz, or the part regions that hold it and regions with a force</source>
+        <translation>给出方向 x,y,z 或采样点 x,y,z,dx,dy,dz，或为零件添加固定它的区域和受力区域</translation>
+    </message>
+    <message>
+        <source>give a region where the part is fixed the use &apos;hold&apos;</source>
+        <translation>将零件固定处的区域用途设为“hold”</translation>
+    </message>
+    <message>
+        <source>give it as a skin or a painted surface, or use it for settings</source>
+        <translation>将其指定为表皮或涂绘表面，或用于设置</translation>
+    </message>
+    <message>
+        <source>give, for example, 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript LINE</source>
+        <translation>例如给出 12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2; 50 statement urscript 语句行</translation>
+    </message>
+    <message>
+        <source>hold the part in more places</source>
+        <translation>在更多位置固定零件</translation>
+    </message>
+    <message>
+        <source>infill along the stress</source>
+        <translation>沿应力方向的填充</translation>
+    </message>
+    <message>
+        <source>interlock of a region</source>
+        <translation>区域的咬合</translation>
+    </message>
+    <message>
+        <source>is above &apos;alongMPa&apos;</source>
+        <translation>大于“alongMPa”</translation>
+    </message>
+    <message>
+        <source>is above {limit}</source>
+        <translation>大于 {limit}</translation>
+    </message>
+    <message>
+        <source>leave it out: the plan moves the arm</source>
+        <translation>将其去掉：机械臂由规划移动</translation>
+    </message>
+    <message>
+        <source>machine {machine} is {verdict}: {reason}</source>
+        <translation>机器 {machine} {verdict}：{reason}</translation>
+    </message>
+    <message>
+        <source>move it into the part, paint it, or remove it</source>
+        <translation>将其移入零件、涂绘或移除</translation>
+    </message>
+    <message>
+        <source>move it onto the part, or make it larger</source>
+        <translation>将其移到零件上，或将其放大</translation>
+    </message>
+    <message>
+        <source>move them onto the part, or make them larger</source>
+        <translation>将它们移到零件上，或将它们放大</translation>
+    </message>
+    <message>
+        <source>moves the arm, or changes how it moves</source>
+        <translation>会移动机械臂，或更改其运动方式</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>从不</translation>
+    </message>
+    <message numerus="yes">
+        <source>not used, as it is damaged: {paint} on {count} triangles of &apos;{object}&apos; ({attribute}, {where})</source>
+        <translation>
+            <numerusform>因损坏而未使用：“{object}”的 {count} 个三角形上的{paint}（{attribute}，{where}）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not used: {count} stops behind the last bead, where the print is done</source>
+        <translation>
+            <numerusform>未使用：最后一条挤出线之后的 {count} 个停止，此时打印已完成</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not used: {event} at a height of {height} in the file: the part ends at {top}</source>
+        <translation>未使用：文件中高度 {height} 处的{event}：零件到 {top} 为止</translation>
+    </message>
+    <message>
+        <source>nothing of the part is within the regions that hold it</source>
+        <translation>固定零件的区域内没有零件的任何部分</translation>
+    </message>
+    <message>
+        <source>paint whole faces</source>
+        <translation>涂绘整个面</translation>
+    </message>
+    <message>
+        <source>put it into a routine on the controller, and call that</source>
+        <translation>将其放入控制器上的例程，并调用该例程</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports, which mode {mode} does not have</source>
+        <translation>区域 {region} 要求支撑，而 {mode} 模式没有支撑</translation>
+    </message>
+    <message>
+        <source>region {region} asks for supports: its own layers have none</source>
+        <translation>区域 {region} 要求支撑：其自己的层没有支撑</translation>
+    </message>
+    <message>
+        <source>region {region} carries the load: it has no settings</source>
+        <translation>区域 {region} 用于载荷：没有设置</translation>
+    </message>
+    <message>
+        <source>region {region} is outside the part, behind later regions, or not painted: it has no effect</source>
+        <translation>区域 {region} 在零件之外、被后面的区域覆盖，或未涂绘：不起作用</translation>
+    </message>
+    <message>
+        <source>region {region}: half of no face of the part is painted</source>
+        <translation>区域 {region}：零件没有任何一个面涂绘过半</translation>
+    </message>
+    <message>
+        <source>safe to run but for its own statements, which nothing checks</source>
+        <translation>除其自定义语句外可安全运行，而这些语句未经任何检查</translation>
+    </message>
+    <message>
+        <source>safe to run, but does not print its part as asked</source>
+        <translation>可安全运行，但不能按要求打印其零件</translation>
+    </message>
+    <message>
+        <source>seam here</source>
+        <translation>此处接缝</translation>
+    </message>
+    <message>
+        <source>set `supports=none` for the region, or choose another mode</source>
+        <translation>为该区域设置 `supports=none`，或选择其他模式</translation>
+    </message>
+    <message>
+        <source>set it in the cell before the program starts</source>
+        <translation>在程序启动之前，在工作单元中设置</translation>
+    </message>
+    <message>
+        <source>set it in the process</source>
+        <translation>在工艺中设置</translation>
+    </message>
+    <message>
+        <source>set the temperatures of the material</source>
+        <translation>设置材料的温度</translation>
+    </message>
+    <message>
+        <source>sets an output</source>
+        <translation>会设置输出</translation>
+    </message>
+    <message>
+        <source>speed factor</source>
+        <translation>速度系数</translation>
+    </message>
+    <message>
+        <source>stops or ends the program</source>
+        <translation>会停止或结束程序</translation>
+    </message>
+    <message>
+        <source>tension across layers</source>
+        <translation>跨层拉应力</translation>
+    </message>
+    <message>
+        <source>there are regions with a force, but none that holds the part</source>
+        <translation>有受力区域，但没有固定零件的区域</translation>
+    </message>
+    <message>
+        <source>there is no field of directions for the infill</source>
+        <translation>没有用于填充的方向场</translation>
+    </message>
+    <message>
+        <source>under all overhangs</source>
+        <translation>所有悬垂之下</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, with `use=settings`</source>
+        <translation>为支撑单独使用一个区域，并设 `use=settings`</translation>
+    </message>
+    <message>
+        <source>use another name</source>
+        <translation>使用其他名称</translation>
+    </message>
+    <message>
+        <source>use the event `output`, for example 30 output 3 on</source>
+        <translation>使用事件 `output`，例如 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>use the event `pause`, for example 12 pause Put in the nut</source>
+        <translation>使用事件 `pause`，例如 12 pause Put in the nut</translation>
+    </message>
+    <message>
+        <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
+        <translation>表面的 {share:.0f} 为缓坡，台阶平均 {mean:.2g}</translation>
+    </message>
+</context>
+<context>
+    <name>EventMarks</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Pause: %1</source>
+        <translation>暂停：%1</translation>
+    </message>
+    <message>
+        <source>Wait: %1 s</source>
+        <translation>等待：%1 s</translation>
+    </message>
+    <message>
+        <source>Output %1 on</source>
+        <translation>输出 %1 开</translation>
+    </message>
+    <message>
+        <source>Output %1 off</source>
+        <translation>输出 %1 关</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>工具 %1</translation>
+    </message>
+    <message>
+        <source>Before layer %1: %2</source>
+        <translation>第 %1 层前：%2</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11593,6 +11934,21 @@ voxels</source>
     <message>
         <source>Block height</source>
         <translation>块体高度</translation>
+    </message>
+</context>
+<context>
+    <name>LayerEvents</name>
+    <message>
+        <source>The next plan pauses before layer %1.</source>
+        <translation>下次规划会在第 %1 层前暂停。</translation>
+    </message>
+    <message>
+        <source>The next plan does not pause before layer %1.</source>
+        <translation>下次规划不会在第 %1 层前暂停。</translation>
+    </message>
+    <message>
+        <source>The next plan has the event before layer %1.</source>
+        <translation>下次规划将包含第 %1 层前的事件。</translation>
     </message>
 </context>
 <context>
@@ -12976,6 +13332,18 @@ Click to choose another one</source>
         <source>Do not run the programs before these are solved.</source>
         <translation>解决这些问题之前不要运行程序。</translation>
     </message>
+    <message>
+        <source>Not checked</source>
+        <translation>未检查</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>除自定义语句外可安全运行：%1</translation>
+    </message>
+    <message>
+        <source>Nothing checks what they do. Try them on the controller with the arm clear first.</source>
+        <translation>它们的作用未经任何检查。先在控制器上、机械臂远离障碍物时试运行。</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::FindingsModel</name>
@@ -13004,6 +13372,10 @@ Click to choose another one</source>
         <translation>
             <numerusform>%n 处</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not checked: %1</source>
+        <translation>未检查：%1</translation>
     </message>
 </context>
 <context>
@@ -13118,6 +13490,10 @@ Click to choose another one</source>
     <message>
         <source>Safe to run, not as asked: %1</source>
         <translation>可安全运行，未达要求：%1</translation>
+    </message>
+    <message>
+        <source>Safe to run but for your own statements: %1</source>
+        <translation>除自定义语句外可安全运行：%1</translation>
     </message>
 </context>
 <context>
@@ -13405,6 +13781,14 @@ Click to choose another one</source>
     <message>
         <source>Paint on the part. Shift or the right button erases.</source>
         <translation>在零件上涂绘。按住 Shift 或用右键擦除。</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
+        <translation>拖出矩形：涂绘其中可见的部分。按住 Shift 或用右键擦除。</translation>
     </message>
 </context>
 <context>
@@ -13777,10 +14161,6 @@ Click to choose another one</source>
         <translation>%1 的区域</translation>
     </message>
     <message>
-        <source>Only a skin follows the surface</source>
-        <translation>只有表层沿着表面</translation>
-    </message>
-    <message>
         <source>Rename region</source>
         <translation>重命名区域</translation>
     </message>
@@ -13847,6 +14227,10 @@ Click to choose another one</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Only a skin or a painted surface says which faces the layers follow</source>
+        <translation>只有表皮或涂绘表面才能指明层所跟随的面</translation>
     </message>
 </context>
 <context>
@@ -14924,6 +15308,10 @@ Tick the ways to compare at the right, then press Compare.</source>
             <numerusform>%n 个零件</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1. Their regions have moved with them.</source>
+        <translation>%1。其区域已随之移动。</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ExportPage</name>
@@ -15094,8 +15482,8 @@ Tick the ways to compare at the right, then press Compare.</source>
         <translation>阻断：参见问题</translation>
     </message>
     <message>
-        <source>not as asked: see the findings</source>
-        <translation>未达要求：参见问题</translation>
+        <source>not as asked or not checked: see the findings</source>
+        <translation>未达要求或未检查：参见问题</translation>
     </message>
 </context>
 <context>
@@ -15152,6 +15540,73 @@ Tick the ways to compare at the right, then press Compare.</source>
     </message>
 </context>
 <context>
+    <name>voluta::window::LayerEventDialog</name>
+    <message>
+        <source>Event before layer %1</source>
+        <translation>第 %1 层前的事件</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Own statement</source>
+        <translation>自定义语句</translation>
+    </message>
+    <message>
+        <source>Shown to the operator; the arm waits until the operator continues</source>
+        <translation>显示给操作员；机械臂等待操作员继续</translation>
+    </message>
+    <message>
+        <source>This line is written into programs of the format. Nothing checks it</source>
+        <translation>此行写入该格式的程序，未经任何检查</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>事件(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>文本(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>时长(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation>编号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>工具(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>格式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>语句行(&amp;L)</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -15162,12 +15617,12 @@ Tick the ways to compare at the right, then press Compare.</source>
         <translation>分块始终完整显示</translation>
     </message>
     <message>
-        <source>The next plan pauses before layer %1.</source>
-        <translation>下次规划会在第 %1 层前暂停。</translation>
+        <source>Event before this layer…</source>
+        <translation>此层前的事件…</translation>
     </message>
     <message>
-        <source>The next plan does not pause before layer %1.</source>
-        <translation>下次规划不会在第 %1 层前暂停。</translation>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>暂停、等待、输出、更换工具或自定义语句行</translation>
     </message>
 </context>
 <context>
@@ -16316,6 +16771,10 @@ Tick the ways to compare at the right, then press Compare.</source>
         <source>Reading %1…</source>
         <translation>正在读取 %1…</translation>
     </message>
+    <message>
+        <source>Nothing is painted yet: the region has no effect.</source>
+        <translation>尚未涂绘任何内容：该区域不起作用。</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::RemedyEffect</name>
@@ -16569,6 +17028,14 @@ Tick the ways to compare at the right, then press Compare.</source>
         <source>Done. Safe to run, not as asked: %1.</source>
         <translation>完成。可安全运行，未达要求：%1。</translation>
     </message>
+    <message>
+        <source>safe to run but for your own statements</source>
+        <translation>除自定义语句外可安全运行</translation>
+    </message>
+    <message>
+        <source>Done. Safe to run but for your own statements.</source>
+        <translation>完成。除自定义语句外可安全运行。</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -16670,6 +17137,26 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>Solid where the nozzle prints, dashed where it travels</source>
         <translation>打印处为实线，空程处为虚线</translation>
+    </message>
+    <message>
+        <source>Remove the pause before layer %1</source>
+        <translation>移除第 %1 层前的暂停</translation>
+    </message>
+    <message>
+        <source>Pause before layer %1</source>
+        <translation>第 %1 层前暂停</translation>
+    </message>
+    <message>
+        <source>Event before layer %1…</source>
+        <translation>第 %1 层前的事件…</translation>
+    </message>
+    <message>
+        <source>Event before this layer…</source>
+        <translation>此层前的事件…</translation>
+    </message>
+    <message>
+        <source>A pause, a wait, an output, another tool or a line of your own</source>
+        <translation>暂停、等待、输出、更换工具或自定义语句行</translation>
     </message>
 </context>
 <context>
@@ -17012,6 +17499,10 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>%1: safe to run, but it does not print the part as asked.</source>
         <translation>%1：可安全运行，但不能按要求打印零件。</translation>
+    </message>
+    <message>
+        <source>%1: safe to run but for your own statements, which nothing checks.</source>
+        <translation>%1：除自定义语句外可安全运行；自定义语句未经任何检查。</translation>
     </message>
 </context>
 <context>

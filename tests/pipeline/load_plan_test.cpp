@@ -6,6 +6,7 @@
 #include "helpers/loaded_box.h"
 #include "helpers/made_solids.h"
 #include "helpers/shapes.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/compare_figures.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"

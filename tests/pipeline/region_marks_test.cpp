@@ -5,6 +5,7 @@
 #include "helpers/made_solids.h"
 #include "helpers/shapes.h"
 #include "layers/layer_stack.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
 #include "plan/tool_plan.h"

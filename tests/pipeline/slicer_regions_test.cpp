@@ -6,6 +6,7 @@
 #include "helpers/slicer_packages.h"
 #include "helpers/temporary_folder.h"
 #include "motion/layer_event_text.h"
+#include "pipeline/checked_program.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
