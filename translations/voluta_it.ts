@@ -11941,24 +11941,48 @@ sione mm</translation>
         <translation>sotto tutti gli sbalzi</translation>
     </message>
     <message>
-        <source>use a region of its own for the supports, with `use=settings`</source>
-        <translation>usa una regione a parte per i supporti, con `use=settings`</translation>
-    </message>
-    <message>
         <source>use another name</source>
         <translation>usa un altro nome</translation>
     </message>
     <message>
-        <source>use the event `output`, for example 30 output 3 on</source>
-        <translation>usa l&apos;evento `output`, per esempio 30 output 3 on</translation>
-    </message>
-    <message>
-        <source>use the event `pause`, for example 12 pause Put in the nut</source>
-        <translation>usa l&apos;evento `pause`, per esempio 12 pause Inserisci il dado</translation>
-    </message>
-    <message>
         <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
         <translation>il {share:.0f} della superficie è in lieve pendenza, con gradini di {mean:.2g} in media</translation>
+    </message>
+    <message>
+        <source>a force acts only where the part is held</source>
+        <translation>una forza agisce solo dove il pezzo è tenuto</translation>
+    </message>
+    <message>
+        <source>infill across the stress</source>
+        <translation>riempimento di traverso alla tensione</translation>
+    </message>
+    <message>
+        <source>may do anything: Voluta does not know it</source>
+        <translation>può fare qualsiasi cosa: Voluta non lo conosce</translation>
+    </message>
+    <message>
+        <source>move the region with the force away from the one that holds</source>
+        <translation>allontana la regione con la forza da quella che tiene</translation>
+    </message>
+    <message>
+        <source>the flow is not 0 while the extruder is off</source>
+        <translation>il flusso non è 0 mentre l&apos;estrusore è spento</translation>
+    </message>
+    <message>
+        <source>the part has no volume to be loaded</source>
+        <translation>il pezzo non ha volume da caricare</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, whose use is settings</source>
+        <translation>usa per i supporti una regione propria, con uso impostazioni</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 12 pause Put in the nut</source>
+        <translation>usa un evento, per esempio 12 pause Put in the nut</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 30 output 3 on</source>
+        <translation>usa un evento, per esempio 30 output 3 on</translation>
     </message>
 </context>
 <context>

@@ -11941,24 +11941,48 @@ bøyning mm</translation>
         <translation>under alle overheng</translation>
     </message>
     <message>
-        <source>use a region of its own for the supports, with `use=settings`</source>
-        <translation>bruk en egen region for støtten, med `use=settings`</translation>
-    </message>
-    <message>
         <source>use another name</source>
         <translation>bruk et annet navn</translation>
     </message>
     <message>
-        <source>use the event `output`, for example 30 output 3 on</source>
-        <translation>bruk hendelsen `output`, for eksempel 30 output 3 on</translation>
-    </message>
-    <message>
-        <source>use the event `pause`, for example 12 pause Put in the nut</source>
-        <translation>bruk hendelsen `pause`, for eksempel 12 pause Legg inn mutteren</translation>
-    </message>
-    <message>
         <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
         <translation>{share:.0f} av overflaten er slake skråninger med trinn på {mean:.2g} i snitt</translation>
+    </message>
+    <message>
+        <source>a force acts only where the part is held</source>
+        <translation>en kraft virker bare der delen holdes</translation>
+    </message>
+    <message>
+        <source>infill across the stress</source>
+        <translation>fyll på tvers av spenningen</translation>
+    </message>
+    <message>
+        <source>may do anything: Voluta does not know it</source>
+        <translation>kan gjøre hva som helst: Voluta kjenner det ikke</translation>
+    </message>
+    <message>
+        <source>move the region with the force away from the one that holds</source>
+        <translation>flytt området med kraften bort fra det som holder</translation>
+    </message>
+    <message>
+        <source>the flow is not 0 while the extruder is off</source>
+        <translation>strømmen er ikke 0 mens ekstruderen er av</translation>
+    </message>
+    <message>
+        <source>the part has no volume to be loaded</source>
+        <translation>delen har ikke noe volum som kan belastes</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, whose use is settings</source>
+        <translation>bruk et eget område for støttene, med bruken innstillinger</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 12 pause Put in the nut</source>
+        <translation>bruk en hendelse, for eksempel 12 pause Put in the nut</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 30 output 3 on</source>
+        <translation>bruk en hendelse, for eksempel 30 output 3 on</translation>
     </message>
 </context>
 <context>

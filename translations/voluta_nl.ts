@@ -11941,24 +11941,48 @@ buiging mm</translation>
         <translation>onder alle overhangen</translation>
     </message>
     <message>
-        <source>use a region of its own for the supports, with `use=settings`</source>
-        <translation>gebruik een apart gebied voor de ondersteuning, met `use=settings`</translation>
-    </message>
-    <message>
         <source>use another name</source>
         <translation>gebruik een andere naam</translation>
     </message>
     <message>
-        <source>use the event `output`, for example 30 output 3 on</source>
-        <translation>gebruik de gebeurtenis `output`, bijvoorbeeld 30 output 3 on</translation>
-    </message>
-    <message>
-        <source>use the event `pause`, for example 12 pause Put in the nut</source>
-        <translation>gebruik de gebeurtenis `pause`, bijvoorbeeld 12 pause Plaats de moer</translation>
-    </message>
-    <message>
         <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
         <translation>{share:.0f} van het oppervlak bestaat uit flauwe hellingen met treden van gemiddeld {mean:.2g}</translation>
+    </message>
+    <message>
+        <source>a force acts only where the part is held</source>
+        <translation>een kracht werkt alleen waar het onderdeel wordt vastgehouden</translation>
+    </message>
+    <message>
+        <source>infill across the stress</source>
+        <translation>vulling dwars op de spanning</translation>
+    </message>
+    <message>
+        <source>may do anything: Voluta does not know it</source>
+        <translation>kan van alles doen: Voluta kent het niet</translation>
+    </message>
+    <message>
+        <source>move the region with the force away from the one that holds</source>
+        <translation>verplaats het gebied met de kracht weg van het gebied dat vasthoudt</translation>
+    </message>
+    <message>
+        <source>the flow is not 0 while the extruder is off</source>
+        <translation>de stroom is niet 0 terwijl de extruder uit is</translation>
+    </message>
+    <message>
+        <source>the part has no volume to be loaded</source>
+        <translation>het onderdeel heeft geen volume om te belasten</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, whose use is settings</source>
+        <translation>gebruik voor de steunen een eigen gebied, met gebruik instellingen</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 12 pause Put in the nut</source>
+        <translation>gebruik er een gebeurtenis voor, bijvoorbeeld 12 pause Put in the nut</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 30 output 3 on</source>
+        <translation>gebruik er een gebeurtenis voor, bijvoorbeeld 30 output 3 on</translation>
     </message>
 </context>
 <context>

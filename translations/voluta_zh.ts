@@ -11851,24 +11851,48 @@ mm</translation>
         <translation>所有悬垂之下</translation>
     </message>
     <message>
-        <source>use a region of its own for the supports, with `use=settings`</source>
-        <translation>为支撑单独使用一个区域，并设 `use=settings`</translation>
-    </message>
-    <message>
         <source>use another name</source>
         <translation>使用其他名称</translation>
     </message>
     <message>
-        <source>use the event `output`, for example 30 output 3 on</source>
-        <translation>使用事件 `output`，例如 30 output 3 on</translation>
-    </message>
-    <message>
-        <source>use the event `pause`, for example 12 pause Put in the nut</source>
-        <translation>使用事件 `pause`，例如 12 pause Put in the nut</translation>
-    </message>
-    <message>
         <source>{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average</source>
         <translation>表面的 {share:.0f} 为缓坡，台阶平均 {mean:.2g}</translation>
+    </message>
+    <message>
+        <source>a force acts only where the part is held</source>
+        <translation>力只作用在零件被固定之处</translation>
+    </message>
+    <message>
+        <source>infill across the stress</source>
+        <translation>填充与应力方向不一致</translation>
+    </message>
+    <message>
+        <source>may do anything: Voluta does not know it</source>
+        <translation>作用未知：Voluta 不认识它</translation>
+    </message>
+    <message>
+        <source>move the region with the force away from the one that holds</source>
+        <translation>将受力区域移离固定区域</translation>
+    </message>
+    <message>
+        <source>the flow is not 0 while the extruder is off</source>
+        <translation>挤出机关闭时流量不为 0</translation>
+    </message>
+    <message>
+        <source>the part has no volume to be loaded</source>
+        <translation>零件没有可受力的体积</translation>
+    </message>
+    <message>
+        <source>use a region of its own for the supports, whose use is settings</source>
+        <translation>为支撑使用单独的区域，其用途为设置</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 12 pause Put in the nut</source>
+        <translation>请改用事件，例如 12 pause Put in the nut</translation>
+    </message>
+    <message>
+        <source>use an event for it, for example 30 output 3 on</source>
+        <translation>请改用事件，例如 30 output 3 on</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
 #include "base/data_files.h"
 #include "base/error.h"
+#include "base/run_context.h"
 #include "cli/batch_options.h"
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
@@ -25,6 +26,7 @@
 #include "project/platform_kinds.h"
 #include "project/turn_text.h"
 #include "project/version.h"
+#include "regions/region_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -136,11 +138,7 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
   command
       .add_option("--part", options.own, "NUMBER:KEY=VALUE: mode, scale or a parameter of one part")
       ->allow_extra_args(false);
-  command
-      .add_option(
-          "--region", options.regions,
-          "[NUMBER:]SHAPE[;use=USE][;KEY=VALUE]...: a place in a part with settings or layers "
-          "of its own; see the manual, Regions")
+  command.add_option("--region", options.regions, std::string("[NUMBER:]") + kRegionHelp)
       ->allow_extra_args(false);
   command
       .add_option_function<std::string>(
@@ -273,6 +271,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
     CompareCommandOptions options;
     std::vector<std::string> weights;
     bool noPictures = false;
+    std::vector<std::string> regions;
   };
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
@@ -302,6 +301,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
                    "FIGURE=NUMBER: weight in the ranking. Rule: " +
                        pipeline::ruleText(pipeline::defaultWeights()))
       ->allow_extra_args(false);
+  compare->add_option("--region", values->regions, kRegionHelp)->allow_extra_args(false);
   compare->add_flag("--no-pictures", values->noPictures, "figures only");
   addRunOptions(*compare, values->options.threads, values->progress);
   compare->callback([values, &parsed] {
@@ -312,6 +312,9 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       options.weights = pipeline::defaultWeights();
       for (const std::string& weight : values->weights)
         pipeline::setWeight(options.weights, weight);
+      for (const std::string& text : values->regions)
+        options.compared.plan.choices.item().regions.push_back(
+            regions::parsedRegion(text, base::RunContext()));
       if (!options.compared.modes.empty())
         options.compared.plan.choices.item().mode = options.compared.modes.front();
       takePlanOptions(options.compared.plan, *values);

@@ -12,4 +12,8 @@ inline constexpr const char* kProcessHelp =
 inline constexpr const char* kUnitsHelp = "units of the mesh file: um, mm, cm, in, m";
 inline constexpr const char* kPartHelp = "file of a part (see: list parts), or sample:NAME";
 
+inline constexpr const char* kRegionHelp =
+    "SHAPE[;use=USE][;KEY=VALUE]...: a place in a part with settings or layers of its own; see the "
+    "manual, Regions";
+
 } // namespace voluta::cli

@@ -20,11 +20,12 @@ using Eigen::Vector3d;
 using plan::PathKind;
 
 constexpr double kAlignedDeg = 30.0;
-constexpr double kStepShare = 0.4; // of a cell's width, between places in a bead
-constexpr double kEmpty = 1e-3;    // of the beads around a cell: it has none of its own
-constexpr double kFull = 0.9;      // the rest is rounding of beads into cells
-constexpr double kSoft = 1e-3;     // of the matrix, where no bead is: no corner is loose
-constexpr double kExceeded = 0.01; // of the volume, by the tensions that are reported
+constexpr double kLeastWork = 1e-9; // mm
+constexpr double kStepShare = 0.4;  // of a cell's width, between places in a bead
+constexpr double kEmpty = 1e-3;     // of the beads around a cell: it has none of its own
+constexpr double kFull = 0.9;       // the rest is rounding of beads into cells
+constexpr double kSoft = 1e-3;      // of the matrix, where no bead is: no corner is loose
+constexpr double kExceeded = 0.01;  // of the volume, by the tensions that are reported
 
 bool countsFor(const plan::ToolPath& path, int item) {
   return path.item == item && !plan::isWaste(path.kind) && path.kind != PathKind::Support &&
@@ -232,7 +233,7 @@ plan::LoadStatistics loadFigures(const plan::ToolPlan& plan, int item,
   const Stiffness6 soft = isotropicStiffness(kSoft * matrix.acrossMPa, matrix.poisson);
   const ElasticState state = solved(
       load, [&](std::size_t c) { return Stiffness6(deposited.stiffnessOf(c) + soft); }, ctx);
-  if (state.workNmm > 0.0)
+  if (state.workNmm > kLeastWork * figures.forceN) // none if the forces cancel
     figures.stiffnessNPerMm = figures.forceN * figures.forceN / state.workNmm;
   addTensions(load, deposited.cells(), state, figures);
   return figures;

@@ -100,19 +100,23 @@ Sparse assembled(const LoadCase& load, const Nodes& nodes, const std::vector<Sti
   return matrix;
 }
 
-// Shares each force between the corners of its cells, by how many of the cells a corner belongs to
-// and how much they are filled.
+// Shares each force between the corners of its cells that move, by how many of the cells a corner
+// belongs to and how much they are filled.
 Eigen::VectorXd rightSide(const LoadCase& load, const Nodes& nodes) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(3 * nodes.count());
   for (const CellForce& force : load.forces) {
-    double filled = 0.0;
+    double filled = 0.0; // of the corners that move
     for (const std::size_t c : force.cells)
-      filled += static_cast<double>(load.share[c]);
+      for (const std::size_t node : nodes.of(c))
+        filled += nodes.number(node) >= 0 ? static_cast<double>(load.share[c]) : 0.0;
+    if (filled <= 0.0)
+      throw base::Error(base::ErrorCode::UnusableInput,
+                        "a force acts only where the part is held"_text, {},
+                        "move the region with the force away from the one that holds"_text);
     for (const std::size_t c : force.cells)
       for (const std::size_t node : nodes.of(c))
         if (const int a = nodes.number(node); a >= 0)
-          right.segment<3>(3 * a) +=
-              static_cast<double>(load.share[c]) / filled / 8.0 * force.newton;
+          right.segment<3>(3 * a) += static_cast<double>(load.share[c]) / filled * force.newton;
   }
   return right;
 }

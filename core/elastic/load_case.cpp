@@ -20,7 +20,13 @@ constexpr int kFiner = 5; // cells whose centres are tested, along each side of 
 voxel::VoxelGrid gridAround(const TriangleMesh& part, std::size_t cells) {
   const Eigen::AlignedBox3d box = geometry::bounds(part);
   voxel::VoxelGrid grid;
-  grid.pitch = std::cbrt(std::abs(geometry::volume(part)) / static_cast<double>(cells));
+  const double volume = std::abs(geometry::volume(part));
+  if (!(volume > 0.0))
+    throw base::Error(base::ErrorCode::UnusableInput, "the part has no volume to be loaded"_text);
+  // Of a frame of thin rods, most cells of its box are empty.
+  constexpr double kMostOfBox = 500'000.0;
+  grid.pitch =
+      std::cbrt(std::max(volume / static_cast<double>(cells), box.sizes().prod() / kMostOfBox));
   const Vector3d count = (box.sizes() / grid.pitch).array().round().max(1.0);
   // The part fills its cells along its longest side, and lies in the middle of the others.
   Eigen::Index longest = 0;

@@ -106,15 +106,17 @@ std::vector<double> timesFromRest(const plan::Trajectory& t, std::size_t point, 
 
 // Returns the pauses, waits and outputs before the bead that begins at the point, in their order:
 // nobody knows which of them have been before the print stopped. The pause for a change of the tool
-// is not among them, since the operator fits the tool before the rest.
-std::vector<plan::TrajectoryEvent> eventsAhead(const plan::Trajectory& t, std::size_t point) {
+// is not among them, since the operator fits the tool before the rest. A rest that is taken up
+// again has already repeated those before `resumedAt`.
+std::vector<plan::TrajectoryEvent> eventsAhead(const plan::Trajectory& t, std::size_t point,
+                                               std::size_t resumedAt) {
   using enum plan::EventKind;
   std::size_t printed = point; // the last point of the bead before
   while (printed > 0 && t.move[printed] != MoveKind::Print)
     --printed;
   std::vector<plan::TrajectoryEvent> ahead;
   for (const plan::TrajectoryEvent& event : t.events)
-    if (event.point > printed && event.point <= point &&
+    if (event.point > printed && event.point >= resumedAt && event.point <= point &&
         (event.kind == Wait || event.kind == Output ||
          (event.kind == Pause && !t.changeAfter(event))))
       ahead.push_back(event);
@@ -200,7 +202,8 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
 std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
                                 const plan::ToolPlan& plan, const robot::Cell& cell,
                                 const process::Tooling& tooling, const collision::GrowingPart& part,
-                                const MotionOptions& options, const base::RunContext& ctx) {
+                                const MotionOptions& options, std::size_t resumedAt,
+                                const base::RunContext& ctx) {
   base::require(point + 1 < t.pointCount() && t.move[point + 1] == MoveKind::Print &&
                     t.waypoint[point] < plan.waypointCount(),
                 "a point at which printing goes on");
@@ -238,7 +241,7 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
   const std::vector<plan::TrajectoryEvent> again = t.move[point] == MoveKind::Print
                                                        ? std::vector<plan::TrajectoryEvent>()
-                                                       : eventsAhead(t, point);
+                                                       : eventsAhead(t, point, resumedAt);
   bool isWaiting = false; // the nozzle drips meanwhile
   for (plan::TrajectoryEvent event : again) {
     isWaiting = isWaiting || event.kind != plan::EventKind::Output;

@@ -61,11 +61,13 @@ struct Resumed {
 
 // Resumes `trajectory` at `point` (resumePoint). The approach is planned clear of the cell and of
 // the part printed so far. The rest keeps its joints and its times, except that the interrupted run
-// starts from rest. Returns nullopt if no transfer from home is found. Preconditions: `part` was
-// grown from `plan`, the trajectory moves along it, and is the cell's. Throws Cancelled.
+// starts from rest. `resumedAt`: where the trajectory was taken up before; 0: never. Returns
+// nullopt if no transfer from home is found. Preconditions: `part` was grown from `plan`, the
+// trajectory moves along it, and is the cell's. Throws Cancelled.
 std::optional<Resumed> resumeAt(const plan::Trajectory& trajectory, std::size_t point,
                                 const plan::ToolPlan& plan, const robot::Cell& cell,
                                 const process::Tooling& tooling, const collision::GrowingPart& part,
-                                const MotionOptions& options, const base::RunContext& ctx);
+                                const MotionOptions& options, std::size_t resumedAt,
+                                const base::RunContext& ctx);
 
 } // namespace voluta::motion

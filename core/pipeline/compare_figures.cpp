@@ -136,7 +136,8 @@ const std::vector<Figure>& figures() {
       {"acrossLayersMPa", "tension across layers"_text, "Across\nlayers MPa"_text, "MPa", 1.0,
        ofLoad<&plan::LoadStatistics::acrossLayersMPa>, false, false},
       {"infillAlignedFraction", "infill along the stress"_text, "Along\nstress %"_text, "%", 0.0,
-       ofLoad<&plan::LoadStatistics::infillAlignedFraction>, true, false},
+       ofLoad<&plan::LoadStatistics::infillAlignedFraction>, true, false,
+       "infill across the stress"_text},
   };
   return kFigures;
 }

@@ -250,7 +250,8 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     if (hasMarks(all[i]) && !use.cuts) {
       marked = regions::bodyOf(withDepthOfMarks(all[i], resolved.process().beadWidthMm), part,
                                levels, ctx);
-      addMarks(resolved, all[i], marked, *stage, seams);
+      if (!marked.empty())
+        addMarks(resolved, all[i], marked, *stage, seams);
     }
     const auto layered = std::ranges::find(stage->layered, i, &regions::LayeredRegion::index);
     bool isInPart = layered != stage->layered.end();
@@ -262,8 +263,8 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
         stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
       const geometry::TriangleMesh& body = onlyMarks(all[i]) ? marked : stage->bodies.back();
       if (!body.empty()) {
-        const auto shared = geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole,
-                                                  body, false);
+        const auto shared =
+            geometry::meshBoolean(geometry::BooleanOperation::Intersection, *whole, body, false);
         isInPart = !shared || !shared->empty();
       }
     }
@@ -350,6 +351,24 @@ std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
   return rules;
 }
 
+namespace {
+// Returns what the figures of a part under its forces depend on beside its beads.
+std::string loadedMaterialsKey(const Resolved& resolved) {
+  std::string key;
+  if (!any(resolved,
+           [](const regions::RegionUse& use) { return use.load == regions::RegionLoad::Force; }))
+    return key;
+  for (const process::Tool& tool : resolved.tooling.tools()) {
+    const process::Elasticity e =
+        tool.process.material.elasticity.value_or(process::Elasticity{0.0, 0.0, 0.0, 0.0});
+    const process::Tape tape = tool.process.tape.value_or(process::Tape());
+    key += base::keyText(e.alongMPa, e.acrossMPa, e.shearMPa, e.poisson, tape.fibreMPa,
+                         tape.fibreShare);
+  }
+  return key;
+}
+} // namespace
+
 std::string cutRegionsKey(const Resolved& resolved) {
   return any(resolved, &regions::RegionUse::cuts) ? shapesKey(resolved) : std::string();
 }
@@ -375,14 +394,24 @@ std::string regionLayersKey(const Resolved& resolved) {
   for (const Region& region : regionsOf(resolved))
     key +=
         base::keyText(toolOf(resolved, region).value_or(-1)) + (onlyMarks(region) ? "marks\n" : "");
-  for (const Region& region : regionsOf(resolved))
-    if (const double mm = interlockMm(resolved, region); mm > 0.0)
-      key += "interlock " + region.shape + base::keyText(mm);
+  const std::vector<Region>& all = regionsOf(resolved);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const double mm = interlockMm(resolved, all[i]); mm > 0.0)
+      key += "interlock " + base::keyText(i, mm);
+  return key;
+}
+
+std::string seamRegionsKey(const Resolved& resolved) {
+  std::string key;
+  for (const Region& region : regionsOf(resolved)) {
+    const auto own = region.parameters.find("seamHere");
+    key += own == region.parameters.end() ? "-" : " " + own->second;
+  }
   return key;
 }
 
 std::string regionRulesKey(const Resolved& resolved) {
-  std::string key;
+  std::string key = loadedMaterialsKey(resolved);
   for (const Region& region : regionsOf(resolved))
     key += "region " + toolpath::optionsKey(rulesOf(resolved, &region).options);
   return key;

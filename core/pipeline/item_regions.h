@@ -37,7 +37,7 @@ struct RegionStage {
   std::vector<geometry::TriangleMesh> bodies;
   layers::SupportPlaces supports;
   std::shared_ptr<const toolpath::SeamPlaces> seams; // null: none
-  std::shared_ptr<const ItemLoad> load; // null without forces
+  std::shared_ptr<const ItemLoad> load;              // null without forces
   plan::Findings findings;
 };
 // `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().
@@ -70,5 +70,7 @@ std::string layeredRegionsKey(const Resolved& resolved);
 std::string supportRegionsKey(const Resolved& resolved);
 std::string regionLayersKey(const Resolved& resolved);
 std::string regionRulesKey(const Resolved& resolved);
+// Of the places of seams in RegionStage, which layers do not depend on.
+std::string seamRegionsKey(const Resolved& resolved);
 
 } // namespace voluta::pipeline

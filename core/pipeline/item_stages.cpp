@@ -264,7 +264,7 @@ double ItemStages::fileUnitMm() const {
 void ItemStages::makeRegions(std::shared_ptr<const geometry::TriangleMesh> whole) {
   if (!hasRegions(resolved_))
     return;
-  regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers), slot("regions"), [&] {
+  regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers) + seamRegionsKey(resolved_), slot("regions"), [&] {
     return regionStage(*placed_, std::move(whole), *loaded_->mesh, resolved_, fileUnitMm(),
                        context_.span(Stage::Decompose).quiet());
   });

@@ -58,7 +58,7 @@ void requireSupports(const project::ItemChoices& item, const Region& region,
     throw Error(ErrorCode::Usage,
                 base::message("region {region} asks for supports: its own layers have none"_text,
                               region.shape),
-                {}, "use a region of its own for the supports, with `use=settings`"_text);
+                {}, "use a region of its own for the supports, whose use is settings"_text);
 }
 } // namespace
 

@@ -227,7 +227,7 @@ private:
     timings.collision = watch.seconds();
     watch = base::Stopwatch();
     auto resumed = motion::resumeAt(*job().trajectory, point_, plan, *result_.plan.cell, tooling,
-                                    growing, motionOptions(), ctx);
+                                    growing, motionOptions(), job().resumedAt, ctx);
     timings.transfer = watch.seconds();
     if (!resumed) {
       const Eigen::Vector3d& where = plan.position[result_.waypoint];

@@ -1,9 +1,9 @@
 #include "pipeline/stage_runner.h"
-#include "elastic/deposited.h"
 
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stopwatch.h"
+#include "elastic/deposited.h"
 #include "layers/walled_support.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"

@@ -155,7 +155,8 @@ void addBeadWords(std::vector<plan::StatedFact> facts, plan::ReadProgram& progra
     fact.before = static_cast<std::size_t>(next - program.motions.begin());
     const auto pause =
         std::ranges::partition_point(program.pauses, [&](const plan::ProgramPause& p) {
-          return std::pair(p.file, p.line) < std::pair<std::size_t, std::size_t>(fact.file, fact.line);
+          return std::pair(p.file, p.line) <
+                 std::pair<std::size_t, std::size_t>(fact.file, fact.line);
         });
     fact.beforePause = static_cast<std::size_t>(pause - program.pauses.begin());
     program.facts.push_back(std::move(fact));

@@ -557,8 +557,11 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
 } // namespace
 
 std::vector<std::string> continuationFiles(const Dialect& dialect, std::string_view text) {
+  // A routine that the user calls before a layer is no file of the program.
+  const ReadOwnLines own = takeOwnLines({{"", std::string(text)}}, dialect.id, dialect.remark);
+  const std::string_view seen = own.files.empty() ? text : std::string_view(own.files.front().text);
   std::vector<std::string> files =
-      dialect.continuationFiles ? dialect.continuationFiles(text) : std::vector<std::string>();
+      dialect.continuationFiles ? dialect.continuationFiles(seen) : std::vector<std::string>();
   if (std::string stream = streamOf(text); !stream.empty())
     files.push_back(std::move(stream));
   return files;

@@ -119,8 +119,7 @@ std::vector<std::string> namesSet(std::string_view dialect,
     return names;
   for (const TrajectoryEvent& event : events)
     if (event.kind == EventKind::Statement)
-      if (std::string name = assignedName(event.text); !name.empty())
-        names.push_back(std::move(name));
+      std::ranges::move(assignedNames(event.text), std::back_inserter(names));
   return names;
 }
 // Throws Error{Usage} if the program's line has one of them.

@@ -12,7 +12,7 @@ namespace voluta::program {
 
 namespace {
 
-enum class Effect { Motion, Heat, Frame, Flow, Output, Stop, Jump };
+enum class Effect { Motion, Heat, Frame, Flow, Output, Stop, Jump, Unknown };
 
 struct EffectRow {
   Effect effect;
@@ -25,13 +25,18 @@ const EffectRow kEffects[] = {
     {Effect::Frame, "changes the origin, the tool or the units"_text,
      "set it in the cell before the program starts"_text},
     {Effect::Flow, "changes the extruder"_text, "set it in the process"_text},
-    {Effect::Output, "sets an output"_text,
-     "use the event `output`, for example 30 output 3 on"_text},
+    {Effect::Output, "sets an output"_text, "use an event for it, for example 30 output 3 on"_text},
     {Effect::Stop, "stops or ends the program"_text,
-     "use the event `pause`, for example 12 pause Put in the nut"_text},
+     "use an event for it, for example 12 pause Put in the nut"_text},
     {Effect::Jump, "changes the order of the program's lines"_text,
      "put it into a routine on the controller, and call that"_text},
+    {Effect::Unknown, "may do anything: Voluta does not know it"_text,
+     "put it into a routine on the controller, and call that"_text},
 };
+
+// Codes of G-code that leave the print alone, whatever their firmware.
+constexpr std::string_view kHarmless =
+    "g4 m31 m73 m75 m77 m78 m105 m114 m115 m117 m118 m119 m150 m300 m400";
 
 // Small letters, separated by blanks; a star stands for any end.
 struct WordRow {
@@ -46,11 +51,11 @@ constexpr WordRow kWords[] = {
      "end_freedrive_mode teach_mode end_teach_mode path_offset_* optimove* *track_conveyor* "
      "track_conveyor_* stop_conveyor_tracking screw_driving end_screw_driving direct_torque "
      "set_payload* set_target_payload* set_gravity reset_revolution_counter jog* powerdown "
-     "power_off"},
+     "power_off mc_* interpreter_mode *torque_command* power_down shutdown rtde_*"},
     {"urscript", Effect::Frame, "set_tcp set_pos set_base* set_frame*"},
     {"urscript", Effect::Output,
      "set_digital_out set_standard_* set_analog_* set_configurable_* set_tool_digital_out "
-     "set_runstate_* modbus_set_output_* modbus_set_runstate_* write_port_*"},
+     "set_runstate_* set_euromap_* modbus_set_* write_*"},
     {"urscript", Effect::Stop, "halt pause popup protective_stop"},
     {"urscript", Effect::Jump,
      "def end sec if elif else while for break continue return goto thread run kill join "
@@ -60,20 +65,24 @@ constexpr WordRow kWords[] = {
      "move* trigg* search* stopmove* startmove* clearpath storepath restopath contactl accset "
      "velset speedrefresh pathacclim worldacclim singarea softact softdeact confj confl "
      "circpathmode motionsup gripload actunit deactunit mechunitload pathresol corr* indamove "
-     "indrmove indcmove inddmove indreset egm* arcl* arcc* setleadthrough"},
+     "indrmove indcmove inddmove indreset egm* arcl* arcc* setleadthrough pathrec* spot* cap* "
+     "manloadid* mtooltcpcalib mtoolrotcalib"},
     {"rapid", Effect::Frame,
-     "pdispon pdispoff pdispset eoffson eoffsoff eoffsset tooldata wobjdata loaddata"},
+     "pdispon pdispoff pdispset eoffson eoffsoff eoffsset tooldata wobjdata loaddata setdataval "
+     "setalldataval setsysdata"},
     {"rapid", Effect::Output,
      "setdo setao setgo set reset invertdo pulsedo iodisable ioenable aliasio"},
     {"rapid", Effect::Stop, "stop exit exitcycle systemstopaction uimsgbox tpread* systemrestart"},
     {"rapid", Effect::Jump,
      "goto if then elseif else endif for endfor while endwhile test case endtest return raise "
+     "load unload startload waitload save erasemodule idelete isleep iwatch "
      "trynext retry proc endproc module trap connect callbyvar %"},
     // KSS programming manual for system integrators
     {"krl", Effect::Motion,
      "ptp lin circ sptp slin scirc spl spline endspline ptp_* lin_* circ_* *_rel asyptp brake "
      "bas $vel* $acc* $ov_* $ipo_mode $apo* $ori_type $circ_type $advance $axis_* $async_* "
-     "$load* $red_vel $act_ex_ax $softplc* pdat_act ldat_act fdat_act trigger"},
+     "$load* $red_vel $act_ex_ax $softplc* $softn_end* $softp_end* $jerk* rsi_* pdat_act ldat_act "
+     "fdat_act trigger"},
     {"krl", Effect::Frame,
      "$tool* $base* $nullframe $world $robroot $act_tool $act_base tool_data base_data load_data "
      "$tool_c $base_c"},
@@ -81,21 +90,22 @@ constexpr WordRow kWords[] = {
     {"krl", Effect::Stop, "halt resume exit"},
     {"krl", Effect::Jump,
      "if then else endif for endfor while endwhile loop endloop repeat until goto return switch "
-     "case default endswitch interrupt def deffct end endfct ext"},
+     "case default endswitch interrupt def deffct end endfct ext cancel"},
     // SPEL+ Language Reference
     {"spel", Effect::Motion,
      "go move arc arc3 jump* bgo bmove tgo tmove pulse home jtran ptran cvmove pass speed* accel* "
      "power motor sfree slock weight inertia brake fine cp curve qp autoljm ptpboost limz arch "
      "force* calib mcal reset jog"},
     {"spel", Effect::Frame, "tool tlset base local localclr arm* ecp* pallet"},
-    {"spel", Effect::Output, "on off out outw opbcd aio_out* memout"},
+    {"spel", Effect::Output, "on off out outw opbcd aio_out* memout memon memoff setsw"},
     {"spel", Effect::Stop, "pause halt quit msgbox restart shutdown"},
     {"spel", Effect::Jump,
      "goto gosub return if then else elseif endif for next do loop while wend select case send "
      "exit xqt resume function fend onerr trap"},
     // CR750 series instruction manual
     {"melfa", Effect::Motion,
-     "mov mvs mvr* mvc mva mvtune mxt* spd ovrd jovrd accel oadl cnt fine servo hopen hclose prec "
+     "mov mvs mvspl mvr* mvc mva mvtune emv* espd mxt* spd ovrd jovrd accel oadl cnt fine servo "
+     "hopen hclose prec "
      "torq cmp cmpoff* cmppos colchk collvl loadset jrc spdopt trk* wth wthif getm relm fsc* "
      "m_nspd m_novrd"},
     {"melfa", Effect::Frame, "tool base m_tool p_tool* p_base* p_ntool p_nbase"},
@@ -107,9 +117,9 @@ constexpr WordRow kWords[] = {
     // Expression Editor and Listen Node manual
     {"tmscript", Effect::Motion,
      "ptp line circle pline move_* pvt* continuev* stopcontinue* suspendcontinue* stopandclear* "
-     "vision_* set_load changeload force* pathoffset* stop"},
-    {"tmscript", Effect::Frame, "changebase changetcp"},
-    {"tmscript", Effect::Output, "io"},
+     "resetmotion vision_* set_load changeload force* pathoffset* stop"},
+    {"tmscript", Effect::Frame, "changebase changetcp base tcp"},
+    {"tmscript", Effect::Output, "io modbus_write*"},
     {"tmscript", Effect::Stop, "pause resume scriptexit exit"},
     {"tmscript", Effect::Jump,
      "goto if else for while do switch case break continue return define thread* waitqueuetag"},
@@ -208,11 +218,21 @@ std::vector<std::string> commandsIn(std::string_view line) {
     else if (isFirst && letter != 'n')
       commands.emplace_back(letter == 't' || letter == 'o' ? std::string(1, letter) : "g1");
     isFirst = isFirst && letter == 'n';
-    if (letter == 'm' && (number == "117" || number == "118"))
-      break; // a text follows
     i = std::max(at, i + 1);
+    if (letter == 'm' && (number == "117" || number == "118")) { // a text follows
+      const std::size_t quote = code.find('"', i);
+      if (quote == std::string::npos)
+        break;
+      i = std::min(code.find('"', quote + 1), code.size() - 1) + 1;
+    }
   }
   return commands;
+}
+
+// Returns whether a command is a G or an M with its number, or without one that can be read.
+bool isCode(std::string_view word) {
+  return (word.starts_with('g') || word.starts_with('m')) &&
+         std::ranges::all_of(word.substr(1), isDigit);
 }
 
 bool fits(std::string_view word, std::string_view pattern) {
@@ -262,11 +282,18 @@ std::optional<RefusedWord> refusedWord(std::string_view dialect, std::string_vie
         const auto* const effect = std::ranges::find(kEffects, row.effect, &EffectRow::effect);
         return RefusedWord{word, effect->does, effect->instead};
       }
+  if (family == "gcode")
+    for (const std::string& word : words)
+      if (isCode(word) && !has(kHarmless, word)) {
+        const EffectRow& unknown =
+            *std::ranges::find(kEffects, Effect::Unknown, &EffectRow::effect);
+        return RefusedWord{word, unknown.does, unknown.instead};
+      }
   return std::nullopt;
 }
 
-std::string assignedName(std::string_view statement) {
-  const std::string code = unquoted(statement);
+namespace {
+std::string assignedIn(std::string_view code) {
   int depth = 0;
   for (std::size_t i = 0; i < code.size(); ++i) {
     depth += code[i] == '(' || code[i] == '[' || code[i] == '{' ? 1 : 0;
@@ -276,12 +303,26 @@ std::string assignedName(std::string_view statement) {
     if ((i + 1 < code.size() && code[i + 1] == '=') ||
         (i > 0 && std::string_view("=<>!").find(code[i - 1]) != std::string_view::npos))
       return {};
-    std::string left = code.substr(0, i);
+    std::string left(code.substr(0, i));
     left.resize(std::min(left.find_first_of("[{(."), left.size()));
     std::vector<std::string> names = namesIn(left);
     return names.empty() ? std::string() : std::move(names.back());
   }
   return {};
+}
+} // namespace
+
+std::vector<std::string> assignedNames(std::string_view statement) {
+  const std::string code = unquoted(statement);
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from <= code.size();) {
+    const std::size_t end = std::min(code.find(';', from), code.size());
+    if (std::string name = assignedIn(std::string_view(code).substr(from, end - from));
+        !name.empty())
+      names.push_back(std::move(name));
+    from = end + 1;
+  }
+  return names;
 }
 
 bool hasName(std::string_view line, std::string_view name) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
@@ -18,8 +19,9 @@ struct RefusedWord {
 // Returns the first such word of a statement of a dialect; nullopt if it has none.
 std::optional<RefusedWord> refusedWord(std::string_view dialect, std::string_view statement);
 
-// Returns the variable that the statement sets, in small letters; empty if it sets none.
-std::string assignedName(std::string_view statement);
+// Returns the variables that a statement, or several with semicolons between them, sets, in small
+// letters.
+std::vector<std::string> assignedNames(std::string_view statement);
 // Returns whether a line of code has that name, whatever its letters' case.
 bool hasName(std::string_view line, std::string_view name);
 

@@ -74,8 +74,11 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
          std::ranges::all_of(t.events,
                              [&](const plan::TrajectoryEvent& e) {
                                const bool mayEnd = e.kind == plan::EventKind::Mark;
-                               return e.point > 0 && (e.point < n || (mayEnd && e.point == n)) &&
-                                      e.tool >= 0 && (!mayEnd || e.tool < plan::kMarkLinks) &&
+                               // A rest states its outputs before its first motion.
+                               const bool mayBegin = e.kind == plan::EventKind::Output;
+                               return (e.point > 0 || mayBegin) &&
+                                      (e.point < n || (mayEnd && e.point == n)) && e.tool >= 0 &&
+                                      (!mayEnd || e.tool < plan::kMarkLinks) &&
                                       std::isfinite(e.feedMm) && e.kind <= plan::kLastEventKind &&
                                       std::isfinite(e.seconds) && e.seconds >= 0.0 &&
                                       std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;

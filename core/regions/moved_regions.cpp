@@ -75,6 +75,11 @@ Region boxOfHeights(Region region, const Shape& shape, const PieceOfPart& piece)
 }
 
 Region movedRegion(Region region, const Shape& shape, const PieceOfPart& piece) {
+  // The axes of the piece's file are those of the work frame.
+  if (findUse(region.use).load == RegionLoad::Force) {
+    const Vector3d force = piece.work_T_file.linear() * forceOf(region.use);
+    region.use = textOf(findUse(region.use).id, {force.x(), force.y(), force.z()});
+  }
   switch (shape.kind->frame) {
   case ShapeFrame::Part:
     return region;

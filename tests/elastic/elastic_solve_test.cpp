@@ -4,6 +4,7 @@
 #include "elastic/elastic_solve.h"
 #include "elastic/principal_stress.h"
 
+#include "helpers/made_solids.h"
 #include "helpers/shapes.h"
 
 #include <array>
@@ -15,6 +16,7 @@ namespace voluta::elastic {
 namespace {
 
 using Eigen::Vector3d;
+using test::operator+;
 
 // Held up to x = 2, pushed along its last 2 mm.
 LoadCase heldBar(const Vector3d& size, const Vector3d& newton, std::size_t cells) {
@@ -114,6 +116,24 @@ TEST(LoadCase, RefusesForcesThatNothingCarries) {
                base::Error);
   EXPECT_THROW(loadCase(part, hold, std::array{BodyForce{away, {1, 0, 0}}}, 1000, {}), base::Error);
   EXPECT_NO_THROW(loadCase(part, hold, std::array{BodyForce{part, {1, 0, 0}}}, 1000, {}));
+}
+
+TEST(ElasticSolve, RefusesForcesOnHeldCellsAlone) {
+  const geometry::TriangleMesh part = test::box({0, 0, 0}, {20, 10, 10});
+  const std::array hold{test::box({-1, -1, -1}, {6, 11, 11})};
+  const std::array force{BodyForce{test::box({-1, -1, -1}, {3, 11, 11}), {1, 0, 0}}};
+  const LoadCase load = loadCase(part, hold, force, 1000, {});
+  const Stiffness6 any = isotropicStiffness(1000.0, 0.3);
+  EXPECT_THROW(solved(load, [&](std::size_t) { return any; }, {}), base::Error);
+}
+
+TEST(LoadCase, KeepsAFrameOfThinRodsWithinReason) {
+  geometry::TriangleMesh frame = test::box({0, 0, 0}, {300, 3, 3});
+  for (const auto& rod : {test::box({0, 0, 0}, {3, 300, 3}), test::box({0, 0, 0}, {3, 3, 300})})
+    frame = frame + rod;
+  const std::array hold{test::box({-1, -1, -1}, {20, 20, 20})};
+  const std::array force{BodyForce{test::box({280, -1, -1}, {301, 4, 4}), {0, 0, -1}}};
+  EXPECT_LE(loadCase(frame, hold, force, 12000, {}).share.size(), 700'000u);
 }
 
 TEST(LoadCase, FillsTheVolumeOfThePart) {

@@ -44,7 +44,8 @@ protected:
     ASSERT_NE(field, nullptr) << box;
     field->setFocus();
     field->selectAll();
-    QTest::keyClicks(field, field->locale().toString(value, 'g', 8));
+    const QString number = QLocale::c().toString(value, 'g', 8); // no separators of thousands
+    QTest::keyClicks(field, number);
     QTest::keyClick(field, Qt::Key_Return);
   }
   static void choose(window::CellEditor& editor, const QString& body) {

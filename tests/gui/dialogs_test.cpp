@@ -14,6 +14,7 @@
 #include "window/cell/touch_dialog.h"
 #include "window/copies_dialog.h"
 #include "window/film/film_dialog.h"
+#include "window/layer_event_dialog.h"
 #include "window/library/compare_items_dialog.h"
 #include "window/library/head_numbers_dialog.h"
 #include "window/library/library_dialog.h"
@@ -79,6 +80,7 @@ protected:
            return new window::CompareItemsDialog({item("fdm-1.0"), item("pellet-4")}, 0, 1, w);
          }},
         {"TogetherDialog", [](QWidget* w) { return new window::TogetherDialog({}, w); }},
+        {"LayerEventDialog", [](QWidget* w) { return new window::LayerEventDialog(3, 2, w); }},
         {"ManualWindow", [](QWidget* w) { return new window::ManualWindow(w); }},
         {"LogDialog", [this](QWidget* w) { return new window::LogDialog(path("voluta.log"), w); }},
         {"ShortcutsDialog",

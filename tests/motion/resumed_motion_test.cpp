@@ -91,8 +91,8 @@ protected:
     return point;
   }
   motion::Resumed resumed(std::size_t point) const {
-    const auto found =
-        motion::resumeAt(t_, point, plan_, cell_, process::Tooling(process_), part_, options_, {});
+    const auto found = motion::resumeAt(t_, point, plan_, cell_, process::Tooling(process_), part_,
+                                        options_, 0, {});
     EXPECT_TRUE(found);
     return found.value_or(motion::Resumed{});
   }

@@ -302,6 +302,23 @@ TEST(Resume, EventsBeforeTheFirstBeadOfTheRestComeAgain) {
       text += file.text;
     EXPECT_EQ(text.find("Paused before layer 3") != std::string::npos, says);
   }
+  // The rest is kept, and taken up again at the same bead its events come once.
+  const test::TemporaryFolder folder;
+  project::writeJob(folder / "job.voluta", rest.plan.job);
+  const project::Job kept = project::readJob(folder / "job.voluta", allParameters());
+  const auto again = motion::resumePoint(*kept.trajectory, kept.resumedAt);
+  ASSERT_TRUE(again);
+  const ResumeResult second = resumeJob(kept, *again, {"gcode-extended"}, kCtx);
+  ASSERT_EQ(second.plan.checked.size(), 1u);
+  EXPECT_TRUE(second.plan.checked[0]->verdict.passed);
+  std::string text;
+  for (const plan::ProgramFile& file : second.plan.checked[0]->program.files)
+    text += file.text;
+  int pauses = 0;
+  for (std::size_t at = text.find("Paused before layer 3"); at != std::string::npos;
+       at = text.find("Paused before layer 3", at + 1))
+    ++pauses;
+  EXPECT_EQ(pauses, 1);
 }
 
 // By line, from disk; another first selection in the text is refused there.

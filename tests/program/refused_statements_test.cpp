@@ -69,11 +69,26 @@ TEST(RefusedStatements, NoStatementSetsAnOutput) {
     }
 }
 
+// Firmwares have more codes than any list of dangerous ones.
+TEST(RefusedStatements, CodesThatNobodyKnowsAreRefused) {
+  for (const char* line :
+       {"G26", "M48", "M568 P0 S200", "G41", "M28 a.g", "M7", "M280 P0 S90", "G[0+1] X10",
+        "G+1 X10", "G#1 X10", "M118 S\"a\" G1 X9", "M9999", "g999"})
+    EXPECT_TRUE(refusedWord("gcode", line)) << line;
+  for (const char* line : {"M117 G1 X10", "M118 S\"G1 X10\"", "M300 S440 P200", "MY_MACRO P=1",
+                           "M73 P50", "G4 P100 ; G1", "M400"})
+    EXPECT_FALSE(refusedWord("gcode", line)) << line;
+}
+
 TEST(RefusedStatements, TheVariableThatIsSetIsNamed) {
-  EXPECT_EQ(assignedName("global V_a = 3"), "v_a");
-  EXPECT_EQ(assignedName("tNozzle.tframe.trans.z:=0;"), "tnozzle");
-  EXPECT_EQ(assignedName("own(a=1)"), "");
-  EXPECT_EQ(assignedName("if a == 1:"), "");
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(assignedNames("global V_a = 3"), Names{"v_a"});
+  EXPECT_EQ(assignedNames("tNozzle.tframe.trans.z:=0;"), Names{"tnozzle"});
+  EXPECT_EQ(assignedNames("a:=1; tNozzle.tframe.trans.z:=0;"), (Names{"a", "tnozzle"}));
+  EXPECT_EQ(assignedNames("x=1; V_a=3"), (Names{"x", "v_a"}));
+  EXPECT_EQ(assignedNames("textmsg(\"b;c=1\")"), Names{});
+  EXPECT_EQ(assignedNames("own(a=1)"), Names{});
+  EXPECT_EQ(assignedNames("if a == 1:"), Names{});
   EXPECT_TRUE(hasName("  MoveL p1,v10,z0,tNozzle;", "tnozzle"));
   EXPECT_FALSE(hasName("  MoveL p1,v10,z0,tNozzle2;", "tnozzle"));
 }

@@ -4,6 +4,7 @@
 #include "helpers/shapes.h"
 #include "regions/moved_regions.h"
 #include "regions/part_regions.h"
+#include "regions/region_uses.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,14 @@ TEST(MovedRegions, ShapesKeepTheirPlacesInTheMaterial) {
   expectSamePlace("sphere:4,2,3,6", tilted, "sphere");
   expectSamePlace("cylinder:4,2,3,6,8", tilted, "mesh");
   expectSamePlace("box:4,2,3,6,8,2", tilted, "mesh");
+}
+
+TEST(MovedRegions, AForceKeepsItsDirectionInTheMaterial) {
+  const auto piece = pieceTurned(90.0, Eigen::Vector3d::UnitZ());
+  const Region before{.shape = "sphere:4,2,3,6", .use = "load:3,0,-1"};
+  const auto after = regions::regionsOfPiece(std::vector{before}, piece);
+  ASSERT_EQ(after.size(), 1u);
+  EXPECT_LT((regions::forceOf(after[0].use) - Eigen::Vector3d(0, 3, -1)).norm(), 1e-6);
 }
 
 TEST(MovedRegions, HeightsBecomeABoxWhereThePieceIsPutDown) {

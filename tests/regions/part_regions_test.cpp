@@ -153,7 +153,7 @@ TEST(PartRegions, ASkinFollowsPaintedFaces) {
     for (const layers::Patch& patch : layers.stack.patches)
       for (const Vector3d& v : patch.surface.vertices)
         // Around corners of the painted surface its end is round.
-        EXPECT_TRUE(isWhole || v.x() > -1.5 * depth) << v.transpose();
+        EXPECT_TRUE(isWhole || v.x() > -2.0 * depth) << v.transpose();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "helpers/all_seeds.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -166,6 +167,16 @@ TEST(FieldInfill, FollowsRandomFieldsOnRandomShapes) {
     followed += aligned(c, direction, 30.0) >= 0.75 ? 1 : 0;
   }
   EXPECT_GE(followed, kFields * 95 / 100);
+}
+
+// A field across the layers says nothing within them: straight lines.
+TEST(FieldInfill, FillsLayersAcrossTheField) {
+  const layers::Patch patch = test::patchOver({test::circle(15)});
+  const toolpath::PatchCover c =
+      cover(patch, along([](const Vector3d&) { return Vector3d::UnitZ(); }));
+  expectFilled(patch, c);
+  EXPECT_TRUE(std::ranges::any_of(
+      c.beads, [](const toolpath::Bead& bead) { return bead.kind == plan::PathKind::Infill; }));
 }
 
 TEST(FieldInfill, WithoutAFieldSaysSo) {

@@ -252,7 +252,7 @@ TEST(Tapes, FieldsAreReadOrRefused) {
   ASSERT_EQ(field.size(), 3u);
   EXPECT_EQ(field[1].place, Vector3d(1, 2, 3));
   EXPECT_EQ(field[1].direction, Vector3d(0, 0, -1));
-  for (const char* bad : {"0,0,0,1,0", "0,0,0,0,0,0", "0,0,0,1,0,x", "0,0,0,1,0,0,1"})
+  for (const char* bad : {"0,0,0,1,0", "0,0,0,0,0,0", "0,0,0,1,0,x", "0,0,0,1,0,0,-1"})
     EXPECT_THROW(tapeField(bad), base::Error) << bad;
   EXPECT_THROW(tapesOn(evenPatch(60, 30), {.paths = "field"}), base::Error);
 }

@@ -56,6 +56,8 @@ private:
       stays(row);
       return;
     case RowKind::Wait:
+      if (!row.on && row.flow > 0.0)
+        defect("the flow is not 0 while the extruder is off"_text);
       stays(row);
       out_.pauseByOutputs(row.seconds);
       return;

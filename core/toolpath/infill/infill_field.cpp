@@ -142,6 +142,8 @@ InfillLines fieldInfill(const InfillRegion& region, const base::RunContext& ctx)
                                          ? concentricInfill(partOf(region, depth), ctx).curves
                                      : isFollowed ? FieldLines(region, depth, field).lines(ctx)
                                                   : streamlines(region, depth, ctx);
+    if (more.empty()) // the field has no direction within the layer
+      more = zigzagInfill(partOf(region, depth), ctx).curves;
     std::ranges::move(more, std::back_inserter(lines.curves));
   });
   return lines;

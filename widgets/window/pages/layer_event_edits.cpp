@@ -109,8 +109,8 @@ void addEvent(const Workspace& workspace, int layer, const std::string& event) {
   const auto& parameters = document.choices().item().parameters;
   const auto before = parameters.find(motion::kLayerEvents);
   std::string all = before == parameters.end() ? std::string() : before->second;
-  if (const auto end = all.find_last_not_of(" ;\t"); end != std::string::npos)
-    all = all.substr(0, end + 1) + "; ";
+  if (all.find_first_not_of(" ;\t") != std::string::npos)
+    all += "; "; // behind a statement that ends with a semicolon too
   document.setParameter(QString::fromLatin1(motion::kLayerEvents),
                         QString::fromStdString(all + own));
   workspace.shell.say(
