@@ -109,12 +109,10 @@ TEST_F(SettingsTest, ASearchFindsByMeaning) {
       {"fill", "infillDensity"},   {"adhesion", "brimWidthMm"}, {"stringing", "retractMm"},
       {"robot", "cell"},           {"bed", "platform"},         {"random", "seed"},
       {"vase", "spiral"},          {"z hop", "liftMm"}};
-  search("");
-  const auto few = shown().size() / 3;
   for (const auto& [words, key] : kFound) {
     search(words);
     EXPECT_TRUE(shown().contains(key)) << words;
-    EXPECT_LT(shown().size(), few) << words;
+    EXPECT_LT(shown().size(), 40u) << words;
   }
   search("temperature");
   keepPicture(window(), "settings_temperature");
