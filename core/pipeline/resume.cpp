@@ -202,6 +202,7 @@ private:
   // The job's motion and program records describe the whole print.
   void forgetRest() {
     const auto trajectory = job().trajectory;
+    const std::size_t resumedAt = job().resumedAt;
     const project::MotionReport motion = report().motion;
     // Beads that the whole motion leaves out are missing from its rest, too.
     std::ranges::copy_if(
@@ -212,6 +213,7 @@ private:
     for (project::ItemReport& item : report().items)
       item.tried.clear();
     job().trajectory = trajectory;
+    job().resumedAt = resumedAt;
     report().motion = motion;
   }
 
