@@ -264,10 +264,11 @@ double ItemStages::fileUnitMm() const {
 void ItemStages::makeRegions(std::shared_ptr<const geometry::TriangleMesh> whole) {
   if (!hasRegions(resolved_))
     return;
-  regions_ = context_.cachedOrMade<RegionStage>(keyOf(Stage::Layers) + seamRegionsKey(resolved_), slot("regions"), [&] {
-    return regionStage(*placed_, std::move(whole), *loaded_->mesh, resolved_, fileUnitMm(),
-                       context_.span(Stage::Decompose).quiet());
-  });
+  regions_ = context_.cachedOrMade<RegionStage>(
+      keyOf(Stage::Layers) + seamRegionsKey(resolved_), slot("regions"), [&] {
+        return regionStage(*placed_, std::move(whole), *loaded_->mesh, resolved_, fileUnitMm(),
+                           context_.span(Stage::Decompose).quiet());
+      });
 }
 
 ItemOutcome ItemStages::decompose() {

@@ -97,7 +97,7 @@ constexpr WordRow kWords[] = {
      "power motor sfree slock weight inertia brake fine cp curve qp autoljm ptpboost limz arch "
      "force* calib mcal reset jog"},
     {"spel", Effect::Frame, "tool tlset base local localclr arm* ecp* pallet"},
-    {"spel", Effect::Output, "on off out outw opbcd aio_out* memout memon memoff setsw"},
+    {"spel", Effect::Output, "on off out outw opbcd aio_out* memout setsw"},
     {"spel", Effect::Stop, "pause halt quit msgbox restart shutdown"},
     {"spel", Effect::Jump,
      "goto gosub return if then else elseif endif for next do loop while wend select case send "

@@ -11,10 +11,11 @@ namespace voluta::regions {
 
 // A piece of a part where the part was printed: its mesh is in the part's work frame.
 struct PieceOfPart {
-  Eigen::Isometry3d work_T_file = Eigen::Isometry3d::Identity(); // the part's, of scaled coordinates
-  double scale = 1.0;                                            // from its file's lengths to mm
-  Eigen::AlignedBox3d partBox, box;                              // of the part and the piece [mm]
-  bool keepsHeight = true; // the piece stays as high over the plate as it was
+  Eigen::Isometry3d work_T_file =
+      Eigen::Isometry3d::Identity(); // the part's, of scaled coordinates
+  double scale = 1.0;                // from its file's lengths to mm
+  Eigen::AlignedBox3d partBox, box;  // of the part and the piece [mm]
+  bool keepsHeight = true;           // the piece stays as high over the plate as it was
 };
 
 // Returns the regions for the file of the piece, at the same places of the material. A shape that

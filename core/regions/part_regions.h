@@ -20,10 +20,10 @@ struct PlacedPart {
   double scale = 1.0;                                            // from the file's lengths to mm
 };
 
-// Returns the closed body of a region in the work frame; it may extend beyond the part, and is empty
-// while nothing is painted for a region that is painted. `levels`:
-// layers of the part, whose bead sets how finely a body follows a surface. Throws Error{Usage} for
-// an invalid shape, Error{UnusableInput} for a skin without a surface; Cancelled.
+// Returns the closed body of a region in the work frame; it may extend beyond the part, and is
+// empty while nothing is painted for a region that is painted. `levels`: layers of the part, whose
+// bead sets how finely a body follows a surface. Throws Error{Usage} for an invalid shape,
+// Error{UnusableInput} for a skin without a surface; Cancelled.
 geometry::TriangleMesh bodyOf(const project::Region& region, const PlacedPart& part,
                               const substrate::LevelOptions& levels, const base::RunContext& ctx);
 

@@ -225,10 +225,10 @@ template <typename T> std::string changedKey(const T& value, const T& usual) {
 
 std::string optionsKey(const ToolpathOptions& options) {
   // The structured binding forces every new option to be considered here; add it with changedKey().
-  const auto& [walls, infill, density, pattern, field, strands, top, bottom, skin, thin, angle, infillRotation,
-               winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim, seam, seamHere,
-               speed, islands, spiral, spiralOuter, tilts, maySag, cooling, fibre, stitches,
-               infillTool, platform] = options;
+  const auto& [walls, infill, density, pattern, field, strands, top, bottom, skin, thin, angle,
+               infillRotation, winding, step, edge, maxBend, smooth, rims, prime, primeLength, brim,
+               seam, seamHere, speed, islands, spiral, spiralOuter, tilts, maySag, cooling, fibre,
+               stitches, infillTool, platform] = options;
   static_cast<void>(platform);
   static_cast<void>(strands);
   const std::string noPlatform;

@@ -410,7 +410,8 @@ void RegionsPanel::showFields(const Region& region) {
   fill(shapeFields_, shape ? shape->kind->fields : kNone,
        shape ? shape->numbers : std::vector<double>{}, "mm");
   fill(useFields_, use ? use->fields : kNone,
-       use ? numbersOf(*use, region.use) : std::vector<double>{}, "");
+       use ? numbersOf(*use, region.use) : std::vector<double>{},
+       use && use->load == regions::RegionLoad::Force ? "N" : "");
 }
 
 void RegionsPanel::showSettings(const Region& region) {

@@ -36,7 +36,8 @@ void forEachPart(const InfillRegion& r, const base::RunContext& ctx, F&& part) {
 
 // Returns the same infill restricted to one part of its region.
 inline InfillRegion partOf(const InfillRegion& r, const std::vector<double>& depth) {
-  return {r.surface, depth, r.hatchMm, r.from, r.layer, r.directionRad, r.windingRad, r.beadScale, r.strands};
+  return {r.surface,      depth,        r.hatchMm,   r.from,   r.layer,
+          r.directionRad, r.windingRad, r.beadScale, r.strands};
 }
 
 class LineCover {

@@ -59,7 +59,8 @@ InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx
 // As zigzagInfill, along the directions of a field instead of one direction: isolines of a function
 // whose gradient is across them, by least squares. Where they come closer than beads can be narrow,
 // every other line ends; where they are farther apart than beads can be wide, lines begin between
-// them. A part where the field has no direction is filled as by zigzagInfill. Throws Error{Usage} without a field.
+// them. A part where the field has no direction is filled as by zigzagInfill. Throws Error{Usage}
+// without a field.
 InfillLines fieldInfill(const InfillRegion& region, const base::RunContext& ctx);
 // Curves at equal distances from the boundary.
 InfillLines concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
