@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "elastic/bead_stiffness.h"
 #include "elastic/elastic_solve.h"
+#include "geometry/symmetric_axes.h"
 #include "process/bead_model.h"
 
 #include <Eigen/Geometry>
@@ -43,18 +44,10 @@ template <typename Visit> void eachSegment(const plan::ToolPlan& plan, int item,
 
 // Returns the angle in degrees between a direction and the strongest of the dyads.
 double angleTo(const Eigen::Matrix3d& dyads, const Vector3d& along) {
-  Vector3d strongest = along;
-  // Power iteration: begins at the direction, and again beside it, which may be across the axis.
-  const auto iterated = [&](Vector3d v) {
-    for (int i = 0; i < 60 && !v.isZero(); ++i)
-      v = (dyads * v).normalized();
-    return v;
-  };
-  const Vector3d a = iterated(along), b = iterated(along + 0.1 * along.unitOrthogonal());
-  strongest = a.dot(dyads * a) >= b.dot(dyads * b) ? a : b;
-  if (strongest.isZero())
+  const auto [values, axes] = geometry::symmetricAxes(dyads);
+  if (values[2] <= 0.0)
     return 0.0;
-  return base::radiansToDegrees(std::acos(std::min(1.0, std::abs(strongest.dot(along)))));
+  return base::radiansToDegrees(std::acos(std::min(1.0, std::abs(axes.col(2).dot(along)))));
 }
 
 void addAngles(const plan::ToolPlan& plan, int item, const PrincipalStress& principal,

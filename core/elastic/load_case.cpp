@@ -59,7 +59,8 @@ std::vector<float> shares(const TriangleMesh& mesh, const voxel::VoxelGrid& grid
   return share;
 }
 
-// Returns the part's cells of which half is within a body, or those that a thinner body meets.
+// Returns the part's cells that are at least half within a body. If there are none, the body is
+// thin: returns those that it meets.
 std::vector<std::size_t> cellsWithin(const LoadCase& load, const TriangleMesh& body,
                                      const base::RunContext& ctx) {
   const std::vector<float> inBody = shares(body, load.grid, ctx);

@@ -17,7 +17,7 @@ namespace voluta::motion {
 struct EventPlace {
   std::size_t path = 0;               // before this path of the plan
   std::size_t event = 0;              // index of the event
-  std::vector<std::size_t> also = {}; // of pauses that are told at the same stop
+  std::vector<std::size_t> also = {}; // further pauses at the same stop
   int layer = 0, layers = 0; // of the item: the layer's number from 1, and how many there are
   double heightMm = 0.0;     // of the nozzle where the path begins
 };

@@ -133,13 +133,10 @@ std::vector<Matrix3d> smoothDyads(const InfillRegion& r, const TriangleGradients
     sum += area[v] * strand.clarity;
   }
   const double mean = sum > 0.0 ? sum / area.sum() : 1.0;
-  double hatch = 0.0;
-  for (const double mm : r.hatchMm)
-    hatch += mm / static_cast<double>(n);
   Eigen::VectorXd own(n);
   for (Eigen::Index v = 0; v < n; ++v)
     own[v] = area[v] * std::clamp(clarity[v] / mean, kLeastWeight, 1.0);
-  const double reach = kSmoothHatches * hatch;
+  const double reach = kSmoothHatches * meanHatchMm(r);
   Cholesky solver;
   factorize(solver,
             gradients.stiffness(std::vector<double>(s.triangles.size(), reach * reach), own));
@@ -205,6 +202,13 @@ void comb(const PatchSurface& s, const std::vector<double>& clarity, std::vector
 }
 
 } // namespace
+
+double meanHatchMm(const InfillRegion& region) {
+  double sum = 0.0;
+  for (const double mm : region.hatchMm)
+    sum += mm;
+  return sum / static_cast<double>(region.hatchMm.size());
+}
 
 AcrossField acrossField(const InfillRegion& r, const base::RunContext& ctx) {
   const PatchSurface& s = r.surface;

@@ -8,6 +8,9 @@
 
 namespace voluta::toolpath {
 
+// Returns the mean of the hatches over the vertices of a region's surface [mm].
+double meanHatchMm(const InfillRegion& region);
+
 struct AcrossField {
   std::vector<double> mm;       // per vertex: across the directions, of nearly unit gradient
   std::vector<double> gradient; // per vertex: its length; lines are that much denser

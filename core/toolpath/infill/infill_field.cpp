@@ -114,9 +114,7 @@ private:
 // ring outwards: the field's streamlines, which begin where others have become twice as far apart.
 std::vector<SurfaceCurve> streamlines(const InfillRegion& r, const std::vector<double>& depth,
                                       const base::RunContext& ctx) {
-  double hatch = 0.0;
-  for (const double mm : r.hatchMm)
-    hatch += mm / static_cast<double>(r.hatchMm.size());
+  const double hatch = meanHatchMm(r);
   LineCover cover(r, depth);
   int number = 0;
   for (const SurfaceCurve& line : evenStreamlines(r.surface, DirectionField(*r.strands),
