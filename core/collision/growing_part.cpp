@@ -194,34 +194,45 @@ double growingPitch(const plan::ToolPlan& plan, const process::Tooling& tooling)
   return std::max(finest, std::cbrt(sides.prod() / kCells));
 }
 
-std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform, double pitch,
+std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform,
+                                             const plan::ToolPlan& plan, double pitch,
                                              const base::RunContext& ctx) {
-  std::vector<geometry::TriangleMesh> solids;
+  struct Solid {
+    geometry::TriangleMesh mesh;
+    std::uint32_t moment = kFromTheStart;
+  };
+  std::vector<Solid> solids;
   if (platform.mesh)
-    solids.push_back(*platform.mesh);
+    solids.push_back({*platform.mesh});
   if (platform.rod)
-    solids.push_back(platform::meshOf(*platform.rod, kRodChordMm));
+    solids.push_back({platform::meshOf(*platform.rod, kRodChordMm)});
+  for (const plan::Insert& insert : plan.inserts)
+    // Queries for a later waypoint than the last one before the insert find it.
+    if (const std::size_t first = plan.firstAfter(insert); first < plan.waypointCount())
+      solids.push_back(
+          {*insert.body, static_cast<std::uint32_t>(std::max<std::size_t>(first, 1) - 1)});
   Eigen::AlignedBox3d box;
-  for (const geometry::TriangleMesh& solid : solids)
-    box.extend(geometry::bounds(solid));
+  for (const Solid& solid : solids)
+    box.extend(geometry::bounds(solid.mesh));
   if (box.isEmpty())
     return nullptr;
   voxel::VoxelGrid grid;
   grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMaxGroundCells));
   grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
   grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
-  std::vector<std::uint8_t> inside(grid.cellCount(), 0);
-  for (const geometry::TriangleMesh& solid : solids) {
-    const geometry::TriangleMesh caps = voxel::capsOf(solid);
+  FillTimes::ReversedTimes leads(grid.cellCount());
+  for (const auto& [mesh, moment] : solids) {
+    std::vector<std::uint8_t> inside(grid.cellCount(), 0);
+    const geometry::TriangleMesh caps = voxel::capsOf(mesh);
     if (caps.triangles.empty())
-      voxel::fillClosed(solid, grid, inside, ctx);
+      voxel::fillClosed(mesh, grid, inside, ctx);
     else
-      voxel::fillOpen(solid, caps, grid, inside, ctx);
+      voxel::fillOpen(mesh, caps, grid, inside, ctx);
+    const std::uint32_t lead = FillTimes::leadOf(moment);
+    for (std::size_t c = 0; c < inside.size(); ++c)
+      if (inside[c] != 0 && leads[c] < lead)
+        leads[c] = lead;
   }
-  FillTimes::ReversedTimes leads(inside.size());
-  for (std::size_t c = 0; c < inside.size(); ++c)
-    if (inside[c] != 0)
-      leads[c] = FillTimes::leadOf(kFromTheStart);
   return std::make_shared<FillTimes>(grid, std::move(leads), ctx);
 }
 

@@ -38,11 +38,12 @@ class Revolved;
 // more than 2^27 such cells.
 double growingPitch(const plan::ToolPlan& plan, const process::Tooling& tooling);
 
-// Returns bodies and rods of a platform (all but the plate) as cells that are filled from the
-// start, pitchMm wide, or wider if there would be more than 2^24. Null if there are none. Throws
-// Cancelled.
+// Returns all solids that are not printed but the plate as cells, pitchMm wide, or wider if there
+// would be more than 2^24: bodies and rods of a platform, filled from the start, and what is put
+// into the part, filled after the last waypoint before. Null if there are none. Throws Cancelled.
 std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform,
-                                             double pitchMm, const base::RunContext& ctx);
+                                             const plan::ToolPlan& plan, double pitchMm,
+                                             const base::RunContext& ctx);
 
 // Part of the margin that is checked at the head's underside by bead sections; the cells cover
 // larger margins.
@@ -53,7 +54,7 @@ class GrowingPart {
 public:
   // Deposits every segment of every path: section of process/bead_model.h below the tip, along the
   // waypoints' directions, except a prime that falls. A cell counts as filled if its centre is
-  // inside a bead. The ground exists before the first waypoint. Work frame. Throws Cancelled.
+  // inside a bead. `ground`: from groundCells() of the same plan. Work frame. Throws Cancelled.
   GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
               std::shared_ptr<const FillTimes> ground = nullptr);
 

@@ -512,7 +512,15 @@ private:
 std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan) {
   std::vector<PrintedBounds> balls;
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // The platform's middle
+  std::multimap<std::size_t, const plan::Insert*> inserts;  // by the first waypoint after
+  for (const plan::Insert& insert : plan.inserts)
+    inserts.emplace(plan.firstAfter(insert), &insert);
   for (const plan::ToolPath& path : plan.paths) {
+    for (auto [own, end] = inserts.equal_range(path.first); own != end; ++own)
+      for (const Vector3d& vertex : own->second->body->vertices) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+      }
     balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       low = low.cwiseMin(plan.position[i]);

@@ -173,6 +173,14 @@ void addMarks(const Resolved& resolved, const Region& region, const geometry::Tr
                      body});
 }
 
+// Adds what is put in at a region. It carries the layers above it: there are no columns for them.
+void addInsert(const Region& region, geometry::TriangleMesh body, RegionStage& stage) {
+  stage.supports.places.push_back({layers::SupportRule::None, body});
+  stage.supports.printedLater.push_back(body);
+  stage.inserts.push_back(
+      {region.name, region.shape, regions::layerOf(region.use), std::move(body)});
+}
+
 bool isOnGround(const Resolved& resolved) {
   return modes::findMode(resolved.choices.item().mode).result == project::ResultKind::OnGround;
 }
@@ -256,8 +264,10 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     const auto layered = std::ranges::find(stage->layered, i, &regions::LayeredRegion::index);
     bool isInPart = layered != stage->layered.end();
     if (use.cuts) { // The part ends at the body.
-      const geometry::TriangleMesh body = regions::bodyOf(all[i], part, levels, ctx);
+      geometry::TriangleMesh body = regions::bodyOf(all[i], part, levels, ctx);
       isInPart = !body.empty() && geometry::touch(*whole, body);
+      if (use.isInsert && !body.empty())
+        addInsert(all[i], std::move(body), *stage);
     } else if (!use.hasLayers()) {
       if (!onlyMarks(all[i]))
         stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);

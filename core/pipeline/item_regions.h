@@ -5,6 +5,7 @@
 #include "geometry/triangle_mesh.h"
 #include "layers/support_places.h"
 #include "modes/mode_stages.h"
+#include "pipeline/item_inserts.h"
 #include "pipeline/item_loads.h"
 #include "project/job_stage.h"
 #include "regions/part_regions.h"
@@ -38,6 +39,7 @@ struct RegionStage {
   layers::SupportPlaces supports;
   std::shared_ptr<const toolpath::SeamPlaces> seams; // null: none
   std::shared_ptr<const ItemLoad> load;              // null without forces
+  std::vector<PlacedInsert> inserts;
   plan::Findings findings;
 };
 // `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().

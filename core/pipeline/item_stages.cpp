@@ -1,5 +1,6 @@
 #include "pipeline/item_stages.h"
 
+#include "base/error.h"
 #include "base/key_text.h"
 #include "curved/decomposition.h"
 #include "geometry/measures.h"

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace voluta::base {
@@ -51,6 +52,11 @@ public:
   const modes::LoadStage& placed() const { return *placed_; }
   // Null without forces. Precondition: its layers are made.
   std::shared_ptr<const ItemLoad> forces() const { return regions_ ? regions_->load : nullptr; }
+  // Precondition: as forces().
+  std::span<const PlacedInsert> inserts() const {
+    return regions_ ? std::span<const PlacedInsert>(regions_->inserts)
+                    : std::span<const PlacedInsert>();
+  }
   const project::Choices& choices() const { return resolved_.choices; }
   const project::StageKeys& keys() const { return keys_; }
   // Precondition: layers() is done.

@@ -36,7 +36,8 @@ PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformS
 
 void PartMotion::layPart(const base::RunContext& ctx) {
   const base::Stopwatch depositing;
-  growing_.emplace(toolPlan_, pitchMm_, ctx, collision::groundCells(ground_, pitchMm_, ctx));
+  growing_.emplace(toolPlan_, pitchMm_, ctx,
+                   collision::groundCells(ground_, toolPlan_, pitchMm_, ctx));
   depositS_ += depositing.seconds();
 }
 

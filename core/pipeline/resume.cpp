@@ -224,7 +224,7 @@ private:
     const process::Tooling& tooling = result_.plan.tooling();
     const double pitch = collision::growingPitch(plan, tooling);
     const collision::GrowingPart growing(
-        plan, pitch, ctx, collision::groundCells(project::platformOf(job()), pitch, ctx));
+        plan, pitch, ctx, collision::groundCells(project::platformOf(job()), plan, pitch, ctx));
     project::Timings timings;
     timings.collision = watch.seconds();
     watch = base::Stopwatch();

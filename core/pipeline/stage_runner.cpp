@@ -223,8 +223,8 @@ private:
     const auto stage = cachedOrMade<ToolpathStage>([&] {
       const base::RunContext ctx = span(project::Stage::Toolpath);
       if (!given)
-        return plannedToolpaths({}, ctx);
-      return items_.size() == 1 ? givenToolpaths(0, ctx) : mixedToolpaths(ctx);
+        return withInserts(plannedToolpaths({}, ctx));
+      return withInserts(items_.size() == 1 ? givenToolpaths(0, ctx) : mixedToolpaths(ctx));
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -330,6 +330,22 @@ private:
     return judged;
   }
 
+  std::shared_ptr<const ToolpathStage> withInserts(std::shared_ptr<const ToolpathStage> stage) {
+    if (std::ranges::all_of(items_, [](const auto& item) { return item->inserts().empty(); }))
+      return stage;
+    auto made = std::make_shared<ToolpathStage>(*stage);
+    plan::ToolPlan plan = *stage->toolPlan;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const std::span<const PlacedInsert> own = items_[i]->inserts();
+      const int item = static_cast<int>(i);
+      std::ranges::move(insertsAmong(plan, own, item), std::back_inserter(plan.inserts));
+      std::ranges::move(insertFindings(plan, own, item), std::back_inserter(made->findings));
+    }
+    made->toolPlan = std::make_shared<const plan::ToolPlan>(std::move(plan));
+    grown_.reset(); // without what is put in
+    return made;
+  }
+
   // Of the first item with forces.
   std::shared_ptr<const ToolpathStage> withLoad(std::shared_ptr<const ToolpathStage> stage,
                                                 const base::RunContext& ctx) {
@@ -353,10 +369,13 @@ private:
   motion::MotionOptions motionOptions() const {
     motion::MotionOptions options = motionOptionsOf(resolved_.values, resolved_.choices.seed);
     options.layerEvents.clear();
-    for (std::size_t i = 0; i < items_.size(); ++i)
-      std::ranges::move(
-          eventsOfItem(items_[i]->loaded(), result_.item(i).resolved->values, static_cast<int>(i)),
-          std::back_inserter(options.layerEvents));
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const int item = static_cast<int>(i);
+      std::ranges::move(eventsOfItem(items_[i]->loaded(), result_.item(i).resolved->values, item),
+                        std::back_inserter(options.layerEvents));
+      std::ranges::move(insertPauses(*result_.job.toolPlan, items_[i]->inserts(), item),
+                        std::back_inserter(options.layerEvents));
+    }
     return options;
   }
 

@@ -48,7 +48,7 @@ together::PlacedMotion placedMotion(const PlanResult& plan, const Eigen::Isometr
       job.trajectory,
       std::make_shared<const collision::GrowingPart>(
           *job.toolPlan, pitchMm, ctx,
-          collision::groundCells(project::platformOf(job), pitchMm, ctx)),
+          collision::groundCells(project::platformOf(job), *job.toolPlan, pitchMm, ctx)),
       shared_T_world};
   if (job.resumedAt > 0) {
     motion.trajectory = std::make_shared<const plan::Trajectory>(

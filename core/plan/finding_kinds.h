@@ -108,6 +108,7 @@ enum class FindingKind : std::uint8_t {
   NoTape,
   TapesLeftOut,
   TapesBare,
+  InsertMisplaced,
   // motion
   NothingToPrint,
   TooLarge,

@@ -23,6 +23,13 @@ std::size_t ToolPlan::shotAt(const ToolPath& path) const {
   return lowest;
 }
 
+std::size_t ToolPlan::firstAfter(const Insert& insert) const {
+  const auto path = std::ranges::find_if(paths, [&](const ToolPath& one) {
+    return one.item == insert.item && one.layer >= insert.layer && !isWaste(one.kind);
+  });
+  return path == paths.end() ? waypointCount() : path->first;
+}
+
 bool ToolPlan::isPrimeInAir() const {
   constexpr double kOnMm = 0.01;
   return primes() && position[paths.front().first].z() >

@@ -6,7 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
 #include <vector>
+
+namespace voluta::geometry {
+struct TriangleMesh;
+}
 
 namespace voluta::plan {
 
@@ -57,6 +63,14 @@ struct FillIntent {
   bool isSolid() const { return std::isinf(shellMm); }
 };
 
+// A body that the operator puts into the part before the first path of its item in this layer or a
+// later one.
+struct Insert {
+  std::string name;                                   // as the operator reads it
+  int item = 0, layer = 0;                            // as those of the paths
+  std::shared_ptr<const geometry::TriangleMesh> body; // closed; work frame [mm]; never null
+};
+
 // All in the work frame [mm]: origin at the centre of the platform's top, z up from it.
 struct ToolPlan {
   std::vector<Eigen::Vector3d> position;  // The nozzle's tip: top of the bead
@@ -65,6 +79,7 @@ struct ToolPlan {
   std::vector<float> speedMmPerS;         // Desired speed on the segment that ends here
   std::vector<ToolPath> paths;  // In print order; together they cover every waypoint exactly once
   std::vector<FillIntent> fill; // Per item; empty: all items are solid
+  std::vector<Insert> inserts;
 
   // Precondition: the item is one of the job's.
   FillIntent fillOf(std::size_t item) const {
@@ -79,6 +94,9 @@ struct ToolPlan {
   double shotMm3(const ToolPath& path) const;
   // Returns the waypoint from which a shot flows: the lowest one along its direction.
   std::size_t shotAt(const ToolPath& path) const;
+
+  // Returns the first waypoint after a body is put in; waypointCount() if nothing is printed then.
+  std::size_t firstAfter(const Insert& insert) const;
 
   // Returns whether a waste bead primes the nozzle before the part begins.
   bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }

@@ -40,6 +40,9 @@ std::string contentHash(const plan::ToolPlan& plan) {
   if (!plan.isSolid())
     for (const plan::FillIntent& fill : plan.fill)
       text += fmt::format("{} {}\n", fill.shellMm, fill.openMm3);
+  for (const plan::Insert& insert : plan.inserts)
+    text += fmt::format("insert {} {} {} {}\n", insert.name, insert.item, insert.layer,
+                        contentHash(*insert.body));
   text += bytesOf(plan.position);
   text += bytesOf(plan.direction);
   for (const auto* values : {&plan.widthMm, &plan.heightMm, &plan.speedMmPerS})

@@ -252,6 +252,46 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
   return d;
 }
 
+namespace {
+// Plans without inserts need no block.
+void addInserts(BlockWriter& out, const std::vector<plan::Insert>& inserts,
+                const std::string& name) {
+  if (inserts.empty())
+    return;
+  Json rows = Json::array();
+  for (const plan::Insert& insert : inserts)
+    rows.push_back({{"name", insert.name},
+                    {"item", insert.item},
+                    {"layer", insert.layer},
+                    {"vertices", insert.body->vertices.size()},
+                    {"triangles", insert.body->triangles.size()}});
+  out.addText(name, rows.dump(-1, ' ', false, Json::error_handler_t::replace));
+  out.begin(name + ".vertices", sizeof(Eigen::Vector3d));
+  for (const plan::Insert& insert : inserts)
+    out.append(insert.body->vertices);
+  out.begin(name + ".triangles", sizeof(std::array<int, 3>));
+  for (const plan::Insert& insert : inserts)
+    out.append(insert.body->triangles);
+}
+
+std::vector<plan::Insert> getInserts(const BlockReader& in, const std::string& name) {
+  std::vector<plan::Insert> inserts;
+  if (!in.has(name))
+    return inserts;
+  Portions vertices(in.get<Eigen::Vector3d>(name + ".vertices"));
+  Portions triangles(in.get<std::array<int, 3>>(name + ".triangles"));
+  for (const Json& row : Json::parse(in.text(name))) {
+    geometry::TriangleMesh body;
+    body.vertices = vertices.next(row.at("vertices").get<std::int64_t>());
+    body.triangles = triangles.next(row.at("triangles").get<std::int64_t>());
+    inserts.push_back({row.at("name").get<std::string>(), row.at("item").get<int>(),
+                       row.at("layer").get<int>(),
+                       std::make_shared<const geometry::TriangleMesh>(std::move(body))});
+  }
+  return inserts;
+}
+} // namespace
+
 void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& name) {
   out.add(name + ".position", p.position);
   out.add(name + ".direction", p.direction);
@@ -282,6 +322,7 @@ void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& n
     rings.push_back(path.ring);
   if (std::ranges::any_of(rings, [](std::int32_t ring) { return ring != 0; }))
     out.addOwned(name + ".rings", rings);
+  addInserts(out, p.inserts, name + ".inserts");
 }
 
 plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
@@ -321,6 +362,7 @@ plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
     for (std::size_t k = 0; k < p.paths.size() && k < rings.size(); ++k)
       p.paths[k].ring = rings[k];
   }
+  p.inserts = getInserts(in, name + ".inserts");
   return p;
 }
 
@@ -385,6 +427,10 @@ platform::PlatformSolid getPlatform(const BlockReader& in) {
 }
 
 bool isSound(const plan::ToolPlan& p) {
+  if (std::ranges::any_of(p.inserts, [](const plan::Insert& insert) {
+        return insert.body->empty() || !soundMesh(*insert.body);
+      }))
+    return false;
   const std::size_t n = p.waypointCount();
   if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
       p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction) ||

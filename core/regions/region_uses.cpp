@@ -15,7 +15,7 @@ std::vector<ShapeField> direction() {
           {"DZ", "Direction Z"_text, -1.0, 1.0, 1.0}};
 }
 
-constexpr double kMostN = 1e6;
+constexpr double kMostN = 1e6, kMostLayers = 1e6;
 
 std::string_view idOf(std::string_view text) {
   return text.substr(0, text.find(':'));
@@ -48,6 +48,12 @@ const std::vector<RegionUse>& regionUses() {
        .label = "Layers that turn to a direction"_text,
        .layers = RegionLayers::Turning,
        .fields = direction()},
+      {.id = "insert",
+       .label = "Inserted part"_text,
+       .cuts = true,
+       .isInsert = true,
+       .fields = {{"LAYER", "Before layer (0: when its room is complete)"_text, 0.0, kMostLayers,
+                   0.0}}},
       {.id = "hold", .label = "Held under load"_text, .load = RegionLoad::Held},
       {.id = "load",
        .label = "Force on the part"_text,
@@ -86,6 +92,12 @@ bool tiltHead(const std::vector<project::Region>& regions) {
                ? !directionOf(region.use).isApprox(Eigen::Vector3d::UnitZ(), 1e-6)
                : layers != RegionLayers::None;
   });
+}
+
+int layerOf(std::string_view text) {
+  const RegionUse& use = findUse(text);
+  base::require(use.isInsert, "a use as an insert");
+  return static_cast<int>(parsedNumbers(text, use.fields, formOf(use))[0]);
 }
 
 Eigen::Vector3d directionOf(std::string_view text) {

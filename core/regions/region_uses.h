@@ -26,7 +26,8 @@ enum class RegionLoad { None, Held, Force };
 struct RegionUse {
   std::string_view id; // before the colon of its text
   base::Text label;
-  bool cuts = false; // the part ends at the region
+  bool cuts = false;     // the part ends at the region
+  bool isInsert = false; // where the part ends, the operator puts a body in
   RegionLayers layers = RegionLayers::None;
   RegionLoad load = RegionLoad::None;
   std::vector<ShapeField> fields = {}; // of its text, as those of shapes
@@ -50,6 +51,9 @@ bool tiltHead(const std::vector<project::Region>& regions);
 // Returns the unit direction that the text of a use states. Throws Error{Usage} for a direction of
 // no length. Precondition: the use has a direction.
 Eigen::Vector3d directionOf(std::string_view text);
+// Returns the layer of the part, from 1, before which the body of an insert is put in; 0: the first
+// one that ends above it. Precondition: the use is an insert's.
+int layerOf(std::string_view text);
 // Returns the force [N] that the text of a use states, in the axes of the part's file. Throws as
 // directionOf(). Precondition: the use is one with a force.
 Eigen::Vector3d forceOf(std::string_view text);

@@ -127,7 +127,7 @@ std::uint32_t Beneath::pieceAround(const Vector3d& point) const {
 bool Beneath::holds(const Vector3d& point) const {
   const std::uint32_t filler = printed_.pieceAt(point, moment_);
   const bool isFilled = filler != kNeverFilled && !isUnder(pieces_[filler], point);
-  if (isFilled || ground_.holds(point, 0.25 * width_))
+  if (isFilled || ground_.holds(point, 0.25 * width_, moment_.before))
     return true;
   const double pitch = printed_.grid().pitch;
   const std::uint32_t below = printed_.pieceAt(point - pitch * up_, moment_);

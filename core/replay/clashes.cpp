@@ -68,7 +68,7 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
   return clashes;
 }
 
-enum HeadPair { kPart, kPlatform };
+enum HeadPair { kPart, kPlatform, kInserted };
 
 // The head, eroded by the contact tolerance; against cells by another half of a cell.
 struct ErodedHead {
@@ -77,13 +77,13 @@ struct ErodedHead {
       : againstPlatform(process::erodedHead(process.head, process.contactToleranceMm)),
         againstPart(process::erodedHead(process.head,
                                         process.contactToleranceMm + 0.5 * printed.grid().pitch)) {
-    if (ground.cells())
-      againstBody.emplace(process::erodedHead(
-          process.head, process.contactToleranceMm + 0.5 * ground.cells()->part().grid().pitch));
+    for (const GroundSolids::Body& body : ground.bodies())
+      againstBody.emplace_back(process::erodedHead(
+          process.head, process.contactToleranceMm + 0.5 * body.cells->part().grid().pitch));
   }
 
   HeadSolid againstPlatform, againstPart;
-  std::optional<HeadSolid> againstBody; // a body that is the ground
+  std::vector<HeadSolid> againstBody; // of the ground
 };
 
 std::vector<Ball> ballsRound(const GroundSolids& ground) {
@@ -102,12 +102,14 @@ public:
            const GroundSolids& ground, const std::vector<Ball>& groundBalls)
       : againstPlatform_(head.againstPlatform), underside_(underside), ground_(ground),
         groundBalls_(groundBalls), overPart_(head.againstPart, printed) {
-    if (head.againstBody)
-      overBody_.emplace(*head.againstBody, ground.cells()->part());
+    overBody_.reserve(head.againstBody.size());
+    for (std::size_t b = 0; b < head.againstBody.size(); ++b)
+      overBody_.emplace_back(head.againstBody[b], ground.bodies()[b].cells->part());
   }
 
+  // `begun`: the first piece of this motion or of a later one.
   void step(std::size_t sample, const Vector3d& tip, const Vector3d& direction,
-            const PrintState& moment, std::vector<Touch>& touches) {
+            const PrintState& moment, std::uint32_t begun, std::vector<Touch>& touches) {
     if (moment.before > 0) {
       auto where = overPart_.touched(tip, direction, moment);
       if (!where)
@@ -115,12 +117,18 @@ public:
       if (where)
         touches.push_back({sample, kPart, *where});
     }
-    if (overBody_) {
-      if (const auto where = overBody_->touched(tip, direction, GroundCells::always())) {
-        touches.push_back({sample, kPlatform, *where});
-        return;
+    bool isOnPlatform = false;
+    for (std::size_t b = 0; b < overBody_.size(); ++b) {
+      const GroundSolids::Body& body = ground_.bodies()[b];
+      if (begun < body.firstPiece)
+        continue;
+      if (const auto where = overBody_[b].touched(tip, direction, GroundCells::always())) {
+        touches.push_back({sample, body.isPlatform ? kPlatform : kInserted, *where});
+        isOnPlatform = isOnPlatform || body.isPlatform;
       }
     }
+    if (isOnPlatform)
+      return;
     if (touchesSolids(tip, direction))
       touches.push_back({sample, kPlatform, tip});
   }
@@ -152,7 +160,7 @@ private:
   const GroundSolids& ground_;
   const std::vector<Ball>& groundBalls_;
   HeadFollower overPart_;
-  std::optional<HeadFollower> overBody_;
+  std::vector<HeadFollower> overBody_; // as ground.bodies()
 };
 
 std::size_t motionOfSample(const ExecutedPath& path, std::size_t s) {
@@ -193,7 +201,7 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<Depos
           const DepositedPiece& last = pieces[p - 1];
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
         }
-        walk.step(s, path.tip[s], path.direction[s], moment, chunks[begin / kGrain]);
+        walk.step(s, path.tip[s], path.direction[s], moment, firstPiece[m], chunks[begin / kGrain]);
       }
     }
   });
@@ -203,7 +211,9 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<Depos
       [&](std::size_t s) { return timeOfSample(path, s); },
       [](int pair, base::Value& first, base::Value& second) {
         first = "head"_text;
-        second = pair == kPart ? "printed part"_text : "platform"_text;
+        second = pair == kPart       ? "printed part"_text
+                 : pair == kPlatform ? "platform"_text
+                                     : "inserted part"_text;
       });
 }
 
@@ -212,7 +222,7 @@ namespace {
 struct Pair {
   int a = 0, b = 0; // indices of bodies, or one of these
 };
-constexpr int kPrintedPart = -1, kGroundBody = -2;
+constexpr int kPrintedPart = -1, kGroundBodies = -2; // of the ground: -2, -3, ...
 
 // Material as grid cells, and a simple solid around all of them.
 struct Cells {
@@ -236,11 +246,11 @@ struct Cells {
 // Follows the poses of the cell's bodies from sample to sample.
 class ArmFollower {
 public:
-  ArmFollower(const robot::Cell& cell, const PrintedPart& printed, const GroundCells* ground,
+  ArmFollower(const robot::Cell& cell, const PrintedPart& printed, const GroundSolids& ground,
               const std::vector<Pair>& pairs)
       : cell_(cell), printed_(printed, cell), pairs_(pairs), slack_(pairs.size(), -1.0) {
-    if (ground)
-      ground_.emplace(ground->part(), cell);
+    for (const GroundSolids::Body& body : ground.bodies())
+      ground_.push_back({{body.cells->part(), cell}, body.firstPiece});
     for (const robot::Body& body : cell.bodies()) {
       std::vector<Ball> balls;
       for (const robot::Shape& shape : body.shapes)
@@ -268,8 +278,8 @@ public:
       double d = 0.0;
       if (pairs_[p].b == kPrintedPart)
         d = cellsDistance(pairs_[p].a, printed_, moment, where);
-      else if (pairs_[p].b == kGroundBody)
-        d = cellsDistance(pairs_[p].a, *ground_, GroundCells::always(), where);
+      else if (pairs_[p].b < kPrintedPart)
+        d = groundDistance(pairs_[p].a, groundOf(pairs_[p].b), moment, where);
       else
         d = bodyDistance(pairs_[p].a, pairs_[p].b);
       if (d <= 0.0) {
@@ -283,6 +293,13 @@ public:
   }
 
 private:
+  struct Ground {
+    Cells cells;
+    std::uint32_t firstPiece;
+  };
+  const Ground& groundOf(int body) const {
+    return ground_[static_cast<std::size_t>(kGroundBodies - body)];
+  }
   const Isometry3d& frameOf(int body) const {
     return frames_[static_cast<std::size_t>(cell_.bodies()[static_cast<std::size_t>(body)].frame)];
   }
@@ -297,13 +314,15 @@ private:
         moved[b] = motionBound(last_[f], frames_[f], reach_[b]);
       }
       const auto w = static_cast<std::size_t>(cell_.workFrame());
-      const double partMoved = motionBound(last_[w], frames_[w], printed_.reach);
-      const double groundMoved = ground_ ? motionBound(last_[w], frames_[w], ground_->reach) : 0.0;
+      const auto cellsMoved = [&](const Cells& cells) {
+        return motionBound(last_[w], frames_[w], cells.reach);
+      };
+      const double partMoved = cellsMoved(printed_);
       for (std::size_t p = 0; p < pairs_.size(); ++p) {
         const auto [a, b] = pairs_[p];
         slack_[p] -= moved[static_cast<std::size_t>(a)] +
                      (b == kPrintedPart  ? partMoved
-                      : b == kGroundBody ? groundMoved
+                      : b < kPrintedPart ? cellsMoved(groundOf(b).cells)
                                          : moved[static_cast<std::size_t>(b)]);
       }
     }
@@ -370,9 +389,16 @@ private:
     return nearest;
   }
 
+  // As cellsDistance(), for a body that may not be there yet.
+  double groundDistance(int a, const Ground& ground, const PrintState& moment,
+                        Vector3d& where) const {
+    const bool isThere = ground.firstPiece <= moment.before;
+    return cellsDistance(a, ground.cells, isThere ? GroundCells::always() : PrintState{}, where);
+  }
+
   const robot::Cell& cell_;
   const Cells printed_;
-  std::optional<Cells> ground_;
+  std::vector<Ground> ground_;
   const std::vector<Pair>& pairs_;
   std::vector<std::vector<Ball>> balls_;
   std::vector<double> reach_, slack_, moved_;
@@ -401,14 +427,14 @@ std::vector<Clash> armClashes(const ExecutedPath& path,
     if (roleOf(b) == robot::BodyRole::Head)
       continue;
     pairs.push_back({b, kPrintedPart});
-    if (ground.cells())
-      pairs.push_back({b, kGroundBody});
+    for (std::size_t g = 0; g < ground.bodies().size(); ++g)
+      pairs.push_back({b, kGroundBodies - static_cast<int>(g)});
   }
 
   const std::size_t samples = path.armMotion.size();
   std::vector<std::vector<Touch>> chunks((samples + kGrain - 1) / kGrain);
   base::parallelChunks(ctx, samples, kGrain, [&](std::size_t begin, std::size_t end) {
-    ArmFollower follower(cell, printed, ground.cells(), pairs);
+    ArmFollower follower(cell, printed, ground, pairs);
     for (std::size_t s = begin; s < end && !ctx.cancelled(); ++s) {
       if (!known.empty() && known[path.armMotion[s]])
         continue;
@@ -429,10 +455,13 @@ std::vector<Clash> armClashes(const ExecutedPath& path,
       [&](int p, base::Value& first, base::Value& second) {
         const Pair& pair = pairs[static_cast<std::size_t>(p)];
         const auto named = [&](int body) -> base::Value {
-          return body == kPrintedPart ? "printed part"_text
-                 : body == kGroundBody
+          if (body == kPrintedPart)
+            return "printed part"_text;
+          if (body >= 0)
+            return robot::nameOf(cell.bodies()[static_cast<std::size_t>(body)]);
+          return ground.bodies()[static_cast<std::size_t>(kGroundBodies - body)].isPlatform
                      ? "platform"_text
-                     : robot::nameOf(cell.bodies()[static_cast<std::size_t>(body)]);
+                     : "inserted part"_text;
         };
         first = named(pair.a);
         second = named(pair.b);

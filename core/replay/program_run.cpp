@@ -39,6 +39,7 @@ public:
 
   JudgedRun judge(KnownResults known) {
     if (known.deposited) {
+      findInserted([&](std::size_t motion) { return known.firstPiece[motion]; });
       out_.deposited = std::move(known.deposited);
       out_.figures = std::move(known.figures);
       out_.beads = std::move(known.beads);
@@ -56,10 +57,31 @@ public:
 private:
   const ExecutedPath& path() const { return out_.run.path; }
 
+  // Finds what is put into the part: it is there when the first bead after it is approached.
+  template <typename FirstPiece> void findInserted(const FirstPiece& firstPiece) {
+    for (const plan::Insert& insert : in_.plan.inserts) {
+      const std::size_t first = in_.plan.firstAfter(insert);
+      const auto isAfter = [&](std::size_t point) {
+        if (point == kUnmatched)
+          return false;
+        const std::size_t waypoint = plan::waypointAhead(in_.trajectory, point);
+        return waypoint != plan::kNoWaypoint && waypoint >= first;
+      };
+      const auto motion = std::ranges::find_if(out_.run.pointOf, isAfter);
+      if (motion != out_.run.pointOf.end())
+        inserted_.push_back(
+            {insert.body, firstPiece(static_cast<std::size_t>(motion - out_.run.pointOf.begin()))});
+    }
+  }
+
   std::shared_ptr<const DepositedBeads> layBeads() {
     std::vector<BeadPiece> pieces =
         beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge, out_.run.shotMm3);
     dropFallen(pieces, GroundProbe(in_.platform));
+    findInserted([&](std::size_t motion) {
+      const auto first = std::ranges::lower_bound(pieces, motion, {}, &BeadPiece::motion);
+      return static_cast<std::uint32_t>(first - pieces.begin());
+    });
     // The grid spans the part and its surroundings; one far-off waypoint must not enlarge it
     // without bound.
     Vector3d low = in_.part.vertices.front(), high = low;
@@ -94,7 +116,8 @@ private:
         process::erodedHead(firstProcess().head, firstProcess().contactToleranceMm), pieces,
         options.widthMaxMm);
     judgeBeads(*deposited, pieces);
-    deposited->below = piecesBelow(pieces, *deposited->printed, GroundProbe(in_.platform), ctx_);
+    deposited->below =
+        piecesBelow(pieces, *deposited->printed, GroundProbe(in_.platform, inserted_), ctx_);
     deposited->pieces = depositedPieces(pieces, 2.0 * maxOf(&process::Process::beadWidthMaxMm));
     // Collision checks need only the filling pieces.
     deposited->beads.fill = {};
@@ -286,7 +309,7 @@ private:
     if (!in_.plan.isSolid())
       bridging.sparsePart.emplace(in_.part);
     const SupportedBeads support =
-        findSupport(pieces, printed, GroundProbe(in_.platform), ctx_, &bridging);
+        findSupport(pieces, printed, GroundProbe(in_.platform, inserted_), ctx_, &bridging);
     figures.beadLengthMm = support.lengthMm;
     const double length = std::max(support.lengthMm, 1e-9);
     figures.unsupportedFraction = support.unsupportedMm / length;
@@ -369,7 +392,7 @@ private:
   void findClashes(const KnownResults& known) {
     ctx_.report(0.72, "checking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * minOf(&process::Process::beadWidthMm),
-                              ctx_);
+                              ctx_, inserted_);
     out_.head =
         headClashes(path(), out_.deposited->pieces, known.firstPiece, *out_.deposited->printed,
                     *out_.deposited->underside, firstProcess(), ground, known.headKnown, ctx_);
@@ -396,6 +419,7 @@ private:
   const ReplayInput& in_;
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
+  std::vector<InsertedBody> inserted_; // with the pieces of out_.deposited
   JudgedRun out_;
 };
 

@@ -74,9 +74,16 @@ GroundCells::GroundCells(const geometry::TriangleMesh& mesh, double pitchMm,
   part_.emplace(cells_, piece_);
 }
 
-GroundProbe::GroundProbe(const platform::PlatformSolid& platform) : platform_(platform) {
+GroundProbe::GroundProbe(const platform::PlatformSolid& platform,
+                         std::span<const InsertedBody> inserted)
+    : platform_(platform) {
   if (platform.mesh)
     body_.emplace(*platform.mesh);
+  for (const InsertedBody& one : inserted) {
+    const Bounds bounds = boundsOf(*one.body);
+    inserted_.push_back(
+        {geometry::MeshQuery(*one.body), {bounds.low, bounds.high}, one.firstPiece});
+  }
 }
 
 bool GroundProbe::onPlate(const Vector3d& point, double slackMm) const {
@@ -118,12 +125,16 @@ bool GroundProbe::inRod(const Vector3d& point, double slackMm) const {
   return false;
 }
 
-bool GroundProbe::holds(const Vector3d& point, double slackMm) const {
-  return onPlate(point, slackMm) || inRod(point, slackMm) || (body_ && body_->inside(point));
+bool GroundProbe::holds(const Vector3d& point, double slackMm, std::uint32_t before) const {
+  return onPlate(point, slackMm) || inRod(point, slackMm) || (body_ && body_->inside(point)) ||
+         std::ranges::any_of(inserted_, [&](const Inserted& one) {
+           return one.firstPiece <= before && one.box.contains(point) && one.body.inside(point);
+         });
 }
 
 GroundSolids::GroundSolids(const platform::PlatformSolid& platform, const robot::Cell& cell,
-                           double pitchMm, const base::RunContext& ctx)
+                           double pitchMm, const base::RunContext& ctx,
+                           std::span<const InsertedBody> inserted)
     : rod_(platform.rod.has_value()) {
   if (rod_) {
     const auto& profile = platform.rod->profile;
@@ -146,7 +157,10 @@ GroundSolids::GroundSolids(const platform::PlatformSolid& platform, const robot:
     }
   }
   if (platform.mesh && !platform.mesh->empty())
-    cells_ = std::make_unique<GroundCells>(*platform.mesh, pitchMm, ctx);
+    bodies_.push_back({std::make_unique<const GroundCells>(*platform.mesh, pitchMm, ctx), 0, true});
+  for (const InsertedBody& one : inserted)
+    bodies_.push_back(
+        {std::make_unique<const GroundCells>(*one.body, pitchMm, ctx), one.firstPiece, false});
 }
 
 Vector3d GroundSolids::outward(const Vector3d& direction) const {

@@ -67,7 +67,7 @@ public:
     if (!part) {
       const double pitch = collision::growingPitch(plan_, scene_.tooling);
       part = std::make_shared<const collision::GrowingPart>(
-          plan_, pitch, ctx_, collision::groundCells(o_.platform, pitch, ctx_));
+          plan_, pitch, ctx_, collision::groundCells(o_.platform, plan_, pitch, ctx_));
     }
     moved_.assign(middle_.size(), 0);
     leant_ = plan_.direction;

@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     platform::PlatformSolid ground = job.item().platform;
     ground.rod.reset();
     const collision::GrowingPart part(toolPlan, pitch, ctx,
-                                      collision::groundCells(ground, pitch, ctx));
+                                      collision::groundCells(ground, toolPlan, pitch, ctx));
     motion::MotionPlanner planner(toolPlan, cell, process::Tooling(process), part, options);
     const base::Stopwatch watch;
     const std::clock_t cpu = std::clock();

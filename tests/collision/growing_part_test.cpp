@@ -8,6 +8,7 @@
 #include "collision/random_shapes.h"
 #include "collision/same_segments.h"
 #include "collision/shape_distance.h"
+#include "helpers/shapes.h"
 #include "plan/waypoints.h"
 #include "platform/rod_shape.h"
 #include "process/process.h"
@@ -317,7 +318,7 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   platform.rod = platform::straightRod(5.0, 40.0);
   plan::ToolPlan plan;
   addPath(plan, {{-5, 0, 2.75}, {5, 0, 2.75}}, Vector3d::UnitZ(), 0.7f, 0.25f);
-  const GrowingPart part(plan, 0.125, {}, collision::groundCells(platform, 0.125, {}));
+  const GrowingPart part(plan, 0.125, {}, collision::groundCells(platform, plan, 0.125, {}));
   const robot::Shape pin = robot::Capsule{Vector3d::Zero(), Vector3d(0, 0, 1), 0.5};
   const auto at = [](double x, double z) {
     Isometry3d pose = Isometry3d::Identity();
@@ -336,6 +337,27 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   const collision::Revolved foot({{Vector3d(0, 0, 0), Vector3d(0, 0, 5), 0.4, 0.4}});
   EXPECT_FALSE(part.headTouches(foot, at(15, 2.46), 0.0, 0));
   EXPECT_TRUE(part.headTouches(foot, at(15, 2.25), 0.0, 0));
+}
+
+// A body that is put in after the first of two beads.
+TEST(GrowingPart, AnInsertIsThereFromItsLayerOn) {
+  plan::ToolPlan plan;
+  addPath(plan, {{-5, 0, 0.25}, {0, 0, 0.25}, {5, 0, 0.25}}, Vector3d::UnitZ(), 0.7f, 0.25f);
+  addPath(plan, {{-5, 0, 0.5}, {5, 0, 0.5}}, Vector3d::UnitZ(), 0.7f, 0.25f);
+  plan.paths[1].layer = 1;
+  plan.inserts.push_back(
+      {"pin", 0, 1, std::make_shared<geometry::TriangleMesh>(test::box({8, -1, 0}, {10, 1, 6}))});
+  EXPECT_EQ(plan.firstAfter(plan.inserts[0]), 3u);
+  const GrowingPart part(plan, 0.125, {},
+                         collision::groundCells(platform::PlatformSolid(), plan, 0.125, {}));
+  const robot::Shape ball = robot::Capsule{Vector3d::Zero(), Vector3d(0, 0, 0.1), 0.5};
+  Isometry3d pose = Isometry3d::Identity();
+  pose.translation() = Vector3d(9, 0, 4);
+  for (std::size_t before = 0; before < 6; ++before)
+    EXPECT_EQ(part.touches(ball, pose, 0.0, before), before >= 3) << before;
+  plan.inserts[0].layer = 2; // nothing is printed after it
+  EXPECT_EQ(plan.firstAfter(plan.inserts[0]), plan.waypointCount());
+  EXPECT_EQ(collision::groundCells(platform::PlatformSolid(), plan, 0.125, {}), nullptr);
 }
 
 // Cells taken over from another plan's part and newly filled cells together are the part, cell by

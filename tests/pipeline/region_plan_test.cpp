@@ -1,6 +1,7 @@
 // Parts with regions from the mesh to the replayed program.
 #include "base/error.h"
 #include "box_request.h"
+#include "geometry/prism.h"
 #include "helpers/given_parameters.h"
 #include "helpers/made_solids.h"
 #include "helpers/temporary_folder.h"
@@ -11,10 +12,12 @@
 #include "pipeline/stage_cache.h"
 #include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
+#include "planar/planar_decomposition.h"
 #include "process/bead_model.h"
 #include "project/job.h"
 #include "regions/region_text.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -91,6 +94,34 @@ TEST(RegionPlan, CutsAndSkinsPassInTheirModes) {
     ASSERT_EQ(plan.checked.size(), 1u);
     EXPECT_TRUE(plan.checked[0]->verdict.passed) << mode << " " << regions[0] << reasons(plan);
   }
+}
+
+// A trunk with an arm to one side: two planar pieces under one curved skin.
+TEST(RegionPlan, PlanarPiecesHaveACurvedSkin) {
+  const auto underRoof = [](std::vector<Eigen::Vector2d> profile) {
+    const double from = profile.back().x(), to = profile.front().x();
+    for (int k = 0; k <= 20; ++k) {
+      const double x = from + k * (to - from) / 20.0;
+      profile.emplace_back(x, 36.0 + 5.0 * std::sin(0.2 + 0.0627 * (35.0 - x)));
+    }
+    geometry::TriangleMesh solid = geometry::prismOver(profile, -10.0, 10.0);
+    for (Eigen::Vector3d& v : solid.vertices)
+      v = Eigen::Vector3d(v.x(), -v.z(), v.y());
+    return solid;
+  };
+  geometry::TriangleMesh part = underRoof({{-10, 0}, {10, 0}}) + underRoof({{5, 21}, {35, 27}});
+  PlanRequest request = requestWith({"skin:2.4"}, "1", "planar");
+  request.item().loaded = project::loadedFrom(
+      "seven.stl", std::make_shared<geometry::TriangleMesh>(std::move(part)), {}, true, {});
+  request.choices.formats = {"urscript"};
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->verdict.passed) << reasons(plan);
+  ASSERT_TRUE(plan.job.item().pieces());
+  EXPECT_EQ(plan.job.item().pieces()->pieces.size(), 2u);
+  const auto& regions = plan.job.report.item().layers.regions;
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(regions[0].stepMaxMm, 0.0);
 }
 
 // Wound around a rod, then a flat lug on it.

@@ -97,7 +97,7 @@ TEST(GroundSolids, ReachCoversTheSolids) {
   const GroundSolids plate(test::squarePlatform(30.0), cell, 1.0, base::RunContext());
   EXPECT_NEAR(plate.reachMm(), 0.0, 1e-9);
   EXPECT_FALSE(plate.solids().empty());
-  EXPECT_EQ(plate.cells(), nullptr);
+  EXPECT_TRUE(plate.bodies().empty());
   EXPECT_EQ(plate.outward(Vector3d::UnitX()), Vector3d::UnitZ());
 
   const test::Scene scene = test::rodScene(1);
@@ -135,7 +135,8 @@ TEST(GroundSolids, ABodyIsItsCells) {
   body.mesh = std::make_shared<const geometry::TriangleMesh>(test::box({-3, -2, 0}, {3, 2, 4}));
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, body);
   const GroundSolids ground(body, cell, 0.5, base::RunContext());
-  ASSERT_NE(ground.cells(), nullptr);
+  ASSERT_EQ(ground.bodies().size(), 1u);
+  EXPECT_TRUE(ground.bodies()[0].isPlatform);
   EXPECT_TRUE(GroundProbe(body).holds({0, 0, 3.0}, 0.0));
 }
 

@@ -17,7 +17,8 @@ std::vector<char> unsupportedOf(const plan::ToolPlan& plan,
                                 const platform::PlatformSolid& platform) {
   const double pitch = collision::growingPitch(plan, process::Tooling(kProcess));
   const base::RunContext ctx;
-  const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
+  const collision::GrowingPart part(plan, pitch, ctx,
+                                    collision::groundCells(platform, plan, pitch, ctx));
   return toolpath::unsupportedWaypoints(plan, part, platform, ctx);
 }
 

@@ -22,7 +22,7 @@ struct Drawn {
 Drawn drawn(plan::ToolPlan plan) {
   const base::RunContext ctx;
   const double pitch = collision::growingPitch(plan, process::Tooling(kProcess));
-  const auto ground = collision::groundCells(kPlate, pitch, ctx);
+  const auto ground = collision::groundCells(kPlate, plan, pitch, ctx);
   const auto unsupported = [&](const collision::GrowingPart& part) {
     const auto marks = toolpath::unsupportedWaypoints(plan, part, kPlate, ctx);
     return static_cast<std::size_t>(std::ranges::count(marks, 1));

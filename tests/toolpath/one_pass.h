@@ -38,7 +38,7 @@ struct PassInput {
   PassInput(const toolpath::UnsupportedPass& pass, const plan::ToolPlan& plan,
             const platform::PlatformSolid& platform)
       : part(plan, collision::growingPitch(plan, process::Tooling(kProcess)), {},
-             collision::groundCells(platform,
+             collision::groundCells(platform, plan,
                                     collision::growingPitch(plan, process::Tooling(kProcess)), {})),
         beads(toolpath::unsupportedBeads(pass.phase, plan, upwards(pass.phase, plan), part,
                                          platform, {})) {}

@@ -123,6 +123,13 @@ enum class BeadSight : std::uint8_t { Open, Enclosed, Buried };
 inline constexpr std::size_t kBeadSights = 3;
 inline constexpr std::size_t kBeadLevels = 3; // of less detail
 
+// A body that is put into the part before a layer, and the first waypoint after it.
+struct InsertDrawing {
+  vtkSmartPointer<vtkPolyData> surface, edges;
+  int layer = 0;
+  std::size_t first = 0;
+};
+
 struct PathsDrawing {
   // Points 2 i and 2 i + 1 are the two sides of waypoint i's bead; a segment is two triangles.
   vtkSmartPointer<vtkPolyData> beads;
@@ -142,6 +149,7 @@ struct PathsDrawing {
   std::vector<std::uint32_t> pathOf; // per waypoint
   std::vector<int> layerOfPath;
   ColourValues values; // per waypoint
+  std::vector<InsertDrawing> inserts;
   Eigen::AlignedBox3d box;
 };
 

@@ -1,11 +1,13 @@
 #include "scene/bead_shader.h"
 #include "scene/coarse_beads.h"
 #include "scene/drawing_data.h"
+#include "scene/feature_edges.h"
 #include "scene/fill_order.h"
 #include "scene/mesh_buffers.h"
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/triangle_mesh.h"
 #include "plan/arrival_times.h"
 
 #include <algorithm>
@@ -184,6 +186,25 @@ void addTravels(const plan::ToolPlan& plan, PathsDrawing& drawing) {
   drawing.travelStart = startsOf(counts);
 }
 
+void addInserts(const plan::ToolPlan& plan, PathsDrawing& drawing) {
+  constexpr double kRimAngleDeg = 30.0; // round bodies consist of flat faces
+  for (const plan::Insert& insert : plan.inserts) {
+    MeshBuffers buffers;
+    for (const Eigen::Vector3d& vertex : insert.body->vertices) {
+      buffers.addPoint(vertex);
+      drawing.box.extend(vertex);
+    }
+    for (const auto& t : insert.body->triangles)
+      buffers.addTriangle(t[0], t[1], t[2]);
+    InsertDrawing drawn;
+    drawn.surface = polyDataOf(buffers);
+    drawn.edges = featureEdges(drawn.surface, kRimAngleDeg, false);
+    drawn.layer = insert.layer;
+    drawn.first = plan.firstAfter(insert);
+    drawing.inserts.push_back(std::move(drawn));
+  }
+}
+
 void addValues(const plan::ToolPlan& plan, const plan::Trajectory* trajectory,
                PathsDrawing& drawing) {
   ColourValues& values = drawing.values;
@@ -252,6 +273,7 @@ std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
   addPointArray(drawing->beads, "beadShape", 3, arrays.shape);
   addPointArray(drawing->beads, "beadOpen", 3, arrays.open);
   addTravels(plan, *drawing);
+  addInserts(plan, *drawing);
   drawing->values.layerTimeS = std::move(layerTimeS);
   addValues(plan, trajectory, *drawing);
   return drawing;

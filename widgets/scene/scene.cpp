@@ -8,8 +8,10 @@
 #include "scene/bead_shader.h"
 #include "scene/camera.h"
 #include "scene/cell_actors.h"
+#include "scene/chosen_path.h"
 #include "scene/colour_values.h"
 #include "scene/drawn.h"
+#include "scene/insert_actors.h"
 #include "scene/line_groups.h"
 #include "scene/mesh_buffers.h"
 #include "scene/other_parts.h"
@@ -38,7 +40,6 @@ namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
 constexpr double kMarkerShare = 0.022;  // relative to the picture's height
-constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
 
 // The state for which the colours of a range actor were set.
@@ -65,7 +66,7 @@ struct Scene::Impl : Drawn {
 
   Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
 
-  vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
+  vtkSmartPointer<vtkActor> partSurface, partEdges, frontSurface, frontEdges;
   // Each drawing keeps its buffers: switching between them uploads nothing.
   std::unique_ptr<PlatformActors> platformActors;
   std::unique_ptr<OtherParts> otherParts;
@@ -73,13 +74,13 @@ struct Scene::Impl : Drawn {
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
   std::unique_ptr<RegionActors> regionActors;
+  std::unique_ptr<InsertActors> insertActors;
+  std::unique_ptr<ChosenPath> chosenPath;
   std::unique_ptr<PieceLabels> pieceLabels;
   std::unique_ptr<LineGroups> trace;
   RangeActor slabs, beads, travels, markerRim, marker;
 
   ColourState slabColours, beadColours;
-  // The state for which the line of the chosen path was built.
-  std::pair<const void*, std::optional<std::size_t>> chosenPathOf;
   std::vector<Eigen::AlignedBox2d> covered;
 
   explicit Impl(const Theme& given) : theme(given) {
@@ -103,8 +104,8 @@ struct Scene::Impl : Drawn {
     addPlainColour(beads.actor);
     travels = RangeActor::make(renderer);
     travels.actor->GetProperty()->LightingOff();
-    chosenPath = addLines(renderer);
-    chosenPath->GetProperty()->SetLineWidth(kChosenPathPixels);
+    insertActors = std::make_unique<InsertActors>(renderer);
+    chosenPath = std::make_unique<ChosenPath>(renderer);
     trace = std::make_unique<LineGroups>(renderer);
     frontSurface = addSolid(renderer);
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
@@ -157,7 +158,8 @@ struct Scene::Impl : Drawn {
     setColour(frontEdges, theme.front);
     setColour(travels.actor, theme.travel);
     setColour(marker.actor, theme.marker);
-    setColour(chosenPath, theme.marker);
+    insertActors->setTheme(theme);
+    chosenPath->setColour(theme.marker);
     setColour(markerRim.actor, theme.backgroundTop);
     beads.mapper->setPlainColour(theme.material);
     overlay->setTheme(theme);
@@ -193,7 +195,9 @@ struct Scene::Impl : Drawn {
   // Returns the actors that a section plane cuts, except the part.
   std::vector<vtkActor*> cutActors() const {
     std::vector<vtkActor*> actors{frontSurface, frontEdges,    slabs.actor,
-                                  beads.actor,  travels.actor, chosenPath};
+                                  beads.actor,  travels.actor, chosenPath->actor()};
+    for (vtkActor* actor : insertActors->actors())
+      actors.push_back(actor);
     for (const auto* held : {&byLayer, &bySteps})
       for (vtkActor* actor : (*held)->actors())
         actors.push_back(actor);
@@ -251,6 +255,8 @@ struct Scene::Impl : Drawn {
     const bool on = shows(view.paths, paths.get());
     beads.actor->SetVisibility(on);
     travels.actor->SetVisibility(on && view.travels);
+    chosenPath->show(view, on ? paths.get() : nullptr);
+    insertActors->show(view, on);
     if (!on)
       return;
     const ColourState wanted{paths.get(), shownColouring(paths->values, view.colourBy)};
@@ -265,16 +271,6 @@ struct Scene::Impl : Drawn {
                        view.dragging && view.beads && view.firstLayer <= 0 && !view.sectionOn);
     if (view.travels)
       travels.mapper->setStretches(visibleTravels(*paths, view));
-  }
-
-  void showChosenPath() {
-    const bool on = shows(view.paths, paths.get()) && view.path;
-    chosenPath->SetVisibility(on);
-    if (!on ||
-        chosenPathOf == std::pair<const void*, std::optional<std::size_t>>(paths.get(), view.path))
-      return;
-    chosenPathOf = {paths.get(), view.path};
-    setData(chosenPath, pathLine(*paths, *view.path));
   }
 
   void showMarker() {
@@ -338,7 +334,6 @@ struct Scene::Impl : Drawn {
     showPaths();
     // The drawing of a rod shows its profile and its rotation; the cell's body is a plain cylinder.
     cellActors->show(view, platformActors->showsRod());
-    showChosenPath();
     showMarker();
     cut();
     showSizes();
@@ -493,6 +488,7 @@ void Scene::setRegions(std::shared_ptr<const RegionsDrawing> regions) {
 void Scene::setPaths(std::shared_ptr<const PathsDrawing> paths) {
   impl_->beads.setData(paths ? paths->beads.Get() : nullptr);
   impl_->travels.setData(paths ? paths->travels.Get() : nullptr);
+  impl_->insertActors->setDrawing(paths.get());
   impl_->beadColours = {};
   impl_->paths = std::move(paths);
   impl_->applyView();

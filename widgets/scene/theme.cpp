@@ -33,6 +33,7 @@ Theme lightTheme() {
   t.current = {0.98, 0.42, 0.78};
   t.ghost = {0.60, 0.63, 0.66};
   t.front = {0.30, 0.52, 0.74};
+  t.insert = {0.42, 0.46, 0.52};
   t.regionSettings = {0.24, 0.20, 0.78};
   t.regionLayers = {0.00, 0.56, 0.36};
   t.regionCut = {0.84, 0.33, 0.05};
@@ -65,6 +66,7 @@ Theme darkTheme() {
   t.blocked = {0.95, 0.22, 0.22};
   t.risky = {0.96, 0.18, 0.72};
   t.front = {0.55, 0.76, 0.95};
+  t.insert = {0.66, 0.70, 0.76};
   t.regionSettings = {0.56, 0.52, 1.00};
   t.regionLayers = {0.20, 0.80, 0.55};
   t.regionCut = {0.98, 0.50, 0.20};
@@ -97,6 +99,7 @@ Theme highContrastTheme() {
   t.blocked = {1.0, 0.42, 0.38};
   t.ghost = {0.80, 0.80, 0.80};
   t.front = {0.60, 0.85, 1.0};
+  t.insert = {0.86, 0.88, 0.92};
   t.regionSettings = {0.72, 0.66, 1.0};
   t.regionLayers = {0.30, 1.0, 0.65};
   t.regionCut = {1.0, 0.60, 0.25};

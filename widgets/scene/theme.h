@@ -24,6 +24,7 @@ struct Theme {
   Colour unreached, cascade;
   Colour risky;                 // faces of pieces that need support
   Colour current, ghost, front; // growth: the current step, later ones, the convex front
+  Colour insert;                // put into the part
   Colour regionSettings, regionLayers, regionCut, regionLoad; // bodies of regions, by their use
 };
 

@@ -35,10 +35,9 @@ inline constexpr FindingRow kToolpathRows[] = {
         HollowSkin, "hollowSkin",
         "the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on"_plural,
         "set `infillDensity` to 0.1 or more; for a part that is open at the top, set `topLayers` to 0"_text),
-    info(
-        SparseShare, "sparseShare",
-        "sparse infill fills {found:.0f} of the interior instead of {asked:.0f}: {reason}"_text,
-        "choose another pattern or another share, or a quality that accepts longer bridges"_text),
+    info(SparseShare, "sparseShare",
+         "sparse infill fills {found:.0f} of the interior instead of {asked:.0f}: {reason}"_text,
+         "choose another pattern or another share, or a quality that accepts longer bridges"_text),
     info(
         SpiralEnds, "spiralEnds",
         "the spiral ends below layer {layer} of {layers}: its {beads} bead is not a closed loop|the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop"_plural,
@@ -87,6 +86,10 @@ inline constexpr FindingRow kToolpathRows[] = {
         TapesBare, "tapesBare",
         "plastic does not cover the tape: {length:.0f} on layer {layer}, from this place on"_text,
         "increase `fibreEndMm`, or choose layers that others cover (`fibreLayers`, `fibreFirstLayer`)"_text),
+    byAmount(
+        InsertMisplaced, "insertMisplaced",
+        "the inserted part {insert} does not fit: {reason}"_text,
+        "move its region, or choose the layer before which it is put in (`use=insert:LAYER`)"_text),
 };
 
 } // namespace voluta::plan::finding_rows

@@ -81,7 +81,7 @@ PassedPlan runUnsupportedPasses(PassPhase phase, const plan::ToolPlan& plan,
   if (!grown) {
     const double pitch = collision::growingPitch(plan, scene.tooling);
     grown = std::make_shared<const collision::GrowingPart>(
-        plan, pitch, ctx, collision::groundCells(scene.platform, pitch, ctx));
+        plan, pitch, ctx, collision::groundCells(scene.platform, plan, pitch, ctx));
   }
   out.beads = unsupportedBeads(phase, plan, std::move(clearDirection), *grown, scene.platform, ctx);
   acceptBeadsOnPockets(plan, scene.pockets, out.beads.unsupported);

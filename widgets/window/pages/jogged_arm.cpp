@@ -55,7 +55,8 @@ std::shared_ptr<const collision::GrowingPart> joggingPart(const pipeline::PlanRe
   const plan::ToolPlan& paths = *plan.job.toolPlan;
   const double pitchMm = kCoarser * collision::growingPitch(paths, plan.tooling());
   return std::make_shared<collision::GrowingPart>(
-      paths, pitchMm, ctx, collision::groundCells(project::platformOf(plan.job), pitchMm, ctx));
+      paths, pitchMm, ctx,
+      collision::groundCells(project::platformOf(plan.job), paths, pitchMm, ctx));
 }
 
 JoggedArm::JoggedArm(std::shared_ptr<const pipeline::PlanResult> plan, robot::JointVector joints)

@@ -1,0 +1,161 @@
+#include "pipeline/item_inserts.h"
+
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "motion/layer_event_text.h"
+#include "motion/layer_events.h"
+#include "plan/finding_kinds.h"
+#include "program/ascii_text.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace voluta::pipeline {
+
+namespace {
+using Eigen::Vector3d;
+
+plan::LayerEvent pauseOf(const PlacedInsert& insert, int item) {
+  plan::LayerEvent pause;
+  pause.item = item;
+  pause.layer = insert.layer;
+  if (insert.layer == 0)
+    pause.heightMm = geometry::bounds(insert.body).max().z();
+  pause.text = program::asciiText("Put in " + (insert.name.empty() ? "the insert" : insert.name))
+                   .substr(0, motion::kOwnTextLength);
+  return pause;
+}
+
+std::optional<motion::EventPlace> placeOf(const plan::ToolPlan& plan, const PlacedInsert& insert,
+                                          int item) {
+  const std::vector<motion::EventPlace> places = motion::eventPlaces(plan, {pauseOf(insert, item)});
+  return places.empty() ? std::nullopt : std::optional(places.front());
+}
+
+// Where the beads of an item are, seen from a body.
+class BeadsAround {
+public:
+  BeadsAround(const plan::ToolPlan& plan, const geometry::TriangleMesh& body)
+      : plan_(plan), box_(geometry::bounds(body)), query_(body) {}
+
+  // Returns the first waypoint from `from` to `end` whose bead is in the body, deeper than half its
+  // width or height.
+  std::optional<std::size_t> firstIn(std::size_t from, std::size_t end) const {
+    for (std::size_t i = from; i < end; ++i) {
+      const double deepMm = 0.5 * std::min(plan_.widthMm[i], plan_.heightMm[i]);
+      if (const Vector3d middle = middleOf(i);
+          box_.contains(middle) && query_.signedDistance(middle) < -deepMm)
+        return i;
+    }
+    return std::nullopt;
+  }
+
+  // Returns the first waypoint before `end` whose bead is vertically above the body.
+  std::optional<std::size_t> firstAbove(std::size_t end) const {
+    for (std::size_t i = 0; i < end; ++i)
+      if (const auto top = extreme(middleOf(i), true); top && middleOf(i).z() > *top)
+        return i;
+    return std::nullopt;
+  }
+
+  // Returns whether the body stands on the plate, or on a bead before `end`.
+  bool isCarried(std::size_t end) const {
+    constexpr double kOnMm = 0.5, kHeights = 2.0;
+    if (box_.min().z() < kOnMm)
+      return true;
+    for (std::size_t i = 0; i < end; ++i) {
+      const Vector3d middle = middleOf(i);
+      const double reachMm = kHeights * static_cast<double>(plan_.heightMm[i]);
+      const auto bottom = extreme(middle, false);
+      if (bottom && middle.z() < *bottom && middle.z() > *bottom - reachMm)
+        return true;
+    }
+    return false;
+  }
+
+private:
+  Vector3d middleOf(std::size_t i) const {
+    return plan_.position[i] - 0.5 * static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
+  }
+  // Returns the height of the highest or lowest point of the body on the vertical line through a
+  // point.
+  std::optional<double> extreme(const Vector3d& point, bool highest) const {
+    if (!(point.head<2>().array() >= box_.min().head<2>().array()).all() ||
+        !(point.head<2>().array() <= box_.max().head<2>().array()).all())
+      return std::nullopt;
+    const double top = box_.max().z() + 1.0, bottom = box_.min().z() - 1.0;
+    const double from = highest ? top : bottom, to = highest ? bottom : top;
+    const auto hit = query_.firstHit({point.x(), point.y(), from}, {point.x(), point.y(), to});
+    return hit ? std::optional(from + hit->t * (to - from)) : std::nullopt;
+  }
+
+  const plan::ToolPlan& plan_;
+  const Eigen::AlignedBox3d box_;
+  const geometry::MeshQuery query_;
+};
+
+plan::Finding misplaced(const PlacedInsert& insert, base::Text reason, const Vector3d& where,
+                        int item, bool blocking) {
+  plan::Finding finding =
+      plan::makeFinding(plan::FindingKind::InsertMisplaced,
+                        {{"insert", insert.name.empty() ? insert.shape : insert.name},
+                         {"reason", base::Message(reason)}},
+                        where);
+  finding.blocking = blocking;
+  finding.item = item;
+  return finding;
+}
+} // namespace
+
+std::vector<plan::LayerEvent> insertPauses(const plan::ToolPlan& plan,
+                                           std::span<const PlacedInsert> inserts, int item) {
+  std::vector<plan::LayerEvent> pauses;
+  for (const PlacedInsert& insert : inserts)
+    if (placeOf(plan, insert, item))
+      pauses.push_back(pauseOf(insert, item));
+  return pauses;
+}
+
+std::vector<plan::Insert> insertsAmong(const plan::ToolPlan& plan,
+                                       std::span<const PlacedInsert> inserts, int item) {
+  std::vector<plan::Insert> among;
+  for (const PlacedInsert& insert : inserts)
+    if (const auto place = placeOf(plan, insert, item))
+      among.push_back({insert.name, item, plan.paths[place->path].layer,
+                       std::make_shared<const geometry::TriangleMesh>(insert.body)});
+  return among;
+}
+
+plan::Findings insertFindings(const plan::ToolPlan& plan, std::span<const PlacedInsert> inserts,
+                              int item) {
+  plan::Findings findings;
+  for (const PlacedInsert& insert : inserts) {
+    const Vector3d middle = geometry::bounds(insert.body).center();
+    const auto place = placeOf(plan, insert, item);
+    if (!place) {
+      findings.push_back(
+          misplaced(insert, "nothing is printed after it: the print does not pause for it"_text,
+                    middle, item, false));
+      continue;
+    }
+    const std::size_t first = plan.paths[place->path].first;
+    const BeadsAround beads(plan, insert.body);
+    if (const auto above = beads.firstAbove(first))
+      findings.push_back(misplaced(insert, "beads lie above its place before the print pauses"_text,
+                                   plan.position[*above], item, true));
+    if (const auto in = beads.firstIn(0, plan.waypointCount()))
+      findings.push_back(
+          misplaced(insert, "beads lie in its place"_text, plan.position[*in], item, true));
+    if (geometry::bounds(insert.body).max().z() > plan.position[first].z())
+      findings.push_back(misplaced(
+          insert, "it stands above the first layer after it, so the head keeps away from it"_text,
+          middle, item, false));
+    if (!beads.isCarried(first))
+      findings.push_back(
+          misplaced(insert, "nothing is below it when the print pauses"_text, middle, item, false));
+  }
+  return findings;
+}
+
+} // namespace voluta::pipeline
