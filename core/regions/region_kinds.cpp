@@ -220,6 +220,10 @@ std::vector<double> parsedNumbers(std::string_view text, const std::vector<Shape
                   {},
                   base::message("give {field} from {least} to {most}"_text, field.name,
                                 base::number(field.minimum), base::number(field.maximum)));
+    if (field.isWhole && number != std::floor(number))
+      throw Error(ErrorCode::Usage,
+                  base::message("'{text}': {field} is no whole number"_text, text, field.name), {},
+                  base::message("write {form}"_text, form));
     numbers.push_back(number);
   }
   return numbers;

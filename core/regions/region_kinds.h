@@ -18,6 +18,7 @@ struct ShapeField {
   base::Text label;
   double minimum = 0.0, maximum = 0.0;
   std::optional<double> usual = {}; // the field may be left out
+  bool isWhole = false;             // takes whole numbers only
 };
 
 // The mesh that a region of a kind has (project::Region::mesh).

@@ -4,7 +4,9 @@
 #include "helpers/shapes.h"
 #include "panels/object_tree.h"
 #include "panels/regions_panel.h"
+#include "plan/tool_plan.h"
 #include "regions/region_kinds.h"
+#include "timeline/layer_range_slider.h"
 #include "viewer/camera_control.h"
 #include "window/legend_view.h"
 #include "window/view_tools.h"
@@ -238,6 +240,32 @@ TEST_F(RegionsWindowTest, AHoldAndAForceAreGivenByClicksAndPlanned) {
   document().undoStack()->undo(); // the infill
   document().undoStack()->undo();
   EXPECT_EQ(regions()[1].use, "load:0,-20,-10");
+}
+
+// The part leaves room for it, the print pauses, and the layers show it in its place.
+TEST_F(RegionsWindowTest, AnInsertIsGivenByClicksPlannedAndShown) {
+  openFlat(open(block()));
+  openTool();
+  add("box");
+  chooseUse("insert");
+  EXPECT_EQ(regions()[0].use, "insert:0");
+  EXPECT_FALSE(panel()->findChild<QWidget*>("region.infillDensity")->isVisible());
+  EXPECT_TRUE(problem().isEmpty()) << problem().toStdString();
+  ASSERT_TRUE(bodiesDrawn());
+  picture();
+  keepPicture(window(), "regions_insert");
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  ASSERT_EQ(document().lastResult()->job.toolPlan->inserts.size(), 1u);
+  const int layer = document().lastResult()->job.toolPlan->inserts[0].layer;
+  choosePage(Page::Layers);
+  auto* layers = find<timeline::LayerRangeSlider>("layerSlider");
+  layers->setRange(0, layer - 2);
+  const QImage open = picture();
+  layers->setRange(0, layer - 1);
+  picture();
+  keepPicture(window(), "regions_insert_in");
+  EXPECT_GT(differingShare(open, picture()), 0.002);
 }
 
 TEST_F(RegionsWindowTest, ANumberTypedHalfwayIsTakenOnLeaving) {

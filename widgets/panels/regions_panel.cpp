@@ -38,6 +38,7 @@ using regions::RegionKind;
 using regions::RegionUse;
 using regions::ShapeField;
 
+constexpr int kDecimals = 3;
 constexpr int kListLines = 6;
 constexpr const char* kDensity = "infillDensity";
 
@@ -87,14 +88,16 @@ bool isSolid(const Region& region) { // unless its density is set
                  use->layers == regions::RegionLayers::Around);
 }
 
-// The direction that a use begins with.
+// The numbers that a use begins with.
 std::string textOfNew(const RegionUse& use) {
   if (use.fields.empty())
     return std::string(use.id);
-  if (use.load == regions::RegionLoad::Force)
-    return textOf(use.id, {0.0, 0.0, -10.0});
-  const bool turns = use.layers == regions::RegionLayers::Turning;
-  return textOf(use.id, turns ? std::vector{1.0, 0.0, 1.0} : std::vector{0.0, 0.0, 1.0});
+  if (use.layers == regions::RegionLayers::Turning) // the usual direction does not turn
+    return textOf(use.id, {1.0, 0.0, 1.0});
+  std::vector<double> usual;
+  for (const ShapeField& field : use.fields)
+    usual.push_back(field.usual.value_or(field.minimum));
+  return textOf(use.id, usual);
 }
 
 bool isAngle(const ShapeField& field) {
@@ -210,7 +213,7 @@ RegionsPanel::Field RegionsPanel::addField(QGridLayout& grid, const QString& nam
   Field field;
   field.box = new forms::NumberBox(this);
   field.box->setObjectName(name);
-  field.box->setDecimals(3);
+  field.box->setDecimals(kDecimals);
   field.label = new QLabel(this);
   field.label->setBuddy(field.box);
   connect(field.box, &QDoubleSpinBox::valueChanged, this,
@@ -400,6 +403,7 @@ void RegionsPanel::showFields(const Region& region) {
       fields[i].label->setText(label);
       fields[i].box->setAccessibleName(label);
       fields[i].box->setUnit(isAngle(specs[i]) ? QStringLiteral("°") : QLatin1String(unit));
+      fields[i].box->setDecimals(specs[i].isWhole ? 0 : kDecimals);
       fields[i].box->setRange(specs[i].minimum, specs[i].maximum);
       fields[i].box->setSingleStep(specs[i].maximum <= 1.0 ? 0.1 : 1.0);
       fields[i].box->setValue(numbers[i]);

@@ -29,7 +29,8 @@ void InsertActors::setTheme(const Theme& theme) {
 void InsertActors::show(const ViewState& view, bool on) {
   for (std::size_t i = 0; i < inserts_.size(); ++i) {
     const InsertDrawing& insert = paths_->inserts[i];
-    const bool isIn = on && insert.layer <= view.lastLayer && insert.first < view.printedWaypoints;
+    const bool isIn =
+        on && insert.layer - 1 <= view.lastLayer && insert.first <= view.printedWaypoints;
     inserts_[i].body->SetVisibility(isIn);
     inserts_[i].edges->SetVisibility(isIn);
   }

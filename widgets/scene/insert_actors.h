@@ -17,7 +17,8 @@ public:
   // Null: none. The drawing must outlive its display.
   void setDrawing(const PathsDrawing* paths);
   void setTheme(const Theme& theme);
-  // Shows those that are put in before the last layer or waypoint shown. `on`: the paths are shown.
+  // Shows those whose room is complete with the last layer or waypoint shown. `on`: the paths are
+  // shown.
   void show(const ViewState& view, bool on);
 
   // Returns the actors that a section plane cuts.
