@@ -13,6 +13,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -476,6 +477,47 @@ TEST_F(RegionsWindowTest, ASurfaceIsPaintedStrokeByStroke) {
   QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, beside + QPoint(-60, 0));
   EXPECT_GT((viewport().scene().towardsEye() - eye).norm(), 0.01);
   ASSERT_TRUE(settled());
+}
+
+// "Print this face smooth": its layers are there soon after the stroke.
+TEST_F(RegionsWindowTest, LayersGrowWhileTheBrushRests) {
+  openFlat(open(block()));
+  openTool();
+  add("painted");
+  ASSERT_TRUE(bodiesDrawn());
+  auto* grows = find<QCheckBox>("regionPaintGrows");
+  EXPECT_FALSE(grows->isVisible()) << "it has no layers of its own";
+  chooseUse("surface");
+  EXPECT_TRUE(grows->isVisible());
+  const auto paintWith = [&](int choice) {
+    auto* with = find<QComboBox>("regionPaintWith");
+    with->setCurrentIndex(choice);
+    emit with->activated(choice);
+  };
+  paintWith(1); // whole faces
+  viewport().viewFrom(Eigen::Vector3d(0.3, -0.5, 1).normalized());
+  picture();
+  const viewer::CameraControl camera(viewport().scene().renderer());
+  const auto paint = [&](double x) {
+    const Eigen::Vector3d display = camera.project({x, 0.0, 12.0});
+    QTest::mouseClick(&viewport(), Qt::LeftButton, {},
+                      viewport().fromDisplay({display.x(), display.y()}).toPoint());
+  };
+  paint(2.0);
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_TRUE(panel()->isVisible()) << "the page stays";
+  keepPicture(window(), "regions_grown");
+  ASSERT_EQ(document().lastResult()->job.report.item().layers.regions.size(), 1u);
+  EXPECT_EQ(*document().lastResult()->job.reached, Stage::Layers);
+  // Switched off, nothing is planned.
+  grows->setChecked(false);
+  document().undoStack()->undo();
+  ASSERT_TRUE(bodiesDrawn());
+  paintWith(0); // a brush
+  paint(2.0);
+  ASSERT_TRUE(waitFor([&] { return regions()[0].mesh != nullptr; }, 20000));
+  QTest::qWait(2000);
+  EXPECT_FALSE(document().upToDate(Stage::Layers));
 }
 
 TEST_F(RegionsWindowTest, ARectanglePaintsWhatIsSeenInIt) {

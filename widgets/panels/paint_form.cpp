@@ -2,6 +2,7 @@
 
 #include "forms/value_boxes.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
@@ -30,7 +31,12 @@ PaintForm::PaintForm(QWidget* parent) : QWidget(parent) {
   grid->addWidget(with_, 0, 1);
   grid->addWidget(sizeLabel_, 1, 0);
   grid->addWidget(size_, 1, 1);
-  grid->addWidget(hint_, 2, 0, 1, 2);
+  grows_ = new QCheckBox(this);
+  grows_->setObjectName(QStringLiteral("regionPaintGrows"));
+  grows_->setChecked(choices_.growsLayers);
+  grid->addWidget(grows_, 2, 0, 1, 2);
+  grid->addWidget(hint_, 3, 0, 1, 2);
+  connect(grows_, &QCheckBox::toggled, this, [this](bool on) { choices_.growsLayers = on; });
   connect(with_, &QComboBox::activated, this, [this](int with) {
     choices_.with = static_cast<PaintChoices::With>(with);
     showChoices();
@@ -42,10 +48,16 @@ PaintForm::PaintForm(QWidget* parent) : QWidget(parent) {
   showChoices();
 }
 
+void PaintForm::setHasLayers(bool has) {
+  grows_->setVisible(has);
+}
+
 void PaintForm::showChoices() {
   const bool faces = choices_.with == PaintChoices::With::Faces;
   const bool rectangle = choices_.with == PaintChoices::With::Rectangle;
   withLabel_->setText(tr("Paint with"));
+  grows_->setText(tr("Layers while the brush rests"));
+  grows_->setToolTip(tr("One second after a stroke, the layers are made again in the background"));
   with_->setItemText(0, tr("Brush"));
   with_->setItemText(1, tr("Whole faces"));
   with_->setItemText(2, tr("Rectangle"));

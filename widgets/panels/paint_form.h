@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -20,7 +21,8 @@ struct PaintChoices {
   };
   With with = With::Brush;
   double radiusMm = 3.0;
-  double angleDeg = 20.0; // of the edges at which faces end
+  double angleDeg = 20.0;  // of the edges at which faces end
+  bool growsLayers = true; // while the brush rests, of regions with layers of their own
 };
 
 class PaintForm : public QWidget {
@@ -30,6 +32,8 @@ public:
   explicit PaintForm(QWidget* parent = nullptr);
 
   const PaintChoices& choices() const { return choices_; }
+  // Offers to grow the layers while the brush rests.
+  void setHasLayers(bool has);
 
 signals:
   void changed();
@@ -44,6 +48,7 @@ private:
   QComboBox* with_;
   QLabel *withLabel_, *sizeLabel_, *hint_;
   forms::NumberBox* size_;
+  QCheckBox* grows_;
 };
 
 } // namespace voluta::panels

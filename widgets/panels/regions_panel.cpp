@@ -410,6 +410,7 @@ void RegionsPanel::showFields(const Region& region) {
     }
   };
   paint_->setVisible(shape && shape->kind->mesh == regions::ShapeMesh::Painted);
+  paint_->setHasLayers(use && use->hasLayers());
   static const std::vector<ShapeField> kNone;
   fill(shapeFields_, shape ? shape->kind->fields : kNone,
        shape ? shape->numbers : std::vector<double>{}, "mm");

@@ -1,9 +1,11 @@
 // The strokes by which RegionsTool paints.
 #include "base/error.h"
 #include "base/units.h"
+#include "document/planning.h"
 #include "panels/paint_form.h"
 #include "project/loaded_part.h"
 #include "regions/region_kinds.h"
+#include "regions/region_uses.h"
 #include "window/pages/region_bodies.h"
 #include "window/pages/regions_tool.h"
 #include "window/presenters/presenter.h"
@@ -39,6 +41,7 @@ bool RegionsTool::beginStroke() {
     return true;
   isStroke_ = true;
   strokeEnds_ = false;
+  rest_.stop();
   lastDabMm_.reset();
   strokeOf_ = *at;
   stroke_ = panel_->regions()[*at].mesh;
@@ -155,6 +158,19 @@ void RegionsTool::endStroke() {
     return;
   all[strokeOf_].mesh = stroke_->empty() ? nullptr : std::exchange(stroke_, nullptr);
   set(all, tr("Paint region"));
+  constexpr int kRestMs = 1000;
+  if (open_)
+    rest_.start(kRestMs);
+}
+
+// While the brush rests, as far as layers; a longer run that the user started goes on.
+void RegionsTool::growLayers() {
+  const auto at = panel_->selected();
+  const bool isBusy = work_.planning.running() && work_.planning.until() > project::Stage::Layers;
+  if (!open_ || isStroke_ || isBusy || !isPainted() || !panel_->paint().growsLayers ||
+      !regions::findUse(panel_->regions()[*at].use).hasLayers())
+    return;
+  work_.planning.plan(project::Stage::Layers);
 }
 
 } // namespace voluta::window

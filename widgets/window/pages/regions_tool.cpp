@@ -73,6 +73,7 @@ std::array<QColor, scene::kRegionLooks> regionColours(const QPalette& palette) {
 RegionsTool::RegionsTool(const Workspace& workspace, const Page& page, QObject* parent)
     : QObject(parent), work_(workspace), page_(page), panel_(new panels::RegionsPanel) {
   panel_->setObjectName(QStringLiteral("regionsPanel"));
+  rest_.setSingleShot(true);
   listen();
 }
 
@@ -93,6 +94,7 @@ void RegionsTool::listen() {
        {&Document::sourceChanged, &Document::partsChanged, &Document::choicesChanged})
     connect(&work_.document, changed, this, &RegionsTool::takeDocument);
   connect(&work_.document, &Document::resultChanged, this, &RegionsTool::takePlaced);
+  connect(&rest_, &QTimer::timeout, this, &RegionsTool::growLayers);
   using panels::RegionsPanel;
   connect(panel_, &RegionsPanel::addRequested, this, &RegionsTool::add);
   connect(panel_, &RegionsPanel::edited, this, &RegionsTool::set);

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <QObject>
+#include <QTimer>
 #include <array>
 #include <memory>
 #include <optional>
@@ -80,6 +81,7 @@ private:
   void paintDabs();
   void endStroke();
   void dropStroke();
+  void growLayers();
   void add(const QString& kind);
   void addFromFile();
   void append(project::Region region);
@@ -108,6 +110,7 @@ private:
   std::optional<Eigen::Vector3d> lastDabMm_;
   std::size_t strokeOf_ = 0; // the region
   bool isStroke_ = false, strokeEnds_ = false;
+  QTimer rest_; // of the brush
 };
 
 } // namespace voluta::window
