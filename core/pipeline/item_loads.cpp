@@ -45,7 +45,9 @@ std::shared_ptr<const ItemLoad> itemLoad(const geometry::TriangleMesh& part,
   const elastic::ElasticState state = elastic::solved(
       cells, [&](std::size_t) { return material; }, ctx);
   elastic::PrincipalStress principal(cells, state);
-  return std::make_shared<const ItemLoad>(ItemLoad{std::move(cells), std::move(principal)});
+  elastic::TensionAcross tension(cells, state);
+  return std::make_shared<const ItemLoad>(
+      ItemLoad{std::move(cells), std::move(principal), std::move(tension)});
 }
 
 } // namespace voluta::pipeline

@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "elastic/load_case.h"
 #include "elastic/principal_stress.h"
+#include "elastic/tension_across.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/statistics.h"
 #include "plan/tool_plan.h"
@@ -20,6 +21,7 @@ namespace voluta::pipeline {
 struct ItemLoad {
   elastic::LoadCase cells;
   elastic::PrincipalStress principal; // of the part as one solid
+  elastic::TensionAcross tension;     // of it too
 };
 
 // Returns the load of the regions that hold the part or push it; null if there are none. `part`:

@@ -212,6 +212,19 @@ bool hasRegions(const Resolved& resolved) {
   return !regionsOf(resolved).empty();
 }
 
+std::shared_ptr<const ItemLoad> loadOf(const modes::LoadStage& placed,
+                                       const geometry::TriangleMesh& file, const Resolved& resolved,
+                                       double unitMm, const base::RunContext& ctx) {
+  const regions::PlacedPart part = placedPart(placed, *placed.part, file, unitMm);
+  const substrate::LevelOptions levels = modes::levelOptions(resolved.modeChoices());
+  std::vector<geometry::TriangleMesh> bodies;
+  for (const Region& region : regionsOf(resolved))
+    bodies.push_back(regions::findUse(region.use).load == regions::RegionLoad::None
+                         ? geometry::TriangleMesh()
+                         : regions::bodyOf(region, part, levels, ctx));
+  return itemLoad(*placed.part, regionsOf(resolved), bodies, part.work_T_file.linear(), ctx);
+}
+
 std::shared_ptr<const modes::LoadStage>
 withCutRegions(std::shared_ptr<const modes::LoadStage> stage, const geometry::TriangleMesh& file,
                const Resolved& resolved, double unitMm, const base::RunContext& ctx) {
@@ -381,6 +394,10 @@ std::string loadedMaterialsKey(const Resolved& resolved) {
 
 std::string cutRegionsKey(const Resolved& resolved) {
   return any(resolved, &regions::RegionUse::cuts) ? shapesKey(resolved) : std::string();
+}
+
+std::string loadRegionsKey(const Resolved& resolved) {
+  return resolved.values.text("orient") == "leastTension" ? shapesKey(resolved) : std::string();
 }
 
 std::string layeredRegionsKey(const Resolved& resolved) {

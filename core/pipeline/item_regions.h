@@ -22,6 +22,12 @@ struct Resolved;
 
 bool hasRegions(const Resolved& resolved);
 
+// Returns the load of a part that is placed but not cut yet; null without forces. `file`: its mesh,
+// `unitMm`: of its lengths. Throws as itemLoad() and regions::bodyOf().
+std::shared_ptr<const ItemLoad> loadOf(const modes::LoadStage& placed,
+                                       const geometry::TriangleMesh& file, const Resolved& resolved,
+                                       double unitMm, const base::RunContext& ctx);
+
 // Returns the stage with the part that the cutting regions leave; itself without any. Throws as
 // regions::withoutCuts().
 std::shared_ptr<const modes::LoadStage>
@@ -68,6 +74,7 @@ std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
 
 // Return the inputs of these functions, as text; empty without regions.
 std::string cutRegionsKey(const Resolved& resolved);
+std::string loadRegionsKey(const Resolved& resolved);
 std::string layeredRegionsKey(const Resolved& resolved);
 std::string supportRegionsKey(const Resolved& resolved);
 std::string regionLayersKey(const Resolved& resolved);

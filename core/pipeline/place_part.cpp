@@ -10,6 +10,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/item_regions.h"
 #include "pipeline/open_part.h"
 #include "pipeline/part_size.h"
 #include "pipeline/resolved.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 namespace voluta::pipeline {
@@ -166,10 +168,22 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
         return std::nullopt;
       }
     };
-    TurnedPart turned = turnedPart(*stage->part, choices.item().placement, orientationPlan(in),
-                                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
-                                   loaded.cells != nullptr,
-                                   mode.cuts ? CheckedCuts(cutsLeave) : CheckedCuts(), ctx);
+    std::shared_ptr<const ItemLoad> load;
+    if (values.text("orient") == "leastTension") {
+      load = loadOf(*stage, *loaded.mesh, resolved, unit, ctx);
+      if (!load)
+        throw base::Error(base::ErrorCode::Usage,
+                          "`orient=leastTension` needs a region that pushes the part"_text, {},
+                          "give regions with the uses 'hold' and 'load'"_text);
+    }
+    TurnedPart turned =
+        turnedPart(*stage->part, choices.item().placement, orientationPlan(in),
+                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
+                   loaded.cells != nullptr, mode.cuts ? CheckedCuts(cutsLeave) : CheckedCuts(),
+                   load ? placement::TensionOf(
+                              [load](const Eigen::Vector3d& up) { return load->tension.along(up); })
+                        : placement::TensionOf(),
+                   ctx);
     place(turned.placement);
     std::ranges::copy(turned.findings, std::back_inserter(stage->findings));
     stage->timings.decompose = turned.seconds;

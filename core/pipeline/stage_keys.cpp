@@ -131,7 +131,7 @@ std::string loadText(const project::LoadedPart& loaded, const Resolved& resolved
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.choices, in.values, in.process);
-  text += cutRegionsKey(resolved);
+  text += cutRegionsKey(resolved) + loadRegionsKey(resolved);
   const OrientationPlan orientationSearch = orientationPlan(in);
   text += keyOfOrientation(orientationSearch);
   if (const modes::Mode& mode = modes::findMode(c.item().mode); orientationSearch.cuts && mode.cuts)

@@ -31,11 +31,12 @@ struct ObjectiveRow {
 const ObjectiveRow& objectiveNamed(std::string_view name) {
   using placement::Objective;
   using plan::FindingKind;
-  static constexpr std::array<ObjectiveRow, 4> kRows{
+  static constexpr std::array<ObjectiveRow, 5> kRows{
       {{"leastRisky", Objective::MinRiskyArea, FindingKind::TurnedMinRiskyArea},
        {"fewestMissed", Objective::FewestMissed, FindingKind::TurnedFewestMissed},
        {"leastResidual", Objective::MinResidualArea, FindingKind::TurnedMinResidualArea},
-       {"leastAfterCuts", Objective::MinAfterCuts, FindingKind::TurnedMinAfterCuts}}};
+       {"leastAfterCuts", Objective::MinAfterCuts, FindingKind::TurnedMinAfterCuts},
+       {"leastTension", Objective::LeastTension, FindingKind::TurnedLeastTension}}};
   const auto row = std::find_if(kRows.begin(), kRows.end(),
                                 [&](const ObjectiveRow& r) { return r.name == name; });
   base::require(row != kRows.end(), "objectiveNamed: a value of orient");
@@ -67,6 +68,10 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
     values.push_back({"voxel", base::mm(found.searchMm)});
     values.push_back({"missedBefore", found.missedBefore});
   }
+  if (row.objective == Objective::LeastTension) {
+    values.push_back({"tension", base::number(found.tensionMPa)});
+    values.push_back({"tensionBefore", base::number(found.tensionBeforeMPa)});
+  }
   if (row.objective == Objective::MinAfterCuts) {
     values.push_back({"left", base::mm2(found.cuts.riskyMm2)});
     values.push_back({"pieces", found.cuts.pieces});
@@ -96,7 +101,8 @@ OrientationPlan orientationPlan(const modes::ModeChoices& in) {
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const OrientationPlan& plan, double voxelMm, bool onlyQuarters,
-                      const CheckedCuts& checkedCuts, const base::RunContext& ctx) {
+                      const CheckedCuts& checkedCuts, const placement::TensionOf& tension,
+                      const base::RunContext& ctx) {
   TurnedPart out;
   out.placement = placement;
   if (plan.objective == "none")
@@ -111,6 +117,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
   options.platform = [&](const voxel::SolidVoxels& part) {
     return modes::plateOf(plan.platform, part);
   };
+  options.tension = tension;
   geometry::TriangleMesh coarse;
   if (plan.cuts) {
     coarse = geometry::simplified(placed, modes::kCutEstimateTriangles);

@@ -42,9 +42,11 @@ using CheckedCuts =
 // Searches for the orientation. `placed`: the part placed by `placement`. `voxelMm`: replaces the
 // plan's voxel width. `onlyQuarters`: only quarter turns, which keep the part's own cells. Without
 // a search the placement is returned unchanged. `checkedCuts`: empty if the mode makes no pieces.
-// Throws as placement::bestOrientation(); Cancelled.
+// `tension`: of leastTension, in the frame of `placed`; empty for others. Throws as
+// placement::bestOrientation(); Cancelled.
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const OrientationPlan& plan, double voxelMm, bool onlyQuarters,
-                      const CheckedCuts& checkedCuts, const base::RunContext& ctx);
+                      const CheckedCuts& checkedCuts, const placement::TensionOf& tension,
+                      const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -121,6 +121,31 @@ public:
     return out;
   }
 
+  Orientation leastTension() {
+    constexpr double kSame = 1.05;
+    std::vector<double> tension;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& c : found_) {
+      tension.push_back(options_.tension(c.rotation.toRotationMatrix().row(2).transpose()));
+      if (c.score.stands)
+        least = std::min(least, tension.back());
+    }
+    const auto isAmong = [&](std::size_t n) {
+      return found_[n].score.stands && tension[n] <= kSame * least;
+    };
+    std::optional<std::size_t> winner;
+    for (std::size_t n = 0; n < found_.size(); ++n)
+      if (isAmong(n) && (!winner || found_[n].key() < found_[*winner].key()))
+        winner = n;
+    if (!winner ||
+        (isAmong(0) && found_[0].score.riskyMm2 <= kStays * found_[*winner].score.riskyMm2))
+      winner = 0;
+    Orientation out = chosen(*winner);
+    out.tensionMPa = tension[*winner];
+    out.tensionBeforeMPa = tension[0];
+    return out;
+  }
+
 private:
   // Returns false if the part would not stand or has that orientation already.
   bool add(const Eigen::Quaterniond& rotation) {
@@ -271,7 +296,8 @@ base::ParameterTable orientParameters() {
                              {"leastRisky", "minimum overhang"_text},
                              {"fewestMissed", "fewest missed voxels"_text},
                              {"leastResidual", "least residual area"_text},
-                             {"leastAfterCuts", "least overhang of pieces"_text}},
+                             {"leastAfterCuts", "least overhang of pieces"_text},
+                             {"leastTension", "least tension across layers"_text}},
                             "Placement"_text, "Turn the part"_text,
                             "Searches for a better orientation of the part: with the smallest "
                             "overhanging area, with the fewest voxels missed by growth, along "
@@ -288,13 +314,16 @@ Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective object
   base::require(!mesh.empty() && options.voxelMm > 0.0, "bestOrientation: facets, voxelMm > 0");
   base::require(objective != Objective::MinAfterCuts || options.cutOutcome,
                 "bestOrientation: cutOutcome");
+  base::require(objective != Objective::LeastTension || options.tension,
+                "bestOrientation: tension");
   const auto found = [&] {
     if (objective == Objective::MinResidualArea)
       return minResidualArea(mesh, options);
     OrientSearch search(mesh, options, ctx);
     return objective == Objective::MinRiskyArea   ? search.minRiskyArea()
            : objective == Objective::FewestMissed ? search.fewestMissed()
-                                                  : search.minAfterCuts();
+           : objective == Objective::MinAfterCuts ? search.minAfterCuts()
+                                                  : search.leastTension();
   };
   Orientation out = found();
   ctx.report(1.0, "orientation"_text);

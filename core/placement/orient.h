@@ -15,11 +15,11 @@
 
 namespace voluta::placement {
 
-// Returns the parameter orient (none, leastRisky, fewestMissed, leastResidual,
-// leastAfterCuts).
+// Returns the parameter orient (none, leastRisky, fewestMissed, leastResidual, leastAfterCuts,
+// leastTension).
 base::ParameterTable orientParameters();
 
-enum class Objective { MinRiskyArea, FewestMissed, MinResidualArea, MinAfterCuts };
+enum class Objective { MinRiskyArea, FewestMissed, MinResidualArea, MinAfterCuts, LeastTension };
 
 // What remains of a part's risky area if it is cut into pieces.
 struct CutOutcome {
@@ -34,6 +34,9 @@ using CutOutcomeOf = std::function<CutOutcome(const Eigen::Quaterniond& rotation
 // that orientation.
 using CheckedCutsOf = std::function<std::optional<CutOutcome>(const Eigen::Quaterniond& rotation)>;
 
+// Returns the tension across layers perpendicular to a unit direction of the mesh [MPa].
+using TensionOf = std::function<double(const Eigen::Vector3d& up)>;
+
 struct OrientOptions {
   double voxelMm = 0.8;                    // voxel width for growing the part
   double overhangRad = 0.7853981633974483; // facets beyond it are risky
@@ -43,6 +46,7 @@ struct OrientOptions {
   PlatformOf platform = {};
   CutOutcomeOf cutOutcome = {};   // required by MinAfterCuts
   CheckedCutsOf checkedCuts = {}; // empty: cutOutcome decides
+  TensionOf tension = {};         // required by LeastTension
 };
 
 struct Orientation {
@@ -53,10 +57,11 @@ struct Orientation {
   // FewestMissed only: voxels that one pass of reverse growth misses, at a width of searchMm ...
   double searchMm = 0.0;
   std::size_t missed = 0, missedBefore = 0;
-  std::size_t missedAtVoxelMm = 0;        // ... and rotated, at voxelMm
-  ResidualAreas residual, residualBefore; // MinResidualArea only
-  CutOutcome cuts, cutsBefore;            // MinAfterCuts only
-  bool areCutsChecked = false;            // `cuts` is of OrientOptions::checkedCuts
+  std::size_t missedAtVoxelMm = 0;                 // ... and rotated, at voxelMm
+  ResidualAreas residual, residualBefore;          // MinResidualArea only
+  CutOutcome cuts, cutsBefore;                     // MinAfterCuts only
+  bool areCutsChecked = false;                     // `cuts` is of OrientOptions::checkedCuts
+  double tensionMPa = 0.0, tensionBeforeMPa = 0.0; // LeastTension only
 };
 
 // Returns the best orientation of `mesh` (mm). Compares the present one; each of 26 directions
@@ -73,10 +78,13 @@ struct Orientation {
 //   risky area, then minimum height; no small rotations. With checkedCuts the best by cutOutcome
 //   are checked one after another, four at most, until the next one cannot be better. The present
 //   orientation is kept if it is at most a quarter worse than the best one;
+//   LeastTension: minimum tension across the layers; of those within 5 % of it minimum risky area,
+//   then minimum height. The present orientation is kept if it is among these, and has at most a
+//   quarter more risky area than the best; no small rotations;
 //   MinResidualArea: compares other orientations instead, see minResidualRotation().
 // Same result for any number of threads. Preconditions (Error{Internal}): mesh not empty, voxelMm
-// > 0, cutOutcome for MinAfterCuts. Throws Error{Usage} as voxel::solidVoxels(), and what
-// cutOutcome throws; Cancelled.
+// > 0, cutOutcome for MinAfterCuts, tension for LeastTension. Throws Error{Usage} as
+// voxel::solidVoxels(), and what cutOutcome throws; Cancelled.
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx);
 

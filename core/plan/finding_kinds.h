@@ -38,6 +38,7 @@ enum class FindingKind : std::uint8_t {
   TurnedMinResidualArea,
   TurnedMinAfterCuts,
   TurnedAfterCuts,
+  TurnedLeastTension,
   NotTurned,
   CellCannotPrint,
   LargerThanPlates,

@@ -80,6 +80,8 @@ Region movedRegion(Region region, const Shape& shape, const PieceOfPart& piece) 
     const Vector3d force = piece.work_T_file.linear() * forceOf(region.use);
     region.use = textOf(findUse(region.use).id, {force.x(), force.y(), force.z()});
   }
+  if (findUse(region.use).isInsert) // the piece counts its own layers
+    region.use = findUse(region.use).id;
   switch (shape.kind->frame) {
   case ShapeFrame::Part:
     return region;
@@ -124,7 +126,8 @@ std::vector<Region> regionsOfPiece(std::span<const Region> all, const PieceOfPar
   std::vector<Region> kept;
   for (const Region& region : all) {
     try {
-      if (findUse(region.use).cuts)
+      const RegionUse& use = findUse(region.use);
+      if (use.cuts && !use.isInsert) // the piece ends there already
         continue;
       Region own = movedRegion(region, parsedShape(region.shape), piece);
       if (touches(own, parsedShape(own.shape), piece))

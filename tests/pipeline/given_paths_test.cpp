@@ -270,6 +270,7 @@ bool canConcernGiven(const plan::FindingRow& row) {
                                   TurnedMinResidualArea,
                                   TurnedMinAfterCuts,
                                   TurnedAfterCuts,
+                                  TurnedLeastTension,
                                   NotTurned,
                                   PatchWithoutBead,
                                   ThinWallsWidened,

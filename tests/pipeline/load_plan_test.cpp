@@ -10,11 +10,13 @@
 #include "pipeline/compare_figures.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 #include "project/job.h"
 #include "regions/region_text.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -55,6 +57,30 @@ TEST(LoadPlan, FieldInfillRunsAlongTheStressOfABentBar) {
   const double bending = std::pow(20.0, 3) * 4.0 / 12.0 * 3.0 / std::pow(81.0, 3);
   EXPECT_GT(after.stiffnessNPerMm, 0.8 * 2770.0 * bending);
   EXPECT_LT(after.stiffnessNPerMm, 1.1 * 3120.0 * bending);
+}
+
+// A post that stands is bent: its layers would be torn apart. Lying, they are not.
+TEST(LoadPlan, ThePartIsTurnedToTheLeastTensionAcrossItsLayers) {
+  PlanRequest request =
+      bar({"box:0,0,2,20,20,4;use=hold", "box:0,0,58,20,20,4;use=load:20,0,0"}, "zigzag");
+  request.item().loaded = test::loadedBox({-6, -4, 0}, {6, 4, 60});
+  request.until = project::Stage::Load;
+  test::giveParameters(request.choices, {{"orient", "leastTension"}});
+  const PlanResult plan = planPart(request, {});
+  const Eigen::Vector3d axis = plan.job.item().placement->rotation * Eigen::Vector3d::UnitZ();
+  EXPECT_LT(std::abs(axis.z()), 0.1) << reasons(plan);
+  const auto turned = std::ranges::find(
+      plan.job.report.findings, plan::FindingKind::TurnedLeastTension, &plan::Finding::kind);
+  ASSERT_NE(turned, plan.job.report.findings.end()) << reasons(plan);
+  const auto value = [&](const std::string& name) {
+    return std::get<base::Quantity>(turned->value(name)->data()).number;
+  };
+  EXPECT_LT(value("tension"), 0.3 * value("tensionBefore"));
+  // Bending: the stress falls from M / W at the hold, half of the section is in tension.
+  const double most = 20.0 * 56.0 / (8.0 * 12.0 * 12.0 / 6.0);
+  EXPECT_NEAR(value("tensionBefore") / (most / std::sqrt(18.0)), 1.0, 0.15);
+  request.choices.item().regions.pop_back();
+  EXPECT_THROW(planPart(request, {}), base::Error);
 }
 
 TEST(LoadPlan, AForceTurnsWithThePart) {

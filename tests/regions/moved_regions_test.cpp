@@ -76,11 +76,14 @@ TEST(MovedRegions, RegionsBesideThePieceAndThoseThatCutAreLeftOut) {
   const std::vector<Region> all{{.shape = "sphere:0,0,0,4"},   // around z = 12
                                 {.shape = "sphere:0,0,-12,4"}, // around z = -12
                                 {.shape = "sphere:0,0,-12,4", .use = "cut"},
+                                {.shape = "sphere:0,0,-12,4", .use = "insert:7"},
                                 {.shape = "painted:1"}};
   const auto kept = regions::regionsOfPiece(all, piece);
-  ASSERT_EQ(kept.size(), 2u);
+  ASSERT_EQ(kept.size(), 3u);
   EXPECT_EQ(kept[0].shape, "sphere:5,-3,-12,8");
-  EXPECT_EQ(kept[1].shape, "painted:1");
+  EXPECT_EQ(kept[1].shape, "sphere:5,-3,-12,8");
+  EXPECT_EQ(kept[1].use, "insert") << "its layers are others";
+  EXPECT_EQ(kept[2].shape, "painted:1");
 }
 
 TEST(MovedRegions, PaintMovesWithThePart) {

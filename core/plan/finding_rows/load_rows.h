@@ -88,6 +88,10 @@ inline constexpr FindingRow kLoadRows[] = {
         "the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang after cutting {left:.0f} (pieces: {pieces}) instead of {leftBefore:.0f#} (pieces: {piecesBefore}, estimated); uncut {overhang:.0f} instead of {overhangBefore:.0f#}"_text,
         kKeepOrientation, {.reportId = "turned"}),
     info(
+        TurnedLeastTension, "turnedLeastTension",
+        "the part was turned by {angle:.0f} about ({x}, {y}, {z}): tension across its layers {tension:.2g} MPa instead of {tensionBefore:.2g}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}"_text,
+        kKeepOrientation, {.reportId = "turned"}),
+    info(
         NotTurned, "notTurned",
         "the part keeps its orientation: the only other stable one is not better|the part keeps its orientation: none of {ways} stable ones is better"_plural,
         "orient it by hand"_text),
