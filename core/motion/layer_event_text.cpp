@@ -17,7 +17,9 @@ namespace voluta::motion {
 namespace {
 using plan::LayerEvent, plan::LayerEventKind;
 
+constexpr std::string_view kFilament = "filament"; // a pause, behind which the nozzle is purged
 constexpr std::array kWords{std::pair(std::string_view("pause"), LayerEventKind::Pause),
+                            std::pair(kFilament, LayerEventKind::Pause),
                             std::pair(std::string_view("wait"), LayerEventKind::Wait),
                             std::pair(std::string_view("output"), LayerEventKind::Output),
                             std::pair(std::string_view("tool"), LayerEventKind::Tool),
@@ -78,6 +80,7 @@ std::optional<LayerEvent> takeHead(std::string_view& text) {
   if (kind == kWords.end())
     return std::nullopt;
   event.kind = kind->second;
+  event.changesFilament = word == kFilament;
   return event;
 }
 

@@ -15,8 +15,7 @@ namespace voluta::motion {
 
 inline constexpr const char* kPauseLayers = "pauseLayers";
 inline constexpr const char* kLayerEvents = "layerEvents";
-// A pause's own text is at most this long, so that its layer has room beside it.
-inline constexpr std::size_t kOwnTextLength = 44;
+inline constexpr std::size_t kOwnTextLength = plan::kPauseTextLength;
 
 // Returns the layers that a value of pauseLayers lists, from 1, ascending. Throws Error{Usage} if
 // it is no list of layers.
@@ -27,7 +26,8 @@ std::string pauseLayersText(const std::vector<int>& layers);
 // Returns the events that a value of layerEvents lists, of item 0. Each begins with a layer or a
 // height, behind the first they are separated by semicolons:
 //   12 pause; 20 pause Put in the nut; z5.5 wait 60; 30 output 3 on; 35 photo 4 0.5; 40 tool 2;
-//   50 statement urscript set_tool_voltage(24)
+//   45 filament Change to red; 50 statement urscript set_tool_voltage(24)
+// Statements of several formats at a place stand for each other: a program has those of its own.
 // A semicolon that no event follows belongs to the text before it. Throws Error{Usage} that names
 // the event that is none.
 std::vector<plan::LayerEvent> layerEventsOf(std::string_view text);

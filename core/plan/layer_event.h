@@ -2,6 +2,7 @@
 // statement of his own, a photo.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -31,5 +32,8 @@ struct LayerEvent {
   std::string text = {};        // Pause: shown to the operator; empty: the usual text
   std::string format = {};
 };
+
+// A pause's own text is at most this long, so that its layer has room beside it.
+inline constexpr std::size_t kPauseTextLength = 44;
 
 } // namespace voluta::plan

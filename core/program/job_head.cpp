@@ -1,8 +1,8 @@
 #include "program/job_head.h"
 
+#include "base/ascii_text.h"
 #include "base/units.h"
 #include "plan/marks.h"
-#include "program/ascii_text.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/common/program_text.h"
@@ -193,7 +193,7 @@ std::optional<std::string_view> behindMark(std::string_view line, std::string_vi
 }
 
 std::string plainText(std::string_view text, std::size_t maxLength) {
-  std::string plain = asciiText(text);
+  std::string plain = base::asciiText(text);
   plain.resize(std::min(plain.size(), maxLength));
   std::ranges::replace_if(
       plain, [](char c) { return c == '"' || c == '\\'; }, '_');

@@ -15,8 +15,9 @@
 
 namespace voluta::program {
 
-// Returns `text` in a form valid in a comment or quoted string of any dialect: as asciiText(), with
-// '_' for quotes, backslashes and line ends too, at most `maxLength` characters.
+// Returns `text` in a form valid in a comment or quoted string of any dialect: as
+// base::asciiText(), with '_' for quotes, backslashes and line ends too, at most `maxLength`
+// characters.
 std::string plainText(std::string_view text, std::size_t maxLength = 60);
 
 // Returns 16 hexadecimal digits that identify the motion and the machine: joints, times, material

@@ -1,6 +1,8 @@
 #include "project/file_events.h"
 
+#include "base/ascii_text.h"
 #include "geometry/formats/threemf_heights.h"
+#include "plan/layer_event.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,32 +12,30 @@ namespace voluta::project {
 namespace {
 using geometry::EventOfFile, geometry::EventOfFileKind;
 
-constexpr double kFarMm = 1e5;           // the end of a range of heights
-constexpr double kHighestMm = 1e4;       // of an event
-constexpr std::size_t kLongestText = 44; // motion::kOwnTextLength
+constexpr double kFarMm = 1e5;     // the end of a range of heights
+constexpr double kHighestMm = 1e4; // of an event
 
 // Returns the text as controllers can show it, without the separator of events.
-std::string shownText(const std::string& text) {
-  std::string shown;
-  for (const char c : text) {
-    const bool isKnown = c >= ' ' && c <= '~' && c != '"' && c != '\\';
-    const bool isFirstByte = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // of a character
-    if (isKnown && c != ';')
-      shown += c;
-    else if (isFirstByte)
-      shown += c == ';' ? ',' : c == '\n' || c == '\t' ? ' ' : '?';
-  }
-  shown.resize(std::min(shown.size(), kLongestText));
+std::string shownText(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  std::string shown = base::asciiText(text);
+  std::ranges::replace(shown, ';', ',');
+  std::ranges::replace(shown, '"', '\'');
+  std::ranges::replace(shown, '\\', '/');
+  shown.resize(std::min(shown.size(), plan::kPauseTextLength));
   return shown;
 }
 
-std::string pauseOf(const EventOfFile& event) {
+std::string stopOf(const EventOfFile& event) {
+  const bool isColour = event.kind == EventOfFileKind::Colour;
   std::string text = shownText(event.text);
-  if (event.kind == EventOfFileKind::Colour)
+  if (isColour)
     text = text.empty() ? "Change the colour" : shownText("Change to colour " + text);
   const std::string place =
       event.heightMm > 0.0 ? fmt::format("z{:.6g}", event.heightMm) : std::string("1");
-  return fmt::format("{} pause{}{}", place, text.empty() ? "" : " ", text);
+  return fmt::format("{} {}{}{}", place, isColour ? "filament" : "pause", text.empty() ? "" : " ",
+                     text);
 }
 } // namespace
 
@@ -53,7 +53,7 @@ FileEvents eventsOfFile(const std::vector<EventOfFile>& events, double topMm,
     notes.push_back(base::message("from the file: {event} at a height of {height}"_text,
                                   geometry::eventWords(event), base::mm(event.heightMm)));
     if (event.kind != EventOfFileKind::Tool) {
-      made.layerEvents += (made.layerEvents.empty() ? "" : "; ") + pauseOf(event);
+      made.layerEvents += (made.layerEvents.empty() ? "" : "; ") + stopOf(event);
       continue;
     }
     if (!made.tools.empty())

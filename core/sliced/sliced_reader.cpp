@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "base/valid_utf8.h"
 #include "build3mf/bead_cells.h"
+#include "plan/layer_event.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
 #include "sliced/sliced_sections.h"
@@ -84,7 +85,6 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
 // stands. `lines`: of the beads.
 std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPlan& plan,
                                      const std::vector<std::size_t>& lines) {
-  constexpr std::size_t kMaxText = 44; // of a pause's own text (motion/layer_event_text.h)
   std::vector<base::Message> notes;
   std::size_t before = 0, behind = 0;
   for (const SlicedStop& stop : file.stops) {
@@ -94,7 +94,8 @@ std::vector<base::Message> stopNotes(const SlicedFile& file, const plan::ToolPla
       ++before;
     else if (bead < lines.size())
       notes.push_back(base::message(kStopNote, stop.line, bead + 1, plan.paths[bead].layer + 1,
-                                    base::validText(stop.text, kMaxText), stop.command));
+                                    base::validText(stop.text, plan::kPauseTextLength),
+                                    stop.command));
     else
       ++behind;
   }

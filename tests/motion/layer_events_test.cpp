@@ -66,6 +66,17 @@ TEST(LayerEvents, AreReadFromTheirText) {
     EXPECT_THROW(layerEventsOf(wrong), base::Error) << wrong;
 }
 
+TEST(LayerEvents, AChangeOfFilamentIsAPauseWithAPurge) {
+  const auto events = layerEventsOf("3 filament Change to red; z5 filament; 6 pause");
+  ASSERT_EQ(events.size(), 3u);
+  for (const auto& event : events)
+    EXPECT_EQ(event.kind, LayerEventKind::Pause);
+  EXPECT_EQ(events[0].text, "Change to red");
+  EXPECT_TRUE(events[0].changesFilament);
+  EXPECT_TRUE(events[1].changesFilament);
+  EXPECT_FALSE(events[2].changesFilament);
+}
+
 TEST(LayerEvents, TextsThatControllersCannotShowAreRefused) {
   const auto reasonOf = [](const std::string& text) {
     try {

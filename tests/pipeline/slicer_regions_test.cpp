@@ -154,7 +154,8 @@ TEST(SlicerRegions, EnforcersPaintAndEventsAreRead) {
     request.choices.item().regions.clear();
     project::takeFromFile(request.choices.item(), *loaded);
     const auto& item = request.choices.item();
-    EXPECT_EQ(item.parameters.at("layerEvents"), "z6 pause Nut; z8 pause Change to colour #FF0000");
+    EXPECT_EQ(item.parameters.at("layerEvents"),
+              "z6 pause Nut; z8 filament Change to colour #FF0000");
     EXPECT_EQ(motion::layerEventsOf(item.parameters.at("layerEvents")).size(), 2u);
     std::vector<std::string> said;
     for (const project::Region& region : item.regions)

@@ -1,5 +1,4 @@
-// Words that the user's own statements must not have, per language; and texts in ASCII.
-#include "program/ascii_text.h"
+// Words that the user's own statements must not have, per language.
 #include "program/dialect.h"
 #include "program/own_lines.h"
 #include "program/refused_statements.h"
@@ -91,14 +90,6 @@ TEST(RefusedStatements, TheVariableThatIsSetIsNamed) {
   EXPECT_EQ(assignedNames("if a == 1:"), Names{});
   EXPECT_TRUE(hasName("  MoveL p1,v10,z0,tNozzle;", "tnozzle"));
   EXPECT_FALSE(hasName("  MoveL p1,v10,z0,tNozzle2;", "tnozzle"));
-}
-
-TEST(AsciiText, TranscribesLettersAndSigns) {
-  EXPECT_EQ(asciiText("Größe prüfen – 5 °C"), "Groesse pruefen - 5  degC");
-  EXPECT_EQ(asciiText("Élève à Łódź, Žižkov"), "Eleve a Lodz, Zizkov");
-  EXPECT_EQ(asciiText("Пауза: гайка"), "Pauza: gayka");
-  EXPECT_EQ(asciiText("螺 nut"), "_ nut");
-  EXPECT_EQ(asciiText("a\xFFz\xC3"), "a_z_");
 }
 
 } // namespace

@@ -30,7 +30,7 @@ TEST(FileEvents, PausesAndColoursAreEventsOfLayers) {
                               {EventOfFileKind::Pause, 6.0, 1, "Put in the nut"},
                               {EventOfFileKind::Pause, 20.0, 1, "late"}});
   EXPECT_EQ(made.events.layerEvents,
-            "1 pause; z3.25 pause Change to colour #FF8000; z4 pause Change the colour; "
+            "1 pause; z3.25 filament Change to colour #FF8000; z4 filament Change the colour; "
             "z6 pause Put in the nut");
   EXPECT_TRUE(made.events.tools.empty());
   EXPECT_THAT(made.notes,
@@ -46,8 +46,8 @@ TEST(FileEvents, TextsAreThoseOfControllers) {
   const auto textOf = [](const std::string& text) {
     return madeFrom({{EventOfFileKind::Pause, 5.0, 1, text}}).events.layerEvents;
   };
-  EXPECT_EQ(textOf("a; 12 pause\n\"b\" \\"), "z5 pause a, 12 pause ?b? ?");
-  EXPECT_EQ(textOf("Gr\xc3\xbc\xc3\x9f"), "z5 pause Gr??");
+  EXPECT_EQ(textOf("a; 12 pause\n\"b\" \\"), "z5 pause a, 12 pause 'b' /");
+  EXPECT_EQ(textOf("Gr\xc3\xbc\xc3\x9f"), "z5 pause Gruess");
   EXPECT_EQ(textOf(std::string(100, 'x')), "z5 pause " + std::string(44, 'x'));
 }
 

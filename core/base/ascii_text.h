@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace voluta::program {
+namespace voluta::base {
 
 // Returns a text of UTF-8 in printable ASCII: letters with marks, ligatures, Cyrillic letters and
 // signs as they are usually transcribed (ä: ae, é: e, ш: sh, °: deg); any other character becomes
 // '_'.
 std::string asciiText(std::string_view text);
 
-} // namespace voluta::program
+} // namespace voluta::base

@@ -1,4 +1,4 @@
-#include "program/ascii_text.h"
+#include "base/ascii_text.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <iterator>
 
-namespace voluta::program {
+namespace voluta::base {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string asciiText(std::string_view text) {
   return ascii;
 }
 
-} // namespace voluta::program
+} // namespace voluta::base
