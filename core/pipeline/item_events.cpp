@@ -7,6 +7,7 @@
 #include "motion/layer_events.h"
 #include "pipeline/given_paths.h"
 #include "plan/tool_plan.h"
+#include "program/dialect.h"
 #include "program/refused_statements.h"
 #include "project/loaded_part.h"
 #include "sliced/sliced_reader.h"
@@ -51,6 +52,7 @@ base::Message nameOf(const plan::LayerEvent& event) {
 void requireHarmless(const plan::LayerEvent& event) {
   if (event.kind != plan::LayerEventKind::Statement)
     return;
+  program::findDialect(event.format);
   if (const auto refused = program::refusedWord(event.format, event.text))
     throw base::Error(
         base::ErrorCode::Usage,

@@ -287,7 +287,22 @@ private:
   plan::Findings leftOut_;
 };
 
-// `formats`: as ResumeRequest::formats.
+// Returns the formats in which a rest is written: those asked for, or that of the program that was
+// printed, or those that the job has programs of. Empty: those that the job was planned with.
+std::vector<std::string> formatsOf(const ResumeRequest& request, const project::Job& job) {
+  const std::vector<project::ProgramReport>& written = job.report.programs;
+  if (!request.formats.empty())
+    return request.formats;
+  if (!request.program.empty())
+    return {std::string(findProgram(request.program, written).dialect->id)};
+  std::vector<std::string> formats;
+  for (const project::ProgramReport& program : written)
+    if (!program.files.empty())
+      formats.push_back(program.format);
+  return formats.size() < written.size() ? formats : std::vector<std::string>();
+}
+
+// `formats`: empty: those of the job.
 PlanResult resultInFormats(project::Job job, std::vector<std::string> formats) {
   if (!formats.empty())
     job.choices.formats = std::move(formats);
@@ -335,7 +350,8 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
   if (!job.item().part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job has no motion to resume"_text,
                 request.job.string(), "plan it without --until"_text);
-  PlanResult planned = resultInFormats(std::move(job), request.formats);
+  std::vector<std::string> formats = formatsOf(request, job);
+  PlanResult planned = resultInFormats(std::move(job), std::move(formats));
   const std::size_t point = resumePointOf(request, planned, ctx);
   requireNoMarks(*planned.job.trajectory);
   return Resuming(std::move(planned), point).run(ctx);

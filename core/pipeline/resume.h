@@ -22,7 +22,8 @@ struct ResumeRequest {
   // The file that `line` refers to, of any program of the job. Empty: the only file with motions of
   // the job's first program, beside the job.
   std::filesystem::path program;
-  std::vector<std::string> formats; // empty: the job's formats
+  // Empty: that of `program`, if it is given, or else those that the job has programs of.
+  std::vector<std::string> formats;
 };
 
 struct ResumeResult {

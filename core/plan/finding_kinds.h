@@ -226,6 +226,10 @@ enum class FindingKind : std::uint8_t {
   OtherSide,
   PartCut,
   MaterialLeft,
+  // of what is asked for at places of a part
+  OverhangBlocked,
+  PlanesWithoutSupports,
+  StatementBeforeRest,
 };
 
 enum class Severity {

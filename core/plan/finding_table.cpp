@@ -6,6 +6,7 @@
 #include "plan/finding_rows/load_rows.h"
 #include "plan/finding_rows/milling_rows.h"
 #include "plan/finding_rows/motion_rows.h"
+#include "plan/finding_rows/place_rows.h"
 #include "plan/finding_rows/replay_rows.h"
 #include "plan/finding_rows/station_rows.h"
 #include "plan/finding_rows/toolpath_rows.h"
@@ -15,7 +16,7 @@
 namespace voluta::plan {
 
 namespace {
-constexpr std::size_t kKinds = static_cast<std::size_t>(FindingKind::MaterialLeft) + 1;
+constexpr std::size_t kKinds = static_cast<std::size_t>(FindingKind::StatementBeforeRest) + 1;
 
 // Findings that state their own stage.
 constexpr FindingRow kAnyStageRows[] = {
@@ -67,6 +68,9 @@ constexpr JoinedRows joinedRows() {
   joined.add(Stage::Motion, Concern::Safety, kWorkOrderRows);
   joined.add(Stage::Replay, Concern::Safety, kCommonRunRows);
   joined.add(Stage::Replay, Concern::Safety, kMillingRows);
+  joined.add(Stage::Decompose, Concern::Part, kBlockedRows);
+  joined.add(Stage::Layers, Concern::Part, kPlaneRows);
+  joined.add(Stage::Replay, Concern::Part, kRestRows);
   return joined;
 }
 constexpr JoinedRows kRows = joinedRows();

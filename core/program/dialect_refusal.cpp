@@ -127,7 +127,7 @@ void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
   for (const plan::TrajectoryEvent& event : trajectory.events)
     if (!leavesOut(dialect, event.kind)) {
       require(event.kind);
-      requireOwnLine(dialect.id, event);
+      requireOwnLine(dialect.id, event, trajectory);
     }
 }
 

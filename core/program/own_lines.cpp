@@ -146,13 +146,27 @@ std::string ownLine(std::string_view dialect, const TrajectoryEvent& event) {
   return numbered(event.on ? words.on : words.off, event.tool);
 }
 
-void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event) {
-  if (event.kind == EventKind::Statement && event.format != dialect)
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("the statement '{text}' is one of format {wanted}, not of "
-                                    "{format}"_text,
-                                    event.text, event.format, dialect),
-                      {}, base::message("use {formats}"_text, event.format));
+bool isOfOtherFormat(std::string_view dialect, const TrajectoryEvent& event) {
+  return event.kind == EventKind::Statement && event.format != dialect;
+}
+
+void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event,
+                    const plan::Trajectory& trajectory) {
+  if (isOfOtherFormat(dialect, event)) {
+    const auto hasOwn = [&](const TrajectoryEvent& other) {
+      return other.kind == EventKind::Statement && other.format == dialect;
+    };
+    if (std::ranges::any_of(trajectory.eventsBefore(event.point), hasOwn))
+      return;
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("the statement '{text}' is one of format {wanted}, not of "
+                      "{format}"_text,
+                      event.text, event.format, dialect),
+        {},
+        base::message("add a statement for {format} at that place, or use {formats}"_text, dialect,
+                      event.format));
+  }
   if (event.kind == EventKind::Statement)
     if (const auto refused = refusedWord(dialect, event.text))
       throw base::Error(base::ErrorCode::Usage,

@@ -35,8 +35,13 @@ inline constexpr std::string_view kOwnLineMark = "asked for before this layer:";
 // Returns the line of an event. Precondition: the dialect has words for it (requireOwnLine).
 std::string ownLine(std::string_view dialect, const plan::TrajectoryEvent& event);
 // Throws Error{Usage} if the dialect has no such output, or if the statement is for another format
-// or has a word that it must not have (refused_statements.h).
-void requireOwnLine(std::string_view dialect, const plan::TrajectoryEvent& event);
+// and there is none for this one before the same point of the trajectory, or if it has a word that
+// it must not have (refused_statements.h).
+void requireOwnLine(std::string_view dialect, const plan::TrajectoryEvent& event,
+                    const plan::Trajectory& trajectory);
+// Returns whether the event is a statement for another format, which programs of the dialect leave
+// out.
+bool isOfOtherFormat(std::string_view dialect, const plan::TrajectoryEvent& event);
 
 // Returns the remark that stands for a line until uncoverOwnLines().
 std::string ownLineRemark(std::string_view line);

@@ -374,10 +374,7 @@ std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
   for (const TrajectoryEvent& event : trajectory.events)
     if (event.kind == EventKind::Statement && event.point <= firstPoint &&
         program.firstMotion < program.motions.size())
-      found.push_back(textFinding(
-          program, OwnStatement, placeOf(program, program.firstMotion),
-          {{"statement", base::message("{statement} (before the rest, which does not run it)"_text,
-                                       event.text)}}));
+      found.push_back({plan::makeFinding(StatementBeforeRest, {{"statement", event.text}}), {}});
   for (const StatedFact& fact : program.facts) {
     if (fact.kind != FactKind::OwnStatement || fact.before >= program.motions.size())
       continue;

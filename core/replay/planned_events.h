@@ -31,8 +31,8 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const Alignment& alignment, const process::Tooling& tooling,
                                        const robot::Cell& cell, std::size_t firstPoint = 0);
 
-// Returns a finding for each planned statement of the user's own: nothing judges what it does. So
-// does each before `firstPoint`, which the program does not run.
+// Returns a finding for each planned statement of the user's own: nothing judges what it does. Each
+// before `firstPoint`, which the program does not run, has another finding, without a line.
 std::vector<TextFinding> ownStatements(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment, std::size_t firstPoint = 0);

@@ -8,6 +8,7 @@
 #include "pipeline/plan_reasons.h"
 #include "pipeline/plan_result.h"
 #include "pipeline/plan_verdict.h"
+#include "pipeline/resume.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
@@ -193,6 +194,64 @@ TEST(LayerEvents, AnOwnStatementIsNamedAndMakesThePlanAmber) {
                                        &plan::Finding::kind);
   ASSERT_NE(found, plan.job.report.findings.end());
   EXPECT_NE(plan::englishReason(*found).find("set_tool_voltage(24)"), std::string::npos);
+}
+
+// A place has a statement for each format: a program has its own, and a format without one is not
+// written.
+TEST(LayerEvents, AStatementOfEachFormatIsInItsProgram) {
+  PlanResult plan = planned({{"layerEvents", "3 statement urscript own_call(1); 3 statement rapid "
+                                             "OwnCall 1;; 3 statement rapid OwnCall 2;"}},
+                            {"urscript", "rapid", "gcode-extended"});
+  ASSERT_EQ(plan.checked.size(), 3u);
+  const auto textOf = [&](std::size_t i) {
+    std::string text;
+    for (const plan::ProgramFile& file : plan.checked[i]->program.files)
+      text += file.text;
+    return text;
+  };
+  const std::string urscript = textOf(0), rapid = textOf(1);
+  EXPECT_NE(urscript.find("own_call(1)"), std::string::npos);
+  EXPECT_EQ(urscript.find("OwnCall"), std::string::npos);
+  EXPECT_NE(rapid.find("OwnCall 1;"), std::string::npos);
+  EXPECT_NE(rapid.find("OwnCall 2;"), std::string::npos);
+  EXPECT_EQ(rapid.find("own_call"), std::string::npos);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(plan.checked[i]->deviations, 0u) << i << test::reasons(plan);
+  EXPECT_TRUE(plan.checked[2]->program.files.empty());
+  EXPECT_NE(test::reasons(plan).find("the statement 'own_call(1)' is one of format urscript, not "
+                                     "of gcode-extended"),
+            std::string::npos)
+      << test::reasons(plan);
+  // Read back, each is verified by its own; resumed, the formats are those that there are.
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), base::RunContext());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const VerifyResult read =
+        verifyProgram(folder / plan.checked[i]->program.files[0].name, folder / "job.voluta", {});
+    EXPECT_EQ(
+        std::ranges::count(read.findings, plan::FindingKind::OwnStatement, &plan::Finding::kind),
+        i == 0 ? 1 : 2);
+  }
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.bead = plan.job.toolPlan->paths.size();
+  const ResumeResult both = resumePrint(request, {});
+  ASSERT_EQ(both.plan.checked.size(), 2u);
+  EXPECT_EQ(verdictOf(both.plan.job.report), PlanVerdict::Passed) << test::reasons(both.plan);
+  EXPECT_NE(test::reasons(both.plan).find("does not run your statement before its beginning"),
+            std::string::npos);
+  request.program = folder / plan.checked[1]->program.files[0].name;
+  const ResumeResult one = resumePrint(request, {});
+  ASSERT_EQ(one.plan.checked.size(), 1u);
+  EXPECT_EQ(one.plan.checked[0]->program.format, "rapid");
+}
+
+TEST(LayerEvents, AStatementOfAnUnknownFormatIsRefusedBeforePlanning) {
+  const std::string refused = refusalOf([] {
+    planned({{"layerEvents", "3 statement urscrip own_call(1)"}});
+  });
+  EXPECT_NE(refused.find("unknown format 'urscrip'"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("urscript"), std::string::npos) << refused;
 }
 
 TEST(LayerEvents, AStatementThatMovesTheArmIsRefusedBeforePlanning) {

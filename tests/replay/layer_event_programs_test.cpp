@@ -348,8 +348,16 @@ TEST_F(LayerEventPrograms, AStatementBeforeTheRestIsNamed) {
   alignment.leadsTo = alignment.pointOf;
   const auto found = ownStatements(program, scene_.trajectory, alignment, point_);
   ASSERT_GE(found.size(), 1u);
-  EXPECT_EQ(found[0].finding.kind, plan::FindingKind::OwnStatement);
-  EXPECT_NE(plan::englishReason(found[0].finding).find("before the rest"), std::string::npos);
+  EXPECT_EQ(found[0].finding.kind, plan::FindingKind::StatementBeforeRest);
+  EXPECT_FALSE(found[0].finding.blocking);
+  EXPECT_EQ(found[0].finding.program.line, 0u) << "no line of the rest";
+  EXPECT_EQ(plan::englishReason(found[0].finding),
+            "the rest does not run your statement before its beginning: own_call(1)");
+  EXPECT_EQ(std::ranges::count_if(found,
+                                  [](const TextFinding& one) {
+                                    return one.finding.kind == plan::FindingKind::OwnStatement;
+                                  }),
+            0);
 }
 
 TEST_F(LayerEventPrograms, TheCuttersPinIsTheProgramsOwn) {
