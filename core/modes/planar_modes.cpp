@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
+#include "layers/support_rules.h"
 #include "modes/growth_plate.h"
 #include "modes/level_choices.h"
 #include "modes/mode_stages.h"
@@ -197,15 +198,15 @@ decomposePlanar(const PiecesPlan& plan, const DecomposeInput& input, const base:
 
 struct FlatPlan {
   double voxelMm;
-  // if true, supports carry all missed voxels, and the layers stage reports those it cannot support
-  bool supports;
+  // Outside of regions. Supports carry missed voxels; the layers stage reports those they cannot.
+  layers::SupportRule supports;
   planar::RiskRule rule;
   project::Platform platform;
   std::vector<std::string> materials;
 };
 
 FlatPlan flatPlan(const ModeChoices& in) {
-  return {in.values.number("voxelMm"), support::supportsWanted(in.values), riskRule(in),
+  return {in.values.number("voxelMm"), support::supportRule(in.values), riskRule(in),
           in.choices.item().platform, materialsOf(in)};
 }
 
@@ -237,14 +238,17 @@ decomposeFlat(const FlatPlan& plan, const DecomposeInput& input, const base::Run
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
       planar::flatDecomposition(*input.placed.part, plan.rule));
   reportPieces(*pieces, plan.rule, plan.materials, *stage);
-  const planar::UniformMisses misses = planar::uniformMisses(solid);
+  const layers::SupportRules rules(
+      input.supports ? input.supports->places : std::vector<layers::SupportPlace>(), plan.supports);
+  const planar::UniformMisses left = planar::uniformMisses(
+      solid, [&](const Eigen::Vector3d& at) { return rules.at(at) != layers::SupportRule::None; });
   project::DecompositionReport& r = stage->report;
   r.voxelMm = solid.grid.pitch;
   r.voxels = solid.count;
-  r.missedVoxels = misses.count;
-  r.missedAfterSupports = plan.supports ? 0 : misses.count;
-  if (r.missedAfterSupports > 0)
-    stage->findings.push_back(uniformMissesFinding(misses, solid));
+  r.missedVoxels = planar::uniformMisses(solid).count;
+  r.missedAfterSupports = left.count;
+  if (left.count > 0)
+    stage->findings.push_back(uniformMissesFinding(left, solid));
   stage->result = project::Pieces(pieces);
   stage->timings.decompose = watch.seconds();
   return stage;

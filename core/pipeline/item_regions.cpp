@@ -296,6 +296,10 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
           plan::makeFinding(plan::FindingKind::RegionOutside, {{"region", all[i].shape}}));
   }
   stage->load = itemLoad(*whole, all, stage->bodies, part.work_T_file.linear(), ctx);
+  auto rules = std::make_shared<const layers::SupportRules>(stage->supports.places,
+                                                            layers::SupportRule::Auto);
+  if (rules->has(layers::SupportRule::None))
+    stage->blockers = std::move(rules);
   if (!seams.empty())
     stage->seams = std::make_shared<const toolpath::SeamPlaces>(seams);
   return stage;

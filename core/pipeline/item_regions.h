@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/support_places.h"
+#include "layers/support_rules.h"
 #include "modes/mode_stages.h"
 #include "pipeline/item_inserts.h"
 #include "pipeline/item_loads.h"
@@ -43,8 +44,9 @@ struct RegionStage {
   // Of every region; empty: no settings by which patches are divided.
   std::vector<geometry::TriangleMesh> bodies;
   layers::SupportPlaces supports;
-  std::shared_ptr<const toolpath::SeamPlaces> seams; // null: none
-  std::shared_ptr<const ItemLoad> load;              // null without forces
+  std::shared_ptr<const toolpath::SeamPlaces> seams;    // null: none
+  std::shared_ptr<const layers::SupportRules> blockers; // null: none of them blocks supports
+  std::shared_ptr<const ItemLoad> load;                 // null without forces
   std::vector<PlacedInsert> inserts;
   plan::Findings findings;
 };

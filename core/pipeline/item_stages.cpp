@@ -5,9 +5,12 @@
 #include "curved/decomposition.h"
 #include "geometry/measures.h"
 #include "layers/stair_steps.h"
+#include "layers/support_rules.h"
 #include "layers/walled_support.h"
 #include "modes/mode_table.h"
 #include "modes/part_voxels.h"
+#include "modes/planar_modes.h"
+#include "modes/region_supports.h"
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_ways.h"
@@ -18,6 +21,7 @@
 #include "pipeline/stages.h"
 #include "pipeline/start_check.h"
 #include "plan/finding_kinds.h"
+#include "planar/flat.h"
 #include "support/supports.h"
 #include "toolpath/options.h"
 #include "toolpath/plan_toolpaths.h"
@@ -133,6 +137,15 @@ bool isOverhangOfSlices(const plan::Finding& finding) {
   using enum plan::FindingKind;
   return finding.kind == OverhangOfFlat || finding.kind == OverhangsOfFlat ||
          finding.kind == OverhangOfPieces || finding.kind == OverhangsOfPieces;
+}
+
+// Returns whether the part or one of its regions has supports.
+bool asksForSupports(const Resolved& resolved) {
+  return modes::supportsSomewhere(resolved.modeChoices());
+}
+
+bool hasLayerPlanes(const modes::Mode& mode, const Resolved& resolved) {
+  return mode.requiresParameter("layerPlanes") && !resolved.values.text("layerPlanes").empty();
 }
 } // namespace
 
@@ -312,20 +325,30 @@ ItemOutcome ItemStages::decompose() {
   }
   report().decomposition = decomposed_->report;
   report().decomposition.mode = resolved_.choices.item().mode;
-  plan::Findings findings = decomposed_->findings;
-  // Here and not in the mode, so that its pieces are not searched again for other supports.
-  if (supportsSlices())
-    std::erase_if(findings, isOverhangOfSlices);
-  return {std::move(findings), decomposed_->timings};
+  return {decomposeFindings(), decomposed_->timings};
 }
 
-// Returns whether columns are put under the overhangs of sliced layers; the layers then report
-// those without one. Layers along the user's planes have no columns.
-bool ItemStages::supportsSlices() const {
-  const bool hasPlanes =
-      mode_.requiresParameter("layerPlanes") && !resolved_.values.text("layerPlanes").empty();
-  return mode_.requiresParameter("supports") && support::supportsWanted(resolved_.values) &&
-         !hasPlanes;
+// Returns the findings with the overhangs of sliced layers below which no column is put; the layers
+// report columns that have no base. Here and not in the mode, so that its pieces are not searched
+// again for other supports.
+plan::Findings ItemStages::decomposeFindings() const {
+  plan::Findings findings = decomposed_->findings;
+  const auto* pieces = std::get_if<project::Pieces>(&decomposed_->result);
+  if (hasGivenPaths_ || !pieces || !*pieces || !asksForSupports(resolved_) ||
+      hasLayerPlanes(mode_, resolved_))
+    return findings;
+  const auto own = std::ranges::stable_partition(
+      findings, [](const plan::Finding& f) { return !isOverhangOfSlices(f); });
+  const bool areFlat = mode_.id == modes::findMode("flat").id;
+  const plan::Findings open = planar::openOverhangFindings(
+      (*pieces)->pieces, modes::riskRule(resolved_.modeChoices()),
+      areFlat ? planar::Overhangs::Flat : planar::Overhangs::Pieces,
+      layers::SupportRules(regions_ ? regions_->supports.places
+                                    : std::vector<layers::SupportPlace>(),
+                           support::supportRule(resolved_.values)));
+  findings.erase(own.begin(), own.end());
+  append(findings, open);
+  return findings;
 }
 
 ItemOutcome ItemStages::layers() {
@@ -357,7 +380,10 @@ ItemOutcome ItemStages::layers() {
       report().layers.regions[i].region = regions[i].name;
   report().decomposition.supportVolumeMm3 =
       decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
-  return {stage->findings, stage->timings};
+  plan::Findings findings = stage->findings;
+  if (!hasGivenPaths_ && asksForSupports(resolved_) && hasLayerPlanes(mode_, resolved_))
+    findings.push_back(plan::makeFinding(plan::FindingKind::PlanesWithoutSupports, {}));
+  return {std::move(findings), stage->timings};
 }
 
 // Returns the placed part without the solids of regions that have layers of their own.
@@ -371,9 +397,9 @@ std::shared_ptr<const modes::LoadStage> ItemStages::withoutLayeredRegions() cons
 }
 
 toolpath::ItemLayers ItemStages::forToolpaths() const {
-  toolpath::ItemLayers all{result_.job.item(index_).layers,
-                           coverRules(resolved_, regions_ ? regions_->load : nullptr),
-                           regions_ ? regions_->seams : nullptr};
+  toolpath::ItemLayers all{
+      result_.job.item(index_).layers, coverRules(resolved_, regions_ ? regions_->load : nullptr),
+      regions_ ? regions_->seams : nullptr, regions_ ? regions_->blockers : nullptr};
   if (hasGivenPaths_)
     all.options().spiral = false; // it is not covered
   return all;

@@ -75,7 +75,7 @@ private:
 
   project::ChosenReport chosenReport() const;
   std::vector<base::Message> allRepairs() const;
-  bool supportsSlices() const;
+  plan::Findings decomposeFindings() const;
   plan::Findings startFindings();
   double fileUnitMm() const;
   void makeRegions(std::shared_ptr<const geometry::TriangleMesh> whole);

@@ -217,7 +217,9 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const Resolved& res
   put(project::Stage::Load, loadText(loaded, resolved, cellKey));
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in) +
                                      layeredRegionsKey(resolved) +
-                                     (mode.grows ? supportRegionsKey(resolved) : std::string()));
+                                     (mode.requiresParameter("voxelMm") // whose losses count
+                                          ? supportRegionsKey(resolved)
+                                          : std::string()));
   put(project::Stage::Layers, mode.layers.key(in) + tools + regionLayersKey(resolved));
   const ProcessKeys processKeys = keysOf(tooling);
   toolpath::ToolpathOptions paths = toolpathOptionsOf(values, process);

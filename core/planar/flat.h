@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "layers/support_rules.h"
 #include "planar/planar_decomposition.h"
 
 #include <string>
@@ -21,5 +22,9 @@ PlanarDecomposition flatDecomposition(const geometry::TriangleMesh& part, const 
 enum class Overhangs { Pieces, Flat };
 plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
                                 Overhangs of);
+// The same for the faces below which no column stands: those with SupportRule::None. If the part
+// has supports, regions block them there: that is one finding.
+plan::Findings openOverhangFindings(const std::vector<Piece>& pieces, const RiskRule& rule,
+                                    Overhangs of, const layers::SupportRules& supports);
 
 } // namespace voluta::planar

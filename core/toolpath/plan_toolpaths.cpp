@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
+#include "layers/support_rules.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "toolpath/coverage/bead_scale.h"
@@ -182,6 +183,20 @@ SeamsOfItems seamsOf(std::span<const ItemLayers> items) {
   return seams;
 }
 
+// Returns whether a region of a path's item blocks supports at a place; null if no region does.
+decltype(PassScene::isBlocked) blockedBy(std::span<const ItemLayers> items,
+                                         const layers::LayerStack& stack) {
+  if (std::ranges::none_of(items, [](const ItemLayers& item) { return item.blockers != nullptr; }))
+    return nullptr;
+  return [items, &stack](const plan::ToolPath& path, const Vector3d& at) {
+    if (path.patch < 0)
+      return false;
+    const layers::Patch& patch = stack.patches[static_cast<std::size_t>(path.patch)];
+    const auto& blockers = items[static_cast<std::size_t>(patch.item)].blockers;
+    return blockers && blockers->at(at) == layers::SupportRule::None;
+  };
+}
+
 // Applies the factors of items and regions.
 void scaleByRegion(plan::ToolPlan& plan, std::span<const ItemLayers> items,
                    const layers::LayerStack& stack, const process::Tooling& tooling,
@@ -233,7 +248,8 @@ ToolpathResult planCovered(LayerCovers made, std::span<const ItemLayers> items,
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (!hasBrim)
     addWaste(assembled, stack, cell, tooling, options, others, r.findings);
-  const PassScene scene{cell, tooling, options.platform, stack.pockets, options.canTilt};
+  const PassScene scene{cell,          tooling,         options.platform,
+                        stack.pockets, options.canTilt, blockedBy(items, stack)};
   plan::Findings reported;
   std::shared_ptr<const collision::GrowingPart> grown;
   if (options.rimSupports) {

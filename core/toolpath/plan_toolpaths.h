@@ -19,7 +19,8 @@ class GrowingPart;
 }
 namespace voluta::layers {
 struct LayerStack;
-}
+class SupportRules;
+} // namespace voluta::layers
 namespace voluta::robot {
 class Cell;
 }
@@ -46,6 +47,8 @@ struct ItemLayers {
   std::shared_ptr<const layers::LayerStack> stack;
   std::vector<CoverRules> rules;                // by Patch::region, those of the item first
   std::shared_ptr<const SeamPlaces> seams = {}; // of the regions; null: none
+  // Of the regions; null: none of them blocks supports.
+  std::shared_ptr<const layers::SupportRules> blockers = {};
   ToolpathOptions& options() { return rules.front().options; }
   const ToolpathOptions& options() const { return rules.front().options; }
 };

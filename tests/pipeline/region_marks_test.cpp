@@ -8,6 +8,7 @@
 #include "pipeline/checked_program.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
+#include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
 #include "process/bead_model.h"
 #include "project/loaded_part.h"
@@ -177,6 +178,86 @@ TEST(RegionMarks, SupportsAreWhereRegionsSay) {
   EXPECT_EQ(blockedLast.job.item().layers->patches.size(),
             planned({half + ";supports=none"}, "auto").job.item().layers->patches.size())
       << "places of supports do not divide layers";
+}
+
+std::vector<plan::FindingKind> overhangsOf(const PlanResult& plan) {
+  std::vector<plan::FindingKind> kinds;
+  for (const plan::Finding& finding : plan.job.report.findings)
+    if (plan::reportId(finding) == "overhang")
+      kinds.push_back(finding.kind);
+  return kinds;
+}
+
+// The plan says which overhangs stay without a column, and no others.
+TEST(RegionMarks, TheOverhangsThatARegionLeavesOpenAreFound) {
+  using enum plan::FindingKind;
+  using Kinds = std::vector<plan::FindingKind>;
+  const std::string half = "box:30,0,15,20,30,40", all = "box:15,2,10,80,80,80";
+  for (const std::string mode : {"flat", "planar"}) {
+    const auto planned = [&](const std::string& region, const std::string& supports,
+                             const std::string& planes = {}) {
+      PlanRequest request = requestWith({}, "1", mode);
+      if (!region.empty())
+        request.choices.item().regions.push_back(regions::parsedRegion(region, {}));
+      request.item().loaded =
+          loadedOf(test::box({0, 0, 0}, {10, 4, 20}) + test::box({9, 0, 16}, {30, 4, 20}));
+      request.choices.item().platform = project::Platform("disc:200");
+      std::map<std::string, std::string> given{{"infillDensity", "1"}, {"supports", supports}};
+      if (!planes.empty())
+        given["layerPlanes"] = planes;
+      if (mode == "planar")
+        given["cutPlanes"] = R"([{"point":[0,0,8],"normal":[0,0,1]}])";
+      test::giveParameters(request.choices, given);
+      request.until = project::Stage::Layers;
+      return planPart(request, {});
+    };
+    const bool isFlat = mode == "flat";
+    const Kinds open{isFlat ? OverhangOfFlat : OverhangOfPieces};
+    EXPECT_EQ(overhangsOf(planned({}, "none")), open);
+    EXPECT_EQ(overhangsOf(planned({}, "auto")), Kinds{});
+    EXPECT_EQ(overhangsOf(planned(half + ";supports=none", "auto")), Kinds{OverhangBlocked});
+    EXPECT_EQ(overhangsOf(planned(half + ";supports=always", "none")), open);
+    EXPECT_EQ(overhangsOf(planned(all + ";supports=always", "none")), Kinds{});
+    if (!isFlat)
+      continue;
+    // The voxels that would be missed, by the same rules.
+    const auto missed = [&](const std::string& region, const std::string& supports) {
+      return planned(region, supports).job.report.item().decomposition.missedAfterSupports;
+    };
+    const auto whole = missed({}, "none");
+    EXPECT_GT(whole, 0u);
+    EXPECT_EQ(missed({}, "auto"), 0u);
+    EXPECT_EQ(missed(all + ";supports=always", "none"), 0u);
+    EXPECT_GT(missed(half + ";supports=none", "auto"), 0u);
+    EXPECT_LT(missed(half + ";supports=none", "auto"), whole);
+    // Layers along planes have no columns.
+    const std::string planes = R"([{"point":[0,0,0.4],"normal":[0,0,1]}])";
+    const auto saysSo = [](const PlanResult& plan) {
+      return std::ranges::count(plan.job.report.findings, PlanesWithoutSupports,
+                                &plan::Finding::kind);
+    };
+    EXPECT_EQ(saysSo(planned(half + ";supports=always", "none", planes)), 1);
+    EXPECT_EQ(saysSo(planned({}, "auto", planes)), 1);
+    EXPECT_EQ(saysSo(planned(half + ";supports=none", "none", planes)), 0);
+    EXPECT_EQ(overhangsOf(planned(half + ";supports=always", "none", planes)), open);
+  }
+}
+
+// A plate just above its foot: beads of support carry its rim, but where a region blocks them.
+TEST(RegionMarks, RimSupportsKeepOutOfBlockedRegions) {
+  const auto rimMm3 = [](const std::vector<std::string>& regions) {
+    PlanRequest request = requestWith(regions, "0.3");
+    request.item().loaded = loadedOf(test::box({-12, -12, 0}, {12, 12, 0.9}) +
+                                     test::box({-18, -12, 0.8}, {18, 12, 2.4}));
+    request.until = project::Stage::Toolpath;
+    return planPart(request, {}).job.report.toolpath.rimSupportMm3;
+  };
+  const double whole = rimMm3({});
+  EXPECT_GT(whole, 0.0);
+  EXPECT_EQ(rimMm3({"box:0,0,1,80,80,10;supports=none"}), 0.0);
+  const double half = rimMm3({"box:20,0,1,40,80,10;supports=none"});
+  EXPECT_GT(half, 0.2 * whole);
+  EXPECT_LT(half, 0.8 * whole);
 }
 
 TEST(RegionMarks, SupportsThatARegionCannotHaveAreRefused) {

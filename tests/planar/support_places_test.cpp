@@ -1,5 +1,7 @@
 // Columns where regions say so: enforcers, blockers, and regions that are printed later.
 #include "helpers/shapes.h"
+#include "plan/finding_kinds.h"
+#include "planar/flat.h"
 #include "sliced_parts.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +105,48 @@ TEST(SupportPlaces, ColumnsKeepClearOfRegionsPrintedLater) {
   }
   EXPECT_GT(low, 0u) << "beside it there are columns";
   EXPECT_LT(sliced.supportVolumeMm3, slicedWith(SupportRule::Auto, {}).supportVolumeMm3);
+}
+
+plan::Findings openBelow(SupportRule rule, const std::vector<layers::SupportPlace>& places) {
+  return openOverhangFindings({pieceOf(narrowGallows())}, {}, Overhangs::Flat,
+                              layers::SupportRules(places, rule));
+}
+std::string reasonsOf(const plan::Findings& findings) {
+  std::string all;
+  for (const plan::Finding& finding : findings)
+    all += plan::englishReason(finding) + "\n";
+  return all;
+}
+
+// The underside of the arm is one face of 20 mm by 4 mm.
+TEST(SupportPlaces, OverhangsThatARegionBlocksAreFound) {
+  EXPECT_TRUE(openBelow(SupportRule::Auto, {}).empty());
+  const plan::Findings half = openBelow(SupportRule::Auto, {{SupportRule::None, kFarHalf}});
+  ASSERT_EQ(half.size(), 1u);
+  EXPECT_EQ(half[0].kind, plan::FindingKind::OverhangBlocked);
+  EXPECT_FALSE(half[0].blocking);
+  EXPECT_EQ(reasonsOf(half),
+            "40 mm2 overhangs by more than 45 degrees where regions block supports; "
+            "here is most of it\n");
+  ASSERT_TRUE(half[0].where);
+  EXPECT_GT(half[0].where->x(), 20.0);
+  EXPECT_NEAR(half[0].where->z(), 16.0, 1e-9);
+  const TriangleMesh all = test::box({-5, -5, -5}, {40, 10, 30});
+  EXPECT_TRUE(
+      openBelow(SupportRule::Auto, {{SupportRule::None, all}, {SupportRule::Auto, all}}).empty())
+      << "the later place holds";
+}
+
+TEST(SupportPlaces, OverhangsThatARegionCarriesAreNoFindings) {
+  const plan::Findings none = openBelow(SupportRule::None, {}),
+                       half = openBelow(SupportRule::None, {{SupportRule::Always, kFarHalf}});
+  EXPECT_EQ(reasonsOf(none), "80 mm2 overhangs by more than 45 degrees\n");
+  EXPECT_EQ(reasonsOf(half), "40 mm2 overhangs by more than 45 degrees\n");
+  ASSERT_EQ(half.size(), 1u);
+  EXPECT_EQ(half[0].kind, plan::FindingKind::OverhangOfFlat);
+  EXPECT_LT(half[0].where->x(), 20.0);
+  const TriangleMesh all = test::box({-5, -5, -5}, {40, 10, 30});
+  EXPECT_TRUE(openBelow(SupportRule::None, {{SupportRule::Auto, all}}).empty());
 }
 
 } // namespace

@@ -21,6 +21,9 @@ TEST(UniformMisses, RoofIsMissedExceptForItsFirstSteps) {
       }
   // Rows of the bar reach 6, 8 and 10 wide.
   EXPECT_EQ(uniformMisses(t).count, std::size_t{14 + 12 + 10});
+  // Columns carry the left half.
+  EXPECT_EQ(uniformMisses(t, [](const Eigen::Vector3d& at) { return at.x() < 11.0; }).count,
+            std::size_t{7 + 6 + 5});
 }
 
 } // namespace

@@ -133,6 +133,34 @@ TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
 }
 
 // Between existing walls the head would cut in: there a rim stays unsupported.
+TEST(Underlay, NoSupportWhereItIsBlocked) {
+  const plan::ToolPlan plan = roundFoot();
+  toolpath::PassScene scene = sceneOn(kPlate);
+  const auto phase = toolpath::PassPhase::BeforeDirections;
+  const auto supports = [&] {
+    std::vector<Vector3d> tips;
+    const plan::ToolPlan made =
+        toolpath::runUnsupportedPasses(phase, plan, upwards(phase, plan), nullptr, scene, {})
+            .beads.plan;
+    for (const plan::ToolPath& path : made.paths)
+      if (path.kind == plan::PathKind::Support)
+        for (std::size_t i = path.first; i < path.first + path.count; ++i)
+          tips.push_back(made.position[i]);
+    return tips;
+  };
+  EXPECT_EQ(supports().size(), 31u);
+  scene.isBlocked = [](const plan::ToolPath&, const Vector3d& at) { return at.x() > 0.5; };
+  const std::vector<Vector3d> left = supports();
+  EXPECT_EQ(left.size(), 16u);
+  for (const Vector3d& tip : left)
+    EXPECT_LE(tip.x(), 0.5);
+  // Asked of the middle of a bead of the rim.
+  scene.isBlocked = [](const plan::ToolPath& path, const Vector3d& at) {
+    return path.layer == 1 && std::abs(at.z() - 1.2) < 1e-6;
+  };
+  EXPECT_TRUE(supports().empty());
+}
+
 TEST(Underlay, NoSupportWhereTheHeadDoesNotFit) {
   plan::ToolPlan plan;
   for (int layer = 0; layer < 3; ++layer)

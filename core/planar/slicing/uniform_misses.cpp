@@ -2,7 +2,8 @@
 
 namespace voluta::planar {
 
-UniformMisses uniformMisses(const voxel::SolidVoxels& part) {
+UniformMisses uniformMisses(const voxel::SolidVoxels& part,
+                            const std::function<bool(const Eigen::Vector3d&)>& isCarried) {
   const voxel::VoxelGrid& g = part.grid;
   UniformMisses out;
   out.missed.assign(part.solid.size(), 0);
@@ -18,7 +19,8 @@ UniformMisses uniformMisses(const voxel::SolidVoxels& part) {
       for (int i = 0; i < g.size.x(); ++i) {
         const std::size_t c = g.index(i, j, k);
         if (part.solid[c] == 0 || k == plate || printed(i, j, k - 1) || printed(i - 1, j, k - 1) ||
-            printed(i + 1, j, k - 1) || printed(i, j - 1, k - 1) || printed(i, j + 1, k - 1))
+            printed(i + 1, j, k - 1) || printed(i, j - 1, k - 1) || printed(i, j + 1, k - 1) ||
+            (isCarried && isCarried(g.centre(i, j, k))))
           continue;
         out.missed[c] = 1;
         ++out.count;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace voluta::planar {
@@ -16,6 +17,8 @@ struct UniformMisses {
   std::size_t count = 0;
   std::vector<std::uint8_t> missed; // per cell of the grid
 };
-UniformMisses uniformMisses(const voxel::SolidVoxels& part);
+// `isCarried`: of a cell's middle, whether a column would carry it; null: no columns.
+UniformMisses uniformMisses(const voxel::SolidVoxels& part,
+                            const std::function<bool(const Eigen::Vector3d&)>& isCarried = {});
 
 } // namespace voluta::planar

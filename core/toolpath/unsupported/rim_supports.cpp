@@ -117,7 +117,7 @@ public:
              const HeadClearance& head, const plan::ToolPath& path, std::size_t before)
       : plan_(plan), part_(part), platform_(scene.platform), head_(head),
         process_(scene.tooling.of(path).process), path_(path), before_(before),
-        canTilt_(scene.canTilt) {}
+        canTilt_(scene.canTilt), isBlocked_(scene.isBlocked) {}
 
   // Returns the courses, from the lowest upwards. `unsupported`: unsupportedWaypoints() of the plan
   // and its beads.
@@ -160,6 +160,8 @@ private:
 
   Room roomBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
+    if (isBlocked_ && isBlocked_(path_, 0.5 * (plan_.position[i] + bottomOf(i))))
+      return {};
     const double gap = gapBeneath(i);
     const double minimum = kMinShare * process_.layerHeightMinMm;
     const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
@@ -286,6 +288,7 @@ private:
   const plan::ToolPath& path_;
   std::size_t before_;
   bool canTilt_;
+  const decltype(PassScene::isBlocked)& isBlocked_;
 };
 
 // Returns the courses per path that has some.

@@ -14,8 +14,8 @@ namespace voluta::toolpath {
 // high can be, since higher ones tip over. They end a fourteenth of the bead's height below it, so
 // that they break off. They are printed upright; where the head would collide with printed
 // material, in the direction of the beads that they support, or tilted to either side. No support
-// is printed inside earlier material. Clears the marks of the beads that they support. Reports the
-// supported paths ("rimSupports").
+// is printed inside earlier material, or below places where a region blocks supports. Clears the
+// marks of the beads that they support. Reports the supported paths ("rimSupports").
 std::optional<PassResult> addRimSupports(const UnsupportedBeads& beads, const SeenPart& part,
                                          const PassScene& scene, const base::RunContext& ctx);
 

@@ -66,6 +66,8 @@ struct PassScene {
   const platform::PlatformSolid& platform;
   std::span<const layers::Pocket> pockets = {}; // filled before the beads above them
   bool canTilt = true;                          // ToolpathOptions::canTilt
+  // Whether no support may stand below a place on that path; null: it may everywhere.
+  std::function<bool(const plan::ToolPath&, const Eigen::Vector3d&)> isBlocked = {};
 };
 
 // Returns the part that a pass sees. It is grown at the first call, so passes that find nothing to
