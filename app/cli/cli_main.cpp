@@ -368,10 +368,7 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
   resume->add_option("-o", values->options.folder, "folder for job, report and programs")
       ->required();
   resume->add_flag("--replace", values->options.replace, kReplaceHelp);
-  resume
-      ->add_option("--format", request.formats,
-                   "program format (default: that of --program, or else those that the job has "
-                   "programs of)")
+  resume->add_option("--format", request.formats, "format (default: that of --program or the job)")
       ->allow_extra_args(false);
   addRunOptions(*resume, values->options.threads, values->progress);
   resume->callback([values, bead, line, &parsed] {

@@ -476,21 +476,6 @@ void addOptions(const Dialect& dialect, const ProgramOptions& options, MergeLimi
 }
 } // namespace
 
-namespace {
-// Returns the points without the statements that are for other formats.
-MergedPoints withOwnStatements(std::string_view id, MergedPoints points) {
-  const auto isOther = [&](const plan::TrajectoryEvent& event) {
-    return isOfOtherFormat(id, event);
-  };
-  if (std::ranges::none_of(points.trajectory->events, isOther))
-    return points;
-  auto own = std::make_shared<plan::Trajectory>(*points.trajectory);
-  std::erase_if(own->events, isOther);
-  points.trajectory = std::move(own);
-  return points;
-}
-} // namespace
-
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
@@ -504,7 +489,9 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
     limits.jointRad = 0.0;
   if (!turnsRod)
     addOptions(dialect, input.options, limits);
-  return withOwnStatements(id, mergedPoints(input, limits, ctx));
+  MergedPoints points = mergedPoints(input, limits, ctx);
+  points.trajectory = withOwnStatements(id, std::move(points.trajectory));
+  return points;
 }
 
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,

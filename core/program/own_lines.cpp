@@ -70,6 +70,10 @@ bool isOwnLine(const TrajectoryEvent& event) {
   return event.kind == EventKind::Output || event.kind == EventKind::Statement;
 }
 
+bool isOfOtherFormat(std::string_view dialect, const TrajectoryEvent& event) {
+  return event.kind == EventKind::Statement && event.format != dialect;
+}
+
 // Takes a line, with its end, from the beginning of a text.
 std::string_view takeLine(std::string_view& rest) {
   const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
@@ -146,10 +150,6 @@ std::string ownLine(std::string_view dialect, const TrajectoryEvent& event) {
   return numbered(event.on ? words.on : words.off, event.tool);
 }
 
-bool isOfOtherFormat(std::string_view dialect, const TrajectoryEvent& event) {
-  return event.kind == EventKind::Statement && event.format != dialect;
-}
-
 void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event,
                     const plan::Trajectory& trajectory) {
   if (isOfOtherFormat(dialect, event)) {
@@ -181,6 +181,18 @@ void requireOwnLine(std::string_view dialect, const TrajectoryEvent& event,
         base::message("format {format} has outputs {first} to {last}, not {number}"_text, dialect,
                       words.first, words.last, event.tool),
         {}, "use another output"_text);
+}
+
+std::shared_ptr<const plan::Trajectory>
+withOwnStatements(std::string_view dialect, std::shared_ptr<const plan::Trajectory> trajectory) {
+  const auto isOther = [&](const TrajectoryEvent& event) {
+    return isOfOtherFormat(dialect, event);
+  };
+  if (std::ranges::none_of(trajectory->events, isOther))
+    return trajectory;
+  auto own = std::make_shared<plan::Trajectory>(*trajectory);
+  std::erase_if(own->events, isOther);
+  return own;
 }
 
 std::string ownLineRemark(std::string_view line) {

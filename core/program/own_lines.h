@@ -7,6 +7,7 @@
 #include "plan/stated_facts.h"
 #include "plan/trajectory.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,9 +40,9 @@ std::string ownLine(std::string_view dialect, const plan::TrajectoryEvent& event
 // it must not have (refused_statements.h).
 void requireOwnLine(std::string_view dialect, const plan::TrajectoryEvent& event,
                     const plan::Trajectory& trajectory);
-// Returns whether the event is a statement for another format, which programs of the dialect leave
-// out.
-bool isOfOtherFormat(std::string_view dialect, const plan::TrajectoryEvent& event);
+// Returns the trajectory without the statements for other formats; itself if it has none of them.
+std::shared_ptr<const plan::Trajectory>
+withOwnStatements(std::string_view dialect, std::shared_ptr<const plan::Trajectory> trajectory);
 
 // Returns the remark that stands for a line until uncoverOwnLines().
 std::string ownLineRemark(std::string_view line);
