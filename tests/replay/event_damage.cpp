@@ -23,8 +23,9 @@ std::ptrdiff_t at(std::size_t line) {
 
 // The step of a line that MELFA-BASIC numbers.
 std::string stepOf(const std::string& line) {
-  std::smatch found;
-  return std::regex_search(line, found, std::regex("^[0-9]+ ")) ? found.str() : std::string();
+  const std::size_t digits = line.find_first_not_of("0123456789");
+  return digits > 0 && digits < line.size() && line[digits] == ' ' ? line.substr(0, digits + 1)
+                                                                   : std::string();
 }
 
 class Damages {
