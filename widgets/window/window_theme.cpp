@@ -9,15 +9,19 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QToolTip>
 
 namespace voluta::window {
 
 namespace {
 constexpr int kFocusPixels = 2;
+constexpr int kTipMarginPixels = 4, kSeparatorPixels = 4;
 
 // Fusion draws outlines darker than the background, which makes them invisible in the dark looks:
 // those of check boxes are drawn here, and with high contrast those of everything that can be
 // used, in the colour of texts, with a thick frame in the colour of the selection for the focus.
+// There is no style sheet of the application: with one, each widget has a style of its own, and a
+// window takes twice as long to build.
 class OutlinedStyle : public QProxyStyle {
 public:
   OutlinedStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -40,6 +44,8 @@ public:
         element == PE_FrameTabWidget || element == PE_FrameMenu || element == PE_PanelTipLabel;
     if (strong && isUsed)
       outline(*option, *painter);
+    else if (element == PE_PanelTipLabel)
+      outline(*option, *painter, option->palette.color(QPalette::Mid));
     if (strong && element == PE_IndicatorRadioButton) {
       painter->save();
       painter->setRenderHint(QPainter::Antialiasing);
@@ -52,13 +58,15 @@ public:
 
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override {
+    if (element == CE_DockWidgetTitle)
+      return drawDockTitle(*option, painter, widget);
     QProxyStyle::drawControl(element, option, painter, widget);
     if (!forms::isHighContrast(option->palette))
       return;
     if (element == CE_TabBarTabShape && (option->state & State_Selected))
       outline(*option, *painter, option->palette.color(QPalette::Highlight), kFocusPixels);
     else if (element == CE_TabBarTabShape || element == CE_HeaderSection ||
-             element == CE_ProgressBarGroove || element == CE_DockWidgetTitle)
+             element == CE_ProgressBarGroove)
       outline(*option, *painter);
   }
 
@@ -77,7 +85,29 @@ public:
     }
   }
 
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override {
+    return metric == PM_ToolTipLabelFrameWidth ? kTipMarginPixels
+           : metric == PM_DockWidgetSeparatorExtent
+               ? kSeparatorPixels
+               : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+
 private:
+  void drawDockTitle(const QStyleOption& option, QPainter* painter, const QWidget* widget) const {
+    const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(&option);
+    QStyleOptionDockWidget title = dock ? *dock : QStyleOptionDockWidget();
+    painter->save();
+    QFont font = painter->font();
+    font.setWeight(QFont::DemiBold);
+    painter->setFont(font);
+    title.fontMetrics = QFontMetrics(font);
+    QProxyStyle::drawControl(CE_DockWidgetTitle, &title, painter, widget);
+    painter->restore();
+    if (forms::isHighContrast(option.palette))
+      outline(option, *painter);
+  }
+
   static void outline(const QStyleOption& option, QPainter& painter, const QColor& colour,
                       int pixels) {
     painter.save();
@@ -164,13 +194,7 @@ QPalette paletteOf(Appearance appearance) {
 void applyAppearance(QApplication& app, Appearance appearance) {
   app.setStyle(new OutlinedStyle); // Owned by the application
   app.setPalette(paletteOf(appearance));
-  const QPalette p = app.palette();
-  app.setStyleSheet(QString("QToolTip { color: %1; background: %2; border: 1px solid %3; "
-                            "padding: 4px; } "
-                            "QMainWindow::separator { width: 4px; height: 4px; } "
-                            "QDockWidget { font-weight: 600; }")
-                        .arg(p.color(QPalette::ToolTipText).name(),
-                             p.color(QPalette::ToolTipBase).name(), p.color(QPalette::Mid).name()));
+  QToolTip::setPalette(app.palette());
 }
 
 QString appearanceName(Appearance appearance) {
