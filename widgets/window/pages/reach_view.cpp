@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace voluta::window {
 
@@ -24,12 +25,21 @@ double mappedHeight(double heightMm) {
   return kStepMm * std::max(1.0, std::ceil(heightMm / kStepMm));
 }
 
+constexpr std::size_t kKeptMaps = 8;
+
 } // namespace
 
 struct ReachView::Found {
+  std::string key;
   std::shared_ptr<const cells::ReachMap> map; // null: the cell cannot be mapped
   std::shared_ptr<const scene::ReachDrawing> drawing;
 };
+
+// The maps found last, of any window: a part or a cell that is chosen again has its map at once.
+std::deque<ReachView::Found>& ReachView::kept() {
+  static std::deque<Found> maps;
+  return maps;
+}
 
 ReachView::ReachView(const Workspace& workspace, const PartHandles& handles, QObject* parent)
     : QObject(parent), work_(workspace), handles_(handles), panel_(new panels::ReachPanel) {
@@ -90,11 +100,16 @@ void ReachView::look(const std::string& key, double heightMm) {
     showReach();
     return;
   }
+  const auto before = std::ranges::find(kept(), key, &Found::key);
+  if (before != kept().end()) {
+    runner_.cancel();
+    return take(Found(*before));
+  }
   panel_->setLooking(true);
   inBackground(
       runner_,
-      [choices = work_.document.choices(), heightMm](const base::RunContext& ctx) {
-        Found found;
+      [choices = work_.document.choices(), key, heightMm](const base::RunContext& ctx) {
+        Found found{key, nullptr, nullptr};
         try {
           found.map = std::make_shared<const cells::ReachMap>(
               pipeline::cellReach(pipeline::resolve(choices), heightMm, ctx));
@@ -108,7 +123,13 @@ void ReachView::look(const std::string& key, double heightMm) {
         found.drawing = scene::drawReach(points, found.map->grid().spacingMm, found.map->plate());
         return found;
       },
-      [this](Found&& found) { take(std::move(found)); });
+      [this](Found&& found) {
+        if (found.map)
+          kept().push_back(found);
+        if (kept().size() > kKeptMaps)
+          kept().pop_front();
+        take(std::move(found));
+      });
 }
 
 void ReachView::take(Found&& found) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <QObject>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ public:
 private:
   struct Found;
 
+  static std::deque<Found>& kept();
   void refresh();
   void look(const std::string& key, double heightMm);
   void take(Found&& found);
