@@ -3,16 +3,22 @@
 
 #include "geometry/triangle_mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace voluta::layers {
 
 enum class SupportRule : std::uint8_t {
-  None,  // never: a blocker
-  Auto,  // where a layer or the growth needs it
-  Always // under every overhang: an enforcer
+  None,   // never: a blocker
+  Auto,   // where a layer or the growth needs it
+  Always, // under every overhang: an enforcer
+  Carried // by what is put in there: nothing hangs, and there is no room for a column
 };
+inline constexpr std::size_t kSupportRules = 4;
+constexpr bool wantsColumns(SupportRule rule) {
+  return rule == SupportRule::Auto || rule == SupportRule::Always;
+}
 
 // A place with a rule of its own.
 struct SupportPlace {

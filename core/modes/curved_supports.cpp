@@ -41,9 +41,9 @@ void takePlaces(const layers::SupportPlaces& places, SupportRule rule, const vox
 }
 
 bool isWanted(const layers::SupportPlaces& places, SupportRule rule) {
-  return rule != SupportRule::None ||
+  return layers::wantsColumns(rule) ||
          std::ranges::any_of(places.places, [](const layers::SupportPlace& place) {
-           return place.rule != SupportRule::None;
+           return layers::wantsColumns(place.rule);
          });
 }
 } // namespace

@@ -1,11 +1,11 @@
 #include "pipeline/item_inserts.h"
 
+#include "base/ascii_text.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "motion/layer_event_text.h"
 #include "motion/layer_events.h"
 #include "plan/finding_kinds.h"
-#include "program/ascii_text.h"
 
 #include <algorithm>
 #include <memory>
@@ -22,7 +22,7 @@ plan::LayerEvent pauseOf(const PlacedInsert& insert, int item) {
   pause.layer = insert.layer;
   if (insert.layer == 0)
     pause.heightMm = geometry::bounds(insert.body).max().z();
-  pause.text = program::asciiText("Put in " + (insert.name.empty() ? "the insert" : insert.name))
+  pause.text = base::asciiText("Put in " + (insert.name.empty() ? "the insert" : insert.name))
                    .substr(0, motion::kOwnTextLength);
   return pause;
 }

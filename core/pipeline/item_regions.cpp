@@ -173,9 +173,15 @@ void addMarks(const Resolved& resolved, const Region& region, const geometry::Tr
                      body});
 }
 
-// Adds what is put in at a region. It carries the layers above it: there are no columns for them.
-void addInsert(const Region& region, geometry::TriangleMesh body, RegionStage& stage) {
-  stage.supports.places.push_back({layers::SupportRule::None, body});
+// Adds what is put in at a region. It carries what is up to a layer above it.
+void addInsert(const Region& region, geometry::TriangleMesh body, double layerMm,
+               RegionStage& stage) {
+  for (const double share : {0.0, 0.5, 1.0}) {
+    geometry::TriangleMesh raised = body;
+    for (Eigen::Vector3d& vertex : raised.vertices)
+      vertex.z() += share * layerMm;
+    stage.supports.places.push_back({layers::SupportRule::Carried, std::move(raised)});
+  }
   stage.supports.printedLater.push_back(body);
   stage.inserts.push_back(
       {region.name, region.shape, regions::layerOf(region.use), std::move(body)});
@@ -280,7 +286,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
       geometry::TriangleMesh body = regions::bodyOf(all[i], part, levels, ctx);
       isInPart = !body.empty() && geometry::touch(*whole, body);
       if (use.isInsert && !body.empty())
-        addInsert(all[i], std::move(body), *stage);
+        addInsert(all[i], std::move(body), resolved.process().layerHeightMm, *stage);
     } else if (!use.hasLayers()) {
       if (!onlyMarks(all[i]))
         stage->bodies.back() = regions::bodyOf(all[i], part, levels, ctx);
@@ -298,7 +304,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
   stage->load = itemLoad(*whole, all, stage->bodies, part.work_T_file.linear(), ctx);
   auto rules = std::make_shared<const layers::SupportRules>(stage->supports.places,
                                                             layers::SupportRule::Auto);
-  if (rules->has(layers::SupportRule::None))
+  if (rules->has(layers::SupportRule::None) || rules->has(layers::SupportRule::Carried))
     stage->blockers = std::move(rules);
   if (!seams.empty())
     stage->seams = std::make_shared<const toolpath::SeamPlaces>(seams);

@@ -328,13 +328,13 @@ ItemOutcome ItemStages::decompose() {
   return {decomposeFindings(), decomposed_->timings};
 }
 
-// Returns the findings with the overhangs of sliced layers below which no column is put; the layers
-// report columns that have no base. Here and not in the mode, so that its pieces are not searched
-// again for other supports.
+// Returns the findings with the overhangs of sliced layers that neither columns nor inserts carry;
+// the layers report columns that have no base. Here and not in the mode, so that its pieces are not
+// searched again for other supports.
 plan::Findings ItemStages::decomposeFindings() const {
   plan::Findings findings = decomposed_->findings;
   const auto* pieces = std::get_if<project::Pieces>(&decomposed_->result);
-  if (hasGivenPaths_ || !pieces || !*pieces || !asksForSupports(resolved_) ||
+  if (hasGivenPaths_ || !pieces || !*pieces || (!asksForSupports(resolved_) && inserts().empty()) ||
       hasLayerPlanes(mode_, resolved_))
     return findings;
   const auto own = std::ranges::stable_partition(

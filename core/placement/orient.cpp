@@ -302,9 +302,10 @@ base::ParameterTable orientParameters() {
                             "Searches for a better orientation of the part: with the smallest "
                             "overhanging area, with the fewest voxels missed by growth, along "
                             "the axes, so that the projections on XY and XZ leave the least area "
-                            "of their bounding rectangles empty (blanks for milling), or with the "
+                            "of their bounding rectangles empty (blanks for milling), with the "
                             "smallest overhanging area after the part is cut into pieces (mode "
-                            "planar)."_text,
+                            "planar), or with the least tension across the layers under the load "
+                            "of its regions."_text,
                             true),
   });
 }

@@ -83,6 +83,10 @@ private:
                                   : options_.rules[cell] == rule;
   }
 
+  bool wantsColumn(std::size_t cell) const {
+    return options_.rules.empty() || layers::wantsColumns(options_.rules[cell]);
+  }
+
   // Returns the part's cells below which the rules want a column: those above empty ones, in their
   // order, each at least bridgeMm from those before it in its layer.
   std::vector<std::size_t> alwaysCarried() const {
@@ -187,7 +191,7 @@ private:
         const std::size_t v = members[i];
         if (order[v] >= 0)
           group.order = std::min(group.order, order[v]);
-        if (ofPart(graph.cellOf(v)) && !has(graph.cellOf(v), layers::SupportRule::None))
+        if (ofPart(graph.cellOf(v)) && wantsColumn(graph.cellOf(v)))
           group.cells.push_back(graph.cellOf(v));
         for (const std::int32_t w : graph.neighbour[v])
           if (w >= 0 && !seen[static_cast<std::size_t>(w)] &&

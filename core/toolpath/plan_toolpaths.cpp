@@ -193,7 +193,7 @@ decltype(PassScene::isBlocked) blockedBy(std::span<const ItemLayers> items,
       return false;
     const layers::Patch& patch = stack.patches[static_cast<std::size_t>(path.patch)];
     const auto& blockers = items[static_cast<std::size_t>(patch.item)].blockers;
-    return blockers && blockers->at(at) == layers::SupportRule::None;
+    return blockers && !layers::wantsColumns(blockers->at(at));
   };
 }
 

@@ -238,10 +238,9 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
       slivers.push_back(std::move(sliver));
     }
   }
-  const bool isSupported = std::ranges::any_of(places.places, [](const layers::SupportPlace& p) {
-    return p.rule != layers::SupportRule::None;
-  });
-  if (isSupported || options.supports != layers::SupportRule::None) {
+  const bool isSupported = std::ranges::any_of(
+      places.places, [](const layers::SupportPlace& p) { return layers::wantsColumns(p.rule); });
+  if (isSupported || layers::wantsColumns(options.supports)) {
     ctx.report(0.7, "supports"_text);
     addColumns(result, pieces, boundsOf, options, places, ctx);
   }

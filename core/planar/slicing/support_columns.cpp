@@ -187,7 +187,7 @@ public:
 
   // Returns what protrudes over `below` and has to be carried: by more than `reachMm`, or at all.
   Paths carried(const Paths& area, const Paths& below, double reachMm, double offsetMm) const {
-    std::array<Paths, 3> byRule;
+    std::array<Paths, layers::kSupportRules> byRule;
     byRule[indexOf(rule_)] = area;
     for (std::size_t i = 0; i < ruled_.size(); ++i) {
       const Paths place = sectionOf(ruled_[i], offsetMm);
