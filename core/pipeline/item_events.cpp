@@ -3,13 +3,18 @@
 #include "base/error.h"
 #include "base/key_text.h"
 #include "base/parameters.h"
+#include "modes/cell_choice.h"
 #include "motion/layer_event_text.h"
 #include "motion/layer_events.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/stage_options.h"
 #include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 #include "program/dialect.h"
 #include "program/refused_statements.h"
+#include "project/choices.h"
 #include "project/loaded_part.h"
+#include "robot/cell.h"
 #include "sliced/sliced_reader.h"
 
 #include <algorithm>
@@ -60,6 +65,14 @@ void requireHarmless(const plan::LayerEvent& event) {
                       refused->word, nameOf(event), event.text, refused->effect),
         std::string(motion::kLayerEvents), refused->instead);
 }
+
+// Of the formats to be written, those that must have the event: a statement is of one format.
+std::vector<std::string> formatsFor(const plan::LayerEvent& event,
+                                    const std::vector<std::string>& written) {
+  const bool isOwn = event.kind == plan::LayerEventKind::Statement &&
+                     std::ranges::find(written, event.format) != written.end();
+  return isOwn ? std::vector{event.format} : written;
+}
 } // namespace
 
 std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
@@ -82,6 +95,27 @@ std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
   for (plan::LayerEvent& event : events)
     event.item = item;
   return events;
+}
+
+std::optional<base::Error> eventRefusal(const project::Choices& choices, std::string_view text) {
+  try {
+    const std::vector<plan::LayerEvent> events = motion::layerEventsOf(text);
+    const std::vector<std::string> written = chosenFormats(
+        choices,
+        modes::cellOnAnyPlatform(choices, chosenProcess(choices, parameterValues(choices))));
+    for (const plan::LayerEvent& event : events) {
+      requireHarmless(event);
+      if (event.kind == plan::LayerEventKind::Tool)
+        continue;
+      plan::Trajectory trajectory;
+      trajectory.events = motion::trajectoryEvents({}, {event}, {});
+      for (const std::string& format : formatsFor(event, written))
+        program::requireEvents(program::findDialect(format), trajectory);
+    }
+  } catch (const base::Error& error) {
+    return error;
+  }
+  return std::nullopt;
 }
 
 std::string eventsKey(const std::vector<plan::LayerEvent>& events) {

@@ -4,19 +4,22 @@
 
 #include "plan/layer_event.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace voluta::base {
+class Error;
 class ParameterValues;
-}
+} // namespace voluta::base
 namespace voluta::plan {
 struct ToolPlan;
 }
 namespace voluta::project {
+struct Choices;
 struct LoadedPart;
-}
+} // namespace voluta::project
 
 namespace voluta::pipeline {
 
@@ -26,6 +29,11 @@ namespace voluta::pipeline {
 // and for a statement with a word that it must not have (program/refused_statements.h).
 std::vector<plan::LayerEvent> eventsOfItem(const project::LoadedPart& loaded,
                                            const base::ParameterValues& values, int item);
+
+// Returns the reason why programs of the job cannot have the events of a text of layerEvents:
+// a text that lists none, a refused word, an output or a command that a format to be written lacks.
+// nullopt: they can.
+std::optional<base::Error> eventRefusal(const project::Choices& choices, std::string_view text);
 
 // Returns their part of a stage's key; empty if there are none.
 std::string eventsKey(const std::vector<plan::LayerEvent>& events);

@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTest>
 #include <QUndoStack>
 
@@ -103,6 +104,41 @@ TEST_F(EventMarksTest, EventsAreAddedAtTheShownLayerAndMarkedAfterThePlan) {
       8 + static_cast<int>(timeS / bar()->clock()->durationS() * (slider()->width() - 16));
   QTest::mouseClick(slider(), Qt::LeftButton, {}, {x + 2, slider()->height() / 2});
   EXPECT_NEAR(bar()->timeS(), timeS, 1e-6);
+}
+
+// A photo has its output and its pulse; an output that the format lacks is named while it is typed.
+TEST_F(EventMarksTest, AnOutputThatTheFormatLacksIsNamedWhileItIsTyped) {
+  planPlinth();
+  choosePage(Page::Simulate);
+  bar()->setTimeS(0.5 * bar()->clock()->durationS());
+  QTest::mouseClick(find<QPushButton>("simulateAddEvent"), Qt::LeftButton);
+  auto* box = dialog();
+  ASSERT_NE(box, nullptr);
+  chooseKind("photo");
+  EXPECT_FALSE(find<QWidget>("eventSeconds")->isVisible());
+  EXPECT_TRUE(find<QWidget>("eventPulse")->isVisible());
+  const auto type = [&](const char* number) {
+    auto* output = find<QSpinBox>("eventOutput");
+    output->setFocus();
+    output->selectAll();
+    QTest::keyClicks(output, number);
+  };
+  type("4000");
+  const auto* problem = find<QLabel>("eventProblem");
+  EXPECT_TRUE(problem->isVisible());
+  EXPECT_TRUE(problem->text().contains("4,000")) << problem->text().toStdString();
+  keepPicture(*box, "event_photo_problem");
+  type("4");
+  EXPECT_FALSE(problem->isVisible()) << problem->text().toStdString();
+  keepPicture(*box, "event_photo");
+  chooseKind("statement");
+  EXPECT_FALSE(problem->isVisible()) << "nothing is typed yet";
+  QTest::keyClicks(find<QLineEdit>("eventStatement"), "movej(p)");
+  EXPECT_TRUE(problem->isVisible());
+  chooseKind("photo");
+  EXPECT_FALSE(problem->isVisible());
+  QTest::mouseClick(find<QPushButton>("eventOk"), Qt::LeftButton);
+  EXPECT_TRUE(setting("layerEvents").ends_with(" photo 4 0.5")) << setting("layerEvents");
 }
 
 TEST_F(EventMarksTest, TheMenuOfTheTimeLinePausesThere) {

@@ -15,14 +15,16 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace voluta::window {
 
 LayerEventDialog::LayerEventDialog(int layer, std::size_t tools, QWidget* parent)
     : QDialog(parent), form_(new QFormLayout), kind_(forms::makeCombo(this)),
       format_(forms::makeCombo(this)), text_(new QLineEdit(this)), statement_(new QLineEdit(this)),
-      seconds_(new forms::NumberBox(this)), output_(forms::makeIntegerBox(this)),
-      tool_(forms::makeIntegerBox(this)), on_(new QCheckBox(this)), problem_(new QLabel(this)) {
+      seconds_(new forms::NumberBox(this)), pulse_(new forms::NumberBox(this)),
+      output_(forms::makeIntegerBox(this)), tool_(forms::makeIntegerBox(this)),
+      on_(new QCheckBox(this)), problem_(new QLabel(this)) {
   setObjectName("layerEventDialog");
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Event before layer %1").arg(layer));
@@ -34,6 +36,7 @@ void LayerEventDialog::build(std::size_t tools) {
   kind_->addItem(tr("Pause"), "pause");
   kind_->addItem(tr("Wait"), "wait");
   kind_->addItem(tr("Output"), "output");
+  kind_->addItem(tr("Photo"), "photo");
   if (tools > 1)
     kind_->addItem(tr("Tool"), "tool");
   kind_->addItem(tr("Own statement"), "statement");
@@ -50,6 +53,12 @@ void LayerEventDialog::build(std::size_t tools) {
   seconds_->setDecimals(1);
   seconds_->setValue(60.0);
   seconds_->setUnit("s");
+  pulse_->setObjectName("eventPulse");
+  pulse_->setRange(0.2, 60.0);
+  pulse_->setDecimals(1);
+  pulse_->setValue(0.5);
+  pulse_->setUnit("s");
+  pulse_->setToolTip(tr("The camera's output is on for this long; the arm waits beside the part"));
   output_->setObjectName("eventOutput");
   output_->setRange(0, 4095);
   tool_->setObjectName("eventTool");
@@ -58,13 +67,20 @@ void LayerEventDialog::build(std::size_t tools) {
   on_->setText(tr("On"));
   on_->setChecked(true);
   form_->addRow(tr("&Event"), kind_);
-  form_->addRow(tr("Te&xt"), text_);
-  form_->addRow(tr("&Duration"), seconds_);
-  form_->addRow(tr("&Number"), output_);
-  form_->addRow(QString(), on_);
-  form_->addRow(tr("&Tool"), tool_);
-  form_->addRow(tr("&Format"), format_);
-  form_->addRow(tr("&Line"), statement_);
+  addField(tr("Te&xt"), {text_, {"pause"}, [this] { return text_->text().trimmed(); }});
+  addField(tr("&Number"),
+           {output_, {"output", "photo"}, [this] { return QString::number(output_->value()); }});
+  addField({}, {on_, {"output"}, [this] {
+                  return on_->isChecked() ? QStringLiteral("on") : QStringLiteral("off");
+                }});
+  addField(tr("&Duration"),
+           {seconds_, {"wait"}, [this] { return QString::number(seconds_->value()); }});
+  addField(tr("&Duration"),
+           {pulse_, {"photo"}, [this] { return QString::number(pulse_->value()); }});
+  addField(tr("&Tool"), {tool_, {"tool"}, [this] { return QString::number(tool_->value()); }});
+  addField(tr("&Format"), {format_, {"statement"}, [this] { return format_->currentText(); }});
+  addField(tr("&Line"),
+           {statement_, {"statement"}, [this] { return statement_->text().trimmed(); }});
   problem_->setObjectName("eventProblem");
   problem_->setTextFormat(Qt::PlainText);
   problem_->setWordWrap(true);
@@ -76,39 +92,58 @@ void LayerEventDialog::build(std::size_t tools) {
   column->addWidget(problem_);
   column->addWidget(buttons);
   connect(kind_, &QComboBox::currentIndexChanged, this, &LayerEventDialog::showFields);
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] { emit chosen(event()); });
+  for (QSpinBox* box : {output_, tool_}) {
+    box->setKeyboardTracking(true);
+    connect(box, &QSpinBox::valueChanged, this, &LayerEventDialog::check);
+  }
+  for (QLineEdit* line : {text_, statement_})
+    connect(line, &QLineEdit::textChanged, this, &LayerEventDialog::check);
+  connect(format_, &QComboBox::currentIndexChanged, this, &LayerEventDialog::check);
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+    for (const Field& field : fields_)
+      if (auto* box = qobject_cast<QAbstractSpinBox*>(field.box))
+        box->interpretText(); // typed, and not left yet
+    emit chosen(event());
+  });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   showFields();
 }
 
-void LayerEventDialog::showFields() {
-  const QString kind = kind_->currentData().toString();
-  problem_->hide();
-  form_->setRowVisible(text_, kind == "pause");
-  form_->setRowVisible(seconds_, kind == "wait");
-  form_->setRowVisible(output_, kind == "output");
-  form_->setRowVisible(on_, kind == "output");
-  form_->setRowVisible(tool_, kind == "tool");
-  form_->setRowVisible(format_, kind == "statement");
-  form_->setRowVisible(statement_, kind == "statement");
-  adjustSize();
+void LayerEventDialog::addField(const QString& label, const Field& field) {
+  form_->addRow(label, field.box);
+  fields_.push_back(field);
 }
 
-QString LayerEventDialog::event() {
-  const QString kind = kind_->currentData().toString();
-  for (QAbstractSpinBox* box :
-       {static_cast<QAbstractSpinBox*>(seconds_), static_cast<QAbstractSpinBox*>(output_),
-        static_cast<QAbstractSpinBox*>(tool_)})
-    box->interpretText(); // typed, and not left yet
-  const QString value =
-      kind == "pause"    ? text_->text().trimmed()
-      : kind == "wait"   ? QString::number(seconds_->value())
-      : kind == "output" ? QStringLiteral("%1 %2")
-                               .arg(output_->value())
-                               .arg(on_->isChecked() ? QStringLiteral("on") : QStringLiteral("off"))
-      : kind == "tool" ? QString::number(tool_->value())
-                       : format_->currentText() + ' ' + statement_->text().trimmed();
-  return (kind + ' ' + value).trimmed();
+void LayerEventDialog::setCheck(Check check) {
+  check_ = std::move(check);
+  this->check();
+}
+
+void LayerEventDialog::showFields() {
+  for (const Field& field : fields_)
+    form_->setRowVisible(field.box, field.kinds.contains(kind_->currentData().toString()));
+  check();
+}
+
+// A statement that is not begun is no problem yet.
+bool LayerEventDialog::isEmpty() const {
+  return kind_->currentData() == "statement" && statement_->text().trimmed().isEmpty();
+}
+
+void LayerEventDialog::check() {
+  problem_->hide();
+  if (const auto problem = check_ && !isEmpty() ? check_(event()) : std::nullopt)
+    showProblem(*problem);
+  else
+    adjustSize();
+}
+
+QString LayerEventDialog::event() const {
+  QStringList words{kind_->currentData().toString()};
+  for (const Field& field : fields_)
+    if (field.kinds.contains(words.front()))
+      words << field.text();
+  return words.join(' ').trimmed();
 }
 
 void LayerEventDialog::showProblem(const base::Error& error) {

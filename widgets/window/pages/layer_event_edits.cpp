@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "motion/layer_event_text.h"
 #include "motion/layer_events.h"
+#include "pipeline/item_events.h"
 #include "window/layer_event_dialog.h"
 
 #include <QCoreApplication>
@@ -123,6 +124,10 @@ void askForEvent(const Workspace& workspace, int layer, QWidget* parent) {
     return;
   const project::Choices& choices = workspace.document.choices();
   auto* dialog = new LayerEventDialog(layer + 1, choices.tools.size(), parent);
+  dialog->setCheck([&document = workspace.document, layer](const QString& event) {
+    return pipeline::eventRefusal(document.choices(),
+                                  std::to_string(layer + 1) + ' ' + event.toStdString());
+  });
   QObject::connect(dialog, &LayerEventDialog::chosen, &workspace.document,
                    [workspace, layer, dialog](const QString& event) {
                      try {
