@@ -91,7 +91,7 @@ void expectSound(const plan::ToolPlan& plan) {
 
 // Returns whether cells over all paths are few, so that the input is quick to judge.
 bool isSmall(const plan::ToolPlan& plan) {
-  constexpr double kMaxMm = 60.0;
+  constexpr double kMaxMm = 45.0;
   for (const Eigen::Vector3d& p : plan.position)
     if (p.cwiseAbs().maxCoeff() > kMaxMm)
       return false;
