@@ -1,12 +1,13 @@
 #include "toolpath/fibre/streamlines.h"
 
 #include "geometry/symmetric_axes.h"
-#include "toolpath/coverage/segment_grid.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <limits>
+#include <map>
 
 namespace voluta::toolpath {
 
@@ -23,10 +24,63 @@ constexpr double kCloser = 0.99;
 // this many of it.
 constexpr double kSame = 0.5, kLoop = 4.0;
 
+// Segments that are added one by one, in cells.
+class PlacedSegments {
+public:
+  explicit PlacedSegments(double cellMm) : cellMm_(cellMm) {}
+
+  void add(const Vector3d& a, const Vector3d& b) {
+    const Segment segment{a, b - a};
+    eachCell(a.cwiseMin(b), a.cwiseMax(b), [&](const Cell& cell) {
+      cells_[cell].push_back(segment);
+      return false;
+    });
+  }
+
+  // Returns whether one of them is closer to a place.
+  bool isWithin(const Vector3d& p, double distanceMm) const {
+    const Vector3d reach = Vector3d::Constant(distanceMm);
+    return eachCell(p - reach, p + reach, [&](const Cell& cell) {
+      const auto found = cells_.find(cell);
+      return found != cells_.end() && std::ranges::any_of(found->second, [&](const Segment& s) {
+               return squaredDistance(s, p) < distanceMm * distanceMm;
+             });
+    });
+  }
+
+private:
+  using Cell = std::array<int, 3>;
+  struct Segment {
+    Vector3d from, along;
+  };
+
+  // Calls visit(cell) for the cells of a box until it returns true; returns whether one does.
+  template <typename Visit>
+  bool eachCell(const Vector3d& low, const Vector3d& high, const Visit& visit) const {
+    const Eigen::Vector3i first = (low / cellMm_).array().floor().cast<int>(),
+                          last = (high / cellMm_).array().floor().cast<int>();
+    for (int x = first.x(); x <= last.x(); ++x)
+      for (int y = first.y(); y <= last.y(); ++y)
+        for (int z = first.z(); z <= last.z(); ++z)
+          if (visit(Cell{x, y, z}))
+            return true;
+    return false;
+  }
+
+  static double squaredDistance(const Segment& s, const Vector3d& p) {
+    const double squared = s.along.squaredNorm();
+    const double t = squared > 0.0 ? std::clamp(s.along.dot(p - s.from) / squared, 0.0, 1.0) : 0.0;
+    return (s.from + t * s.along - p).squaredNorm();
+  }
+
+  double cellMm_;
+  std::map<Cell, std::vector<Segment>> cells_;
+};
+
 class Tracer {
 public:
   Tracer(const PatchSurface& s, const DirectionField& field, double apartMm)
-      : s_(s), field_(field), apartMm_(apartMm), grid_(segments_, apartMm) {}
+      : s_(s), field_(field), apartMm_(apartMm), placed_(apartMm) {}
 
   std::vector<SurfaceCurve> trace(const SurfacePoint& first, const base::RunContext& ctx) {
     std::deque<SurfacePoint> seeds = {first};
@@ -47,10 +101,7 @@ public:
   }
 
 private:
-  bool isFree(const Vector3d& p) const {
-    const SegmentGrid::Hit hit = grid_.nearest(p);
-    return hit.segment < 0 || hit.distanceMm >= kCloser * apartMm_;
-  }
+  bool isFree(const Vector3d& p) const { return !placed_.isWithin(p, kCloser * apartMm_); }
 
   SurfaceCurve lineThrough(const SurfacePoint& seed) const {
     const Vector3d ahead = field_.at(s_, seed, Vector3d::UnitX());
@@ -112,16 +163,13 @@ private:
 
   void add(const SurfaceCurve& line) {
     for (std::size_t i = 1; i < line.points.size() + (line.closed ? 1 : 0); ++i)
-      segments_.push_back(
-          {line.points[i - 1].position, line.points[i % line.points.size()].position});
-    grid_ = SegmentGrid(segments_, apartMm_);
+      placed_.add(line.points[i - 1].position, line.points[i % line.points.size()].position);
   }
 
   const PatchSurface& s_;
   const DirectionField& field_;
   double apartMm_;
-  std::vector<SegmentGrid::Segment> segments_;
-  SegmentGrid grid_;
+  PlacedSegments placed_;
   std::vector<SurfaceCurve> lines_;
 };
 

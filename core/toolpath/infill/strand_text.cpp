@@ -1,6 +1,8 @@
 #include "toolpath/infill/strand_text.h"
 
 #include "base/error.h"
+#include "base/number_list.h"
+#include "toolpath/infill/sample_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +16,8 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kCurveStepMm = 1.0; // of samples along a curve
+constexpr double kCurveStepMm = 1.0;   // of samples along a curve
+constexpr std::size_t kMostShown = 60; // characters of a text that is wrong
 const char* const kFieldParameter = "infillField";
 
 // Returns how many numbers each word of the text has.
@@ -40,11 +43,22 @@ std::vector<FieldSample> alongCurves(const std::string& text) {
   return samples;
 }
 
+Vector3d directionIn(const std::string& text) {
+  Vector3d direction;
+  if (!base::readNumbers(text, ',', {&direction.x(), &direction.y(), &direction.z()}) ||
+      !(direction.stableNorm() > 0.0))
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("'{text}' is no direction"_text, text.substr(0, kMostShown)),
+                      std::string(kFieldParameter),
+                      "give three numbers, x,y,z, of which one is not 0"_text);
+  return direction.stableNormalized();
+}
+
 std::vector<FieldSample> samplesOf(const std::string& text) {
+  if (isOneDirection(text))
+    return {{Vector3d::Zero(), directionIn(text)}};
   const std::vector<std::ptrdiff_t> counts = numbersPerWord(text);
   const bool isPoints = std::ranges::all_of(counts, [](auto n) { return n == 2 || n == 3; });
-  if (isPoints && counts.size() == 1 && counts[0] == 3)
-    return tapeField("0,0,0," + text, kFieldParameter);
   return isPoints && counts.size() > 1 ? alongCurves(text) : tapeField(text, kFieldParameter);
 }
 } // namespace
@@ -58,14 +72,18 @@ Eigen::Matrix3d dyadsAt(std::span<const FieldSample> samples, const Vector3d& pl
   return dyads;
 }
 
+bool isOneDirection(const std::string& text) {
+  return numbersPerWord(text) == std::vector<std::ptrdiff_t>{3};
+}
+
 StrandDyads strandsOf(const std::string& text) {
-  const auto samples = std::make_shared<const std::vector<FieldSample>>(samplesOf(text));
-  if (samples->size() == 1) {
-    const Eigen::Matrix3d dyad =
-        samples->front().direction * samples->front().direction.transpose();
+  std::vector<FieldSample> samples = samplesOf(text);
+  if (samples.size() == 1) {
+    const Eigen::Matrix3d dyad = samples.front().direction * samples.front().direction.transpose();
     return [dyad](const Vector3d&) { return dyad; };
   }
-  return [samples](const Vector3d& place) { return dyadsAt(*samples, place); };
+  const auto tree = std::make_shared<const SampleTree>(std::move(samples));
+  return [tree](const Vector3d& place) { return tree->dyadsAt(place); };
 }
 
 } // namespace voluta::toolpath
