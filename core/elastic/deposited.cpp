@@ -1,15 +1,18 @@
 #include "elastic/deposited.h"
 
+#include "base/error.h"
 #include "base/units.h"
 #include "elastic/bead_stiffness.h"
 #include "elastic/elastic_solve.h"
 #include "geometry/symmetric_axes.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -21,12 +24,12 @@ using Eigen::Vector3d;
 using plan::PathKind;
 
 constexpr double kAlignedDeg = 30.0;
-constexpr double kLeastWork = 1e-9; // mm
-constexpr double kStepShare = 0.4;  // of a cell's width, between places in a bead
-constexpr double kEmpty = 1e-3;     // of the beads around a cell: it has none of its own
-constexpr double kFull = 0.9;       // the rest is rounding of beads into cells
-constexpr double kSoft = 1e-3;      // of the matrix, where no bead is: no corner is loose
-constexpr double kExceeded = 0.01;  // of the volume, by the tensions that are reported
+constexpr double kStepShare = 0.4; // of a cell's width, between places in a bead
+constexpr double kEmpty = 1e-3;    // of the beads around a cell: it has none of its own
+constexpr double kFull = 0.9;      // the rest is rounding of beads into cells
+constexpr double kSoft = 1e-3;     // of the matrix, where no bead is: no corner is loose
+constexpr double kExceeded = 0.01; // of the volume, by the tensions that are reported
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool countsFor(const plan::ToolPath& path, int item) {
   return path.item == item && !plan::isWaste(path.kind) && path.kind != PathKind::Support &&
@@ -42,35 +45,43 @@ template <typename Visit> void eachSegment(const plan::ToolPlan& plan, int item,
           visit(path, i);
 }
 
-// Returns the angle in degrees between a direction and the strongest of the dyads.
-double angleTo(const Eigen::Matrix3d& dyads, const Vector3d& along) {
+// Returns the angle in degrees between a direction and the strongest of the dyads; nullopt if there
+// is none.
+std::optional<double> angleTo(const Eigen::Matrix3d& dyads, const Vector3d& along) {
   const auto [values, axes] = geometry::symmetricAxes(dyads);
   if (values[2] <= 0.0)
-    return 0.0;
+    return std::nullopt;
   return base::radiansToDegrees(std::acos(std::min(1.0, std::abs(axes.col(2).dot(along)))));
 }
 
-void addAngles(const plan::ToolPlan& plan, int item, const PrincipalStress& principal,
+// Returns the mean of a sum over a length; unknown without any length.
+double meanOver(double lengthMm, double sum) {
+  return lengthMm > 0.0 ? sum / lengthMm : kUnknown;
+}
+
+// Adds the alignment of all beads under stress. Returns whether there are any.
+bool addAngles(const plan::ToolPlan& plan, int item, const PrincipalStress& principal,
                plan::LoadStatistics& figures) {
-  double length = 0.0, inside = 0.0;
+  double length = 0.0, inside = 0.0, angles = 0.0, alignedMm = 0.0, alignedInside = 0.0;
   eachSegment(plan, item, [&](const plan::ToolPath& path, std::size_t i) {
     const Vector3d step = plan.position[i] - plan.position[i - 1];
     const Vector3d middle = 0.5 * (plan.position[i] + plan.position[i - 1]);
-    const double angle = angleTo(principal.dyadsAt(middle), step.normalized());
-    const double aligned = angle <= kAlignedDeg ? step.norm() : 0.0;
+    const std::optional<double> angle = angleTo(principal.dyadsAt(middle), step.normalized());
+    if (!angle)
+      return;
+    const double aligned = *angle <= kAlignedDeg ? step.norm() : 0.0;
     length += step.norm();
-    figures.angleMeanDeg += step.norm() * angle;
-    figures.alignedFraction += aligned;
+    angles += step.norm() * *angle;
+    alignedMm += aligned;
     if (path.kind != PathKind::Wall) {
       inside += step.norm();
-      figures.infillAlignedFraction += aligned;
+      alignedInside += aligned;
     }
   });
-  if (length <= 0.0)
-    return;
-  figures.angleMeanDeg /= length;
-  figures.alignedFraction /= length;
-  figures.infillAlignedFraction /= std::max(inside, 1e-9);
+  figures.angleMeanDeg = meanOver(length, angles);
+  figures.alignedFraction = meanOver(length, alignedMm);
+  figures.infillAlignedFraction = meanOver(inside, alignedInside);
+  return length > 0.0;
 }
 
 // What the beads within a cell are.
@@ -86,18 +97,18 @@ public:
   DepositedCells(const LoadCase& load, const process::Tooling& tooling)
       : load_(load), tooling_(tooling), cells_(load.share.size()) {}
 
-  // Returns false if the elasticity of a material is unknown.
-  bool add(const plan::ToolPlan& plan, int item) {
-    bool isKnown = true;
+  // Returns the first process whose beads have an unknown elasticity; null if there is none.
+  const process::Process* add(const plan::ToolPlan& plan, int item) {
+    const process::Process* unknown = nullptr;
     eachSegment(plan, item, [&](const plan::ToolPath& path, std::size_t i) {
-      if (!isKnown)
+      if (unknown)
         return;
-      const std::optional<process::Elasticity> elasticity = elasticityOf(path);
-      isKnown = elasticity.has_value();
-      if (isKnown)
+      if (const std::optional<process::Elasticity> elasticity = elasticityOf(path))
         addSegment(plan, i, *elasticity);
+      else
+        unknown = &tooling_.of(path).process;
     });
-    return isKnown;
+    return unknown;
   }
 
   // Returns the stiffness of what fills a cell's part: that of the beads in it and around it, so
@@ -210,26 +221,60 @@ double forceOf(const LoadCase& load) {
       load.forces.begin(), load.forces.end(), 0.0,
       [](double sum, const CellForce& force) { return sum + force.newton.norm(); });
 }
+
+plan::Finding unknownFigures(base::Message figures, base::Message reason, base::Message help) {
+  return plan::makeFinding(
+      plan::FindingKind::LoadFiguresUnknown,
+      {{"figures", std::move(figures)}, {"reason", std::move(reason)}, {"help", std::move(help)}});
+}
+
+plan::Finding unknownElasticity(const process::Process& process) {
+  return process.tape
+             ? unknownFigures("stiffness and tensions"_text,
+                              base::message("tape {process} or the plastic around it states no "
+                                            "elasticity"_text,
+                                            process.id),
+                              "give the modulus and the share of its fibres, and the `elasticity` "
+                              "of the plastic"_text)
+             : unknownFigures("stiffness and tensions"_text,
+                              base::message("material {material} states no elasticity"_text,
+                                            process.material.label),
+                              "give the material its `elasticity`"_text);
+}
 } // namespace
 
-plan::LoadStatistics loadFigures(const plan::ToolPlan& plan, int item,
-                                 const process::Tooling& tooling, const LoadCase& load,
-                                 const PrincipalStress& principal, const base::RunContext& ctx) {
-  plan::LoadStatistics figures{.forceN = forceOf(load)};
-  addAngles(plan, item, principal, figures);
+LoadFigures loadFigures(const plan::ToolPlan& plan, int item, const process::Tooling& tooling,
+                        const LoadCase& load, const PrincipalStress& principal,
+                        const base::RunContext& ctx) {
+  LoadFigures judged{{.forceN = forceOf(load)}, {}};
+  plan::LoadStatistics& figures = judged.figures;
+  figures.stiffnessNPerMm = figures.acrossBeadsMPa = figures.acrossLayersMPa = kUnknown;
+  if (!addAngles(plan, item, principal, figures)) {
+    judged.unknown = unknownFigures("figures"_text, "no bead is under stress"_text,
+                                    "give forces that do not cancel each other"_text);
+    return judged;
+  }
   ctx.checkpoint();
   DepositedCells deposited(load, tooling);
-  if (!deposited.add(plan, item))
-    return figures;
+  if (const process::Process* const process = deposited.add(plan, item)) {
+    judged.unknown = unknownElasticity(*process);
+    return judged;
+  }
   const process::Elasticity matrix =
       tooling.first().process.material.elasticity.value_or(process::Elasticity{});
   const Stiffness6 soft = isotropicStiffness(kSoft * matrix.acrossMPa, matrix.poisson);
-  const ElasticState state = solved(
+  const auto state = foundEquilibrium(
       load, [&](std::size_t c) { return Stiffness6(deposited.stiffnessOf(c) + soft); }, ctx);
-  if (state.workNmm > kLeastWork * figures.forceN) // none if the forces cancel
-    figures.stiffnessNPerMm = figures.forceN * figures.forceN / state.workNmm;
-  addTensions(load, deposited.cells(), state, figures);
-  return figures;
+  if (!state) {
+    judged.unknown =
+        unknownFigures("stiffness and tensions"_text, "found no equilibrium of the beads"_text,
+                       "hold the part in more places"_text);
+    return judged;
+  }
+  if (state->workNmm > 0.0)
+    figures.stiffnessNPerMm = figures.forceN * figures.forceN / state->workNmm;
+  addTensions(load, deposited.cells(), *state, figures);
+  return judged;
 }
 
 } // namespace voluta::elastic

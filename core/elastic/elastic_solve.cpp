@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace voluta::elastic {
 
@@ -16,6 +18,7 @@ using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr double kTolerance = 1e-5; // of the forces that are out of balance
 constexpr int kMostSteps = 20000;
+constexpr double kCancelled = 1e-9; // of the forces on a corner
 
 // Checks for cancellation at every step of the solver.
 class CheckedDiagonal : public Eigen::DiagonalPreconditioner<double> {
@@ -104,48 +107,56 @@ Sparse assembled(const LoadCase& load, const Nodes& nodes, const std::vector<Sti
 // belongs to and how much they are filled.
 Eigen::VectorXd rightSide(const LoadCase& load, const Nodes& nodes) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(3 * nodes.count());
+  Eigen::VectorXd sizes = right;
   for (const CellForce& force : load.forces) {
     double filled = 0.0; // of the corners that move
     for (const std::size_t c : force.cells)
       for (const std::size_t node : nodes.of(c))
         filled += nodes.number(node) >= 0 ? static_cast<double>(load.share[c]) : 0.0;
     if (filled <= 0.0)
-      throw base::Error(base::ErrorCode::UnusableInput,
-                        "a force acts only where the part is held"_text, {},
+      throw base::Error(base::ErrorCode::Usage, "a force acts only where the part is held"_text, {},
                         "move the region with the force away from the one that holds"_text);
     for (const std::size_t c : force.cells)
       for (const std::size_t node : nodes.of(c))
-        if (const int a = nodes.number(node); a >= 0)
-          right.segment<3>(3 * a) += static_cast<double>(load.share[c]) / filled * force.newton;
+        if (const int a = nodes.number(node); a >= 0) {
+          const Vector3d part = static_cast<double>(load.share[c]) / filled * force.newton;
+          right.segment<3>(3 * a) += part;
+          sizes.segment<3>(3 * a) += part.cwiseAbs();
+        }
   }
-  return right;
+  // Forces that cancel each other leave no rounding behind, which would look like a load.
+  return (right.array().abs() > kCancelled * sizes.array()).select(right, 0.0);
 }
 
-Eigen::VectorXd equilibrium(const Sparse& matrix, const Eigen::VectorXd& right,
-                            const base::RunContext& ctx) {
+std::optional<Eigen::VectorXd> equilibrium(const Sparse& matrix, const Eigen::VectorXd& right,
+                                           const base::RunContext& ctx) {
+  if (!matrix.coeffs().allFinite())
+    return std::nullopt;
   Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper, CheckedDiagonal> solver;
   solver.preconditioner().setContext(ctx);
   solver.compute(matrix);
   solver.setTolerance(kTolerance);
   solver.setMaxIterations(kMostSteps);
-  const Eigen::VectorXd moves = solver.solve(right);
-  if (solver.info() == Eigen::Success)
-    return moves;
-  throw base::Error(base::ErrorCode::UnusableInput,
-                    "found no equilibrium of the part under its load"_text, {},
-                    "hold the part in more places"_text);
+  Eigen::VectorXd moves = solver.solve(right);
+  if (solver.info() != Eigen::Success || !moves.allFinite())
+    return std::nullopt;
+  return moves;
 }
 } // namespace
 
-ElasticState solved(const LoadCase& load, const CellMaterial& material,
-                    const base::RunContext& ctx) {
+std::optional<ElasticState> foundEquilibrium(const LoadCase& load, const CellMaterial& material,
+                                             const base::RunContext& ctx) {
   const Nodes nodes(load);
   std::vector<Stiffness6> stiffness(load.share.size(), Stiffness6::Zero());
   for (std::size_t c = 0; c < stiffness.size(); ++c)
     if (load.isSolid(c))
       stiffness[c] = material(c);
   const Eigen::VectorXd right = rightSide(load, nodes);
-  const Eigen::VectorXd moves = equilibrium(assembled(load, nodes, stiffness, ctx), right, ctx);
+  const std::optional<Eigen::VectorXd> found =
+      equilibrium(assembled(load, nodes, stiffness, ctx), right, ctx);
+  if (!found)
+    return std::nullopt;
+  const Eigen::VectorXd& moves = *found;
   ElasticState state{std::vector<Tensor6>(load.share.size(), Tensor6::Zero()),
                      std::vector<Tensor6>(load.share.size(), Tensor6::Zero()), right.dot(moves)};
   for (std::size_t c = 0; c < load.share.size(); ++c) {
@@ -160,6 +171,16 @@ ElasticState solved(const LoadCase& load, const CellMaterial& material,
     state.stress[c] = stiffness[c] * state.strain[c];
   }
   return state;
+}
+
+ElasticState solved(const LoadCase& load, const CellMaterial& material,
+                    const base::RunContext& ctx) {
+  std::optional<ElasticState> state = foundEquilibrium(load, material, ctx);
+  if (!state)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      "found no equilibrium of the part under its load"_text, {},
+                      "hold the part in more places"_text);
+  return std::move(*state);
 }
 
 } // namespace voluta::elastic

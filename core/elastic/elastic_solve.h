@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace voluta::elastic {
@@ -21,7 +22,11 @@ struct ElasticState {
 using CellMaterial = std::function<Stiffness6(std::size_t cell)>;
 
 // Solves the equilibrium by conjugate gradients; a cell is as much softer as it is less filled.
-// Throws Error{UnusableInput} if it finds none; Cancelled.
+// Returns nullopt if it finds none. Throws Error{Usage} for a force on held places alone;
+// Cancelled.
+std::optional<ElasticState> foundEquilibrium(const LoadCase& load, const CellMaterial& material,
+                                             const base::RunContext& ctx);
+// As above. Also throws Error{UnusableInput} if it finds none.
 ElasticState solved(const LoadCase& load, const CellMaterial& material,
                     const base::RunContext& ctx);
 

@@ -114,14 +114,14 @@ LoadCase loadCase(const TriangleMesh& part, std::span<const TriangleMesh> holds,
   const auto [from, to] = std::ranges::unique(load.held);
   load.held.erase(from, to);
   if (load.held.empty())
-    throw base::Error(base::ErrorCode::UnusableInput,
+    throw base::Error(base::ErrorCode::Usage,
                       "nothing of the part is within the regions that hold it"_text, {},
                       "move them onto the part, or make them larger"_text);
   keepHeld(load);
   for (const BodyForce& force : forces) {
     std::vector<std::size_t> within = cellsWithin(load, force.body, ctx);
     if (within.empty())
-      throw base::Error(base::ErrorCode::UnusableInput,
+      throw base::Error(base::ErrorCode::Usage,
                         "a region with a force contains nothing of the part that is held"_text, {},
                         "move it onto the part, or make it larger"_text);
     load.forces.push_back({std::move(within), force.newton});

@@ -35,8 +35,8 @@ struct LoadCase {
 
 // Returns the cells of a closed part, about `cells` of them, that are connected with held ones
 // through their sides, with the places of holds and forces. All meshes in one frame [mm]. Throws
-// Error{UnusableInput} if nothing of the part is within the holds, or nothing that is held is
-// within a force; Cancelled.
+// Error{Usage} if nothing of the part is within the holds, or nothing that is held is within a
+// force; Error{UnusableInput} for a part without volume; Cancelled.
 LoadCase loadCase(const geometry::TriangleMesh& part, std::span<const geometry::TriangleMesh> holds,
                   std::span<const BodyForce> forces, std::size_t cells,
                   const base::RunContext& ctx);

@@ -74,10 +74,13 @@ Figure strengthFigure(std::string_view key, base::Text label, base::Text head) {
   return {key, label, head, project::unitOf(kMember), 0.0, ofStrength<kMember>, false, false};
 }
 
-// Returns a figure of the part between its holds and forces; nullopt without forces.
+// Returns a figure of the part between its holds and forces; nullopt without forces, and if it is
+// unknown.
 template <auto kMember> Value ofLoad(const CompareRow& row) {
   const plan::LoadStatistics& load = row.report.toolpath.load;
-  return came(row, Stage::Toolpath) && load.forceN > 0.0 ? Value(load.*kMember) : std::nullopt;
+  const bool isKnown =
+      came(row, Stage::Toolpath) && load.forceN > 0.0 && std::isfinite(load.*kMember);
+  return isKnown ? Value(load.*kMember) : std::nullopt;
 }
 // By how much the forces move their places, along them [mm].
 Value deflection(const CompareRow& row) {
@@ -132,11 +135,11 @@ const std::vector<Figure>& figures() {
           "mostInterfaceFraction", "interfaces in the weakest section"_text,
           "Weakest\n% interf."_text),
       {"deflectionMm", "deflection under the forces"_text, "Deflec-\ntion mm"_text, "mm", 1.0,
-       deflection, false, false},
+       deflection, false, true},
       {"acrossLayersMPa", "tension across layers"_text, "Across\nlayers MPa"_text, "MPa", 1.0,
-       ofLoad<&plan::LoadStatistics::acrossLayersMPa>, false, false},
+       ofLoad<&plan::LoadStatistics::acrossLayersMPa>, false, true},
       {"infillAlignedFraction", "infill along the stress"_text, "Along\nstress %"_text, "%", 0.0,
-       ofLoad<&plan::LoadStatistics::infillAlignedFraction>, true, false,
+       ofLoad<&plan::LoadStatistics::infillAlignedFraction>, true, true,
        "infill across the stress"_text},
   };
   return kFigures;

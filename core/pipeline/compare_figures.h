@@ -22,7 +22,7 @@ struct Figure {
   // Returns nullopt if the figure does not apply to the mode or its stage was not reached.
   std::optional<double> (*of)(const CompareRow&);
   bool moreIsBetter = false; // Then the maximum is 1
-  bool lossIfAbsent = true;  // A missing figure (stage not reached) counts as the worst
+  bool lossIfAbsent = true;  // A missing figure counts as the worst that any has
   // Name of the loss that the weight applies to; differs from the label if more is better.
   base::Text loss = label;
 };

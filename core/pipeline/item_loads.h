@@ -24,10 +24,14 @@ struct ItemLoad {
   elastic::TensionAcross tension;     // of it too
 };
 
+// Returns whether a region pushes the part.
+bool isPushed(std::span<const project::Region> regions);
+// Throws Error{Usage} for forces on a part that nothing holds.
+void requireHeld(std::span<const project::Region> regions);
+
 // Returns the load of the regions that hold the part or push it; null if there are none. `part`:
 // closed; `bodies`: of the regions; all in the work frame. `work_R_file`: turns the axes of the
-// part's file. Throws Error{UnusableInput} for forces on a part that nothing holds, and as
-// elastic::loadCase() and elastic::solved(); Cancelled.
+// part's file. Throws as requireHeld(), elastic::loadCase() and elastic::solved(); Cancelled.
 std::shared_ptr<const ItemLoad> itemLoad(const geometry::TriangleMesh& part,
                                          std::span<const project::Region> regions,
                                          std::span<const geometry::TriangleMesh> bodies,

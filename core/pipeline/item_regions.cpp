@@ -297,6 +297,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
         isInPart = !shared || !shared->empty();
       }
     }
+    stage->isOutside.push_back(!isInPart);
     if (!isInPart)
       stage->findings.push_back(
           plan::makeFinding(plan::FindingKind::RegionOutside, {{"region", all[i].shape}}));
@@ -340,6 +341,66 @@ withRegionLayers(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   return made;
 }
 
+namespace {
+plan::Finding withoutEffect(const Region& region, base::Message reason, base::Message help) {
+  return plan::makeFinding(
+      plan::FindingKind::RegionWithoutEffect,
+      {{"region", region.shape}, {"reason", std::move(reason)}, {"help", std::move(help)}});
+}
+
+// Returns the finding about a region within the part whose settings or layers have no effect.
+std::optional<plan::Finding> withoutEffect(const Region& region, std::size_t patches,
+                                           const regions::LayersMet* met,
+                                           const Resolved& resolved) {
+  if (met && met->crossed > 0)
+    return withoutEffect(region,
+                         base::message("its interlock of {width} reaches through it in {crossed} "
+                                       "of {layers} layers"_text,
+                                       base::mm(interlockMm(resolved, region)), met->crossed,
+                                       met->layers),
+                         "set a smaller `interlockMm`, or make the region larger"_text);
+  if (patches > 0)
+    return std::nullopt;
+  if (met && met->narrow > 0)
+    return withoutEffect(region,
+                         base::message("it is narrower than half a bead of {width}"_text,
+                                       base::mm(resolved.process().beadWidthMm)),
+                         "make it wider, or use a finer nozzle"_text);
+  if (met && met->layers > 0)
+    return withoutEffect(region, "later regions hold in all of it"_text,
+                         "move it down the list of regions"_text);
+  return withoutEffect(region,
+                       met ? base::Message("it is too thin to meet a layer"_text)
+                           : base::Message("it is too thin for a layer of its own"_text),
+                       "make it larger, or the layers thinner"_text);
+}
+
+// `dividing` and how they meet the layers: of the regions with settings.
+plan::Findings regionsWithoutEffect(const RegionStage& stage,
+                                    std::span<const regions::SettingsRegion> dividing,
+                                    std::span<const regions::LayersMet> met,
+                                    std::span<const plan::RegionStatistics> figures,
+                                    const Resolved& resolved) {
+  std::vector<const regions::LayersMet*> metBy(figures.size(), nullptr);
+  std::vector<bool> isTold = stage.isOutside; // or has neither settings nor layers
+  for (std::size_t i = 0; i < isTold.size(); ++i)
+    isTold[i] = isTold[i] || std::ranges::find(stage.layered, i, &regions::LayeredRegion::index) ==
+                                 stage.layered.end();
+  for (std::size_t d = 0; d < dividing.size(); ++d) {
+    const auto i = static_cast<std::size_t>(dividing[d].number) - 1;
+    metBy[i] = &met[d];
+    isTold[i] = stage.isOutside[i];
+  }
+  plan::Findings findings;
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (!isTold[i])
+      if (auto finding =
+              withoutEffect(regionsOf(resolved)[i], figures[i].patches, metBy[i], resolved))
+        findings.push_back(std::move(*finding));
+  return findings;
+}
+} // namespace
+
 std::shared_ptr<const modes::LayersStage>
 dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionStage& regions,
                  const geometry::TriangleMesh& part, const Resolved& resolved,
@@ -354,10 +415,11 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
       dividing.push_back(
           {static_cast<int>(i) + 1, regions.bodies[i], interlockMm(resolved, all[i])});
   auto made = std::make_shared<modes::LayersStage>(*stage);
-  layers::LayerStack stack =
+  regions::DividedLayers divided =
       dividing.empty()
-          ? *stage->layers
+          ? regions::DividedLayers{*stage->layers, {}}
           : regions::dividedPatches(*stage->layers, dividing, resolved.process().beadWidthMm, ctx);
+  layers::LayerStack& stack = divided.stack;
   std::vector<std::optional<int>> tools{std::nullopt};
   for (const Region& region : all)
     tools.push_back(toolOf(resolved, region));
@@ -369,6 +431,9 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
   std::ranges::copy(regions.findings, std::back_inserter(made->findings));
   made->report.patches = stack.patches.size();
   made->report.regions = regions::figuresOf(*stage->layers, stack, part, all, places, ctx);
+  std::ranges::move(
+      regionsWithoutEffect(regions, dividing, divided.met, made->report.regions, resolved),
+      std::back_inserter(made->findings));
   made->layers = layers::kept(std::move(stack));
   made->timings.extract += watch.seconds();
   return made;
@@ -382,6 +447,51 @@ std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
   for (toolpath::CoverRules& rule : rules)
     rule.options.strands = strandsFor(rule.options, load);
   return rules;
+}
+
+plan::Findings unusedFields(const Resolved& resolved) {
+  const auto follows = [](const toolpath::ToolpathOptions& options) {
+    return options.infill == toolpath::kFieldInfill;
+  };
+  const auto unused = [](base::Message reason) {
+    return plan::makeFinding(plan::FindingKind::SettingWithoutEffect,
+                             {{"key", "infillField"_name},
+                              {"reason", std::move(reason)},
+                              {"help", "set `infill` to `field`, or remove the field"_text}});
+  };
+  const toolpath::ToolpathOptions ofPart = rulesOf(resolved, nullptr).options;
+  bool isFollowed = follows(ofPart);
+  plan::Findings findings;
+  for (const Region& region : regionsOf(resolved)) {
+    if (!regions::findUse(region.use).hasSettings())
+      continue;
+    const toolpath::ToolpathOptions options = rulesOf(resolved, &region).options;
+    const bool hasOwn = region.parameters.contains("infillField");
+    isFollowed = isFollowed || (follows(options) && !hasOwn);
+    if (hasOwn && !options.infillField.empty() && !follows(options))
+      findings.push_back(unused(
+          base::message("the infill of region {region} is not along a field"_text, region.shape)));
+  }
+  if (!ofPart.infillField.empty() && !isFollowed)
+    findings.push_back(unused("the infill is not along a field"_text));
+  return findings;
+}
+
+void requireField(const Resolved& resolved) {
+  const std::vector<Region>& all = regionsOf(resolved);
+  const auto check = [&](const toolpath::ToolpathOptions& options) {
+    if (!options.infillField.empty())
+      static_cast<void>(toolpath::strandsOf(options.infillField));
+    else if (options.infill == toolpath::kFieldInfill && !isPushed(all))
+      throw base::Error(base::ErrorCode::Usage,
+                        "there is no field of directions for the infill"_text, "infillField"_name,
+                        "give a direction x,y,z or samples x,y,z,dx,dy,dz, or the part regions "
+                        "that hold it and regions with a force"_text);
+  };
+  check(rulesOf(resolved, nullptr).options);
+  for (const Region& region : all)
+    if (regions::findUse(region.use).hasSettings())
+      check(rulesOf(resolved, &region).options);
 }
 
 namespace {

@@ -48,6 +48,7 @@ struct RegionStage {
   std::shared_ptr<const layers::SupportRules> blockers; // null: none of them blocks supports
   std::shared_ptr<const ItemLoad> load;                 // null without forces
   std::vector<PlacedInsert> inserts;
+  std::vector<bool> isOutside; // of every region: it has no effect, as a finding says
   plan::Findings findings;
 };
 // `whole`: the part, without the volume that the ground occupies. Throws as regions::divided().
@@ -73,6 +74,11 @@ dividedByRegions(std::shared_ptr<const modes::LayersStage> stage, const RegionSt
 // Throws Error{Usage}.
 std::vector<toolpath::CoverRules> coverRules(const Resolved& resolved,
                                              const std::shared_ptr<const ItemLoad>& load);
+
+// Returns the findings about fields of the infill that no infill follows.
+plan::Findings unusedFields(const Resolved& resolved);
+// Throws Error{Usage} for a field that cannot be read, and for an infill along a field without any.
+void requireField(const Resolved& resolved);
 
 // Return the inputs of these functions, as text; empty without regions.
 std::string cutRegionsKey(const Resolved& resolved);

@@ -13,6 +13,7 @@
 #include "modes/region_supports.h"
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/items/named_errors.h"
 #include "pipeline/part_ways.h"
 #include "pipeline/planned_parameters.h"
 #include "pipeline/resolved.h"
@@ -163,8 +164,17 @@ ItemStages::ItemStages(const StageContext& context, const project::Choices& give
   if (hasGivenPaths_) {
     requireOwnSize(resolved_.choices);
     requireNoRegions(resolved_.choices);
+  } else {
+    namingPart(resolved_.isBesideOthers, loaded_->name, [&] { requireLoads(); });
   }
   keys_ = keysOf(*loaded_, resolved_);
+}
+
+void ItemStages::requireLoads() const {
+  if (context_.until() >= Stage::Decompose)
+    requireHeld(resolved_.choices.item().regions);
+  if (context_.until() >= Stage::Toolpath)
+    requireField(resolved_);
 }
 
 project::ChosenReport ItemStages::chosenReport() const {

@@ -73,6 +73,8 @@ private:
   }
   const std::string& keyOf(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
 
+  // Throws Error{Usage} for loads and fields that the stages to come cannot use.
+  void requireLoads() const;
   project::ChosenReport chosenReport() const;
   std::vector<base::Message> allRepairs() const;
   plan::Findings decomposeFindings() const;

@@ -5,6 +5,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/items/named_errors.h"
 #include "pipeline/path_parameters.h"
 #include "pipeline/resolved.h"
 #include "pipeline/stage_keys.h"
@@ -127,8 +128,9 @@ PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCa
       tried[i] = tried[same];
       continue;
     }
-    const PlanResult found =
-        planAutomatically(one, own, cache, {.onStrategy = observers.onStrategy});
+    const PlanResult found = namingPart(true, one.item().loaded->name, [&] {
+      return planAutomatically(one, own, cache, {.onStrategy = observers.onStrategy});
+    });
     request.choices.item(i) = found.job.choices.item();
     tried[i] = found.job.report.item().tried;
   }

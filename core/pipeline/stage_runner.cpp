@@ -11,9 +11,11 @@
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/item_events.h"
+#include "pipeline/item_regions.h"
 #include "pipeline/item_stages.h"
 #include "pipeline/items/given_items.h"
 #include "pipeline/items/layer_hindrance.h"
+#include "pipeline/items/named_errors.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/judged_part.h"
 #include "pipeline/part_motion.h"
@@ -120,7 +122,8 @@ private:
   template <typename Run> ItemOutcome ofEachItem(const Run& run) {
     ItemOutcome all;
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      ItemOutcome one = run(*items_[i]);
+      ItemOutcome one =
+          namingPart(items_.size() > 1, items_[i]->loaded().name, [&] { return run(*items_[i]); });
       if (items_.size() > 1)
         for (plan::Finding& finding : one.findings)
           finding.item = static_cast<int>(i);
@@ -230,6 +233,7 @@ private:
     report().toolpath = stage->report;
     requireFormatsTilt(stage->toolPlan->direction);
     plan::Findings findings = stage->findings;
+    std::ranges::move(fieldFindings(), std::back_inserter(findings));
     if (const auto load = overload(*result_.cell, resolved_.tooling.printedG(*stage->toolPlan)))
       findings.push_back(*load);
     const bool continues = done(project::Stage::Toolpath, findings, stage->timings);
@@ -238,6 +242,20 @@ private:
                                            process(), massLeeway()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return continues;
+  }
+
+  // Not of the stage: its result does not depend on fields that no infill follows.
+  plan::Findings fieldFindings() {
+    plan::Findings findings;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (items_[i]->hasGivenPaths())
+        continue;
+      for (plan::Finding& finding : unusedFields(*result_.item(i).resolved)) {
+        finding.item = items_.size() > 1 ? static_cast<int>(i) : -1;
+        findings.push_back(std::move(finding));
+      }
+    }
+    return findings;
   }
 
   // Material may be missing in places that are thinner than a bead.
@@ -355,9 +373,14 @@ private:
       return stage;
     const ItemLoad& load = *(*loaded)->forces();
     auto judged = std::make_shared<ToolpathStage>(*stage);
-    judged->report.load =
-        elastic::loadFigures(*stage->toolPlan, static_cast<int>(loaded - items_.begin()),
-                             resolved_.tooling, load.cells, load.principal, ctx);
+    const auto item = static_cast<int>(loaded - items_.begin());
+    elastic::LoadFigures made = elastic::loadFigures(*stage->toolPlan, item, resolved_.tooling,
+                                                     load.cells, load.principal, ctx);
+    judged->report.load = made.figures;
+    if (made.unknown) {
+      made.unknown->item = items_.size() > 1 ? item : -1;
+      judged->findings.push_back(std::move(*made.unknown));
+    }
     return judged;
   }
 

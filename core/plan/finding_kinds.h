@@ -88,6 +88,7 @@ enum class FindingKind : std::uint8_t {
   HeightBeyondLimits,
   PartsHinder,
   RegionOutside,
+  RegionWithoutEffect,
   Staircase,
   // toolpath
   GivenWithoutSection,
@@ -110,6 +111,8 @@ enum class FindingKind : std::uint8_t {
   TapesLeftOut,
   TapesBare,
   InsertMisplaced,
+  SettingWithoutEffect,
+  LoadFiguresUnknown,
   // motion
   NothingToPrint,
   TooLarge,

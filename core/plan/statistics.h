@@ -53,13 +53,13 @@ struct StrengthStatistics {
   double maxInterfaceFraction = 0.0, maxInterfaceAtMm = 0.0;
 };
 
-// Of the printed part between its holds and its loads (docs/algorithms/loads.md); all 0 without any.
+// Of the printed part between its holds and loads (docs/algorithms/loads.md); all 0 without any.
 struct LoadStatistics {
-  double forceN = 0.0;          // sum of the forces
-  double angleMeanDeg = 0.0;    // between beads and the strongest principal stress, by length
+  double forceN = 0.0;       // sum of the forces; NaN in the others: unknown
+  double angleMeanDeg = 0.0; // between beads and the strongest principal stress, by length
   // Share of the length within 30 degrees of it: of all beads, and of those inside walls
   double alignedFraction = 0.0, infillAlignedFraction = 0.0;
-  // Of the deposited beads; 0 if the material's elasticity is unknown
+  // Of the deposited beads, for which the material's elasticity is needed
   double stiffnessNPerMm = 0.0; // force by the displacement of its places along it
   // Tension that the bonds carry, exceeded in a hundredth of the volume: between beads of a layer,
   // and between layers [MPa]

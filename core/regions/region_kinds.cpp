@@ -23,7 +23,8 @@ using geometry::TriangleMesh;
 using Numbers = std::vector<double>;
 
 constexpr double kFarMm = 1e5, kMinMm = 0.01, kMaxMm = 1e4;
-constexpr int kSides = 180; // of cylinders; a sphere has half as many from pole to pole
+constexpr std::size_t kMostShown = 60; // characters of a number that is wrong
+constexpr int kSides = 180;            // of cylinders; a sphere has half as many from pole to pole
 
 ShapeField place(std::string_view name, base::Text label) {
   return {name, label, -kFarMm, kFarMm};
@@ -205,10 +206,17 @@ std::vector<double> parsedNumbers(std::string_view text, const std::vector<Shape
   std::vector<double> numbers;
   for (const ShapeField& field : fields) {
     double number = field.usual.value_or(0.0);
+    std::string_view word;
     if (numbers.size() < given) {
       const std::size_t comma = left.find(',');
-      if (!base::readNumbers(left.substr(0, comma), ',', {&number}))
+      word = left.substr(0, comma);
+      if (word.empty())
         throw malformed();
+      if (!base::readNumbers(word, ',', {&number}))
+        throw Error(ErrorCode::Usage,
+                    base::message("'{text}': {field} '{word}' is not a number"_text, text,
+                                  field.name, word.substr(0, kMostShown)),
+                    {}, base::message("write {form}"_text, form));
       left = comma == std::string_view::npos ? std::string_view() : left.substr(comma + 1);
     } else if (!field.usual) {
       throw malformed();
@@ -216,7 +224,7 @@ std::vector<double> parsedNumbers(std::string_view text, const std::vector<Shape
     if (!(number >= field.minimum && number <= field.maximum))
       throw Error(ErrorCode::Usage,
                   base::message("'{text}': {field} {number} is out of range"_text, text, field.name,
-                                base::number(number)),
+                                word.substr(0, kMostShown)), // as written: 1e300 is long
                   {},
                   base::message("give {field} from {least} to {most}"_text, field.name,
                                 base::number(field.minimum), base::number(field.maximum)));

@@ -120,15 +120,23 @@ bool addPlaneParts(const Paths& area, const toolpath::PlanePatch& plane, const P
   return true;
 }
 
+bool isNothing(const Paths& area) {
+  return std::abs(geometry::areaMm2(area)) < kSmallestMm2;
+}
+
+bool isNarrow(const Paths& area, double widthMm) {
+  return geometry::offsetPaths(area, -0.5 * widthMm, {}).empty();
+}
+
 // Moves the connected parts of `from` that are narrower than `widthMm` to `to`.
 void moveNarrow(Paths& from, Paths& to, double widthMm) {
   Paths wide;
   bool anyNarrow = false;
   for (const Paths& part : toolpath::connectedParts(from)) {
-    const bool isNarrow = geometry::offsetPaths(part, -0.5 * widthMm, {}).empty();
-    Paths& side = isNarrow ? to : wide;
+    const bool moves = isNarrow(part, widthMm);
+    Paths& side = moves ? to : wide;
     side.insert(side.end(), part.begin(), part.end());
-    anyNarrow = anyNarrow || isNarrow;
+    anyNarrow = anyNarrow || moves;
   }
   if (!anyNarrow)
     return;
@@ -148,30 +156,40 @@ void interlock(const Paths& outline, bool insideReaches, double byMm, Paths& ins
   other = geometry::combined(outline, reaching, ClipperLib::ctDifference);
 }
 
-std::optional<std::vector<Patch>> dividedPlane(const Patch& patch, const Body& body,
-                                               double beadWidthMm) {
+// A patch that a region divides, and how it meets the region.
+struct Divided {
+  std::vector<Patch> parts;
+  RegionMeeting meeting = RegionMeeting::None;
+};
+
+std::optional<Divided> dividedPlane(const Patch& patch, const Body& body, double beadWidthMm) {
   const auto plane = toolpath::planePatch(patch);
   if (!plane || !plane->isEven || !plane->seams.empty())
     return std::nullopt;
   const Paths section = body.section(*plane);
   Paths inside = geometry::combined(plane->outline, section, ClipperLib::ctIntersection);
   Paths outside = geometry::combined(plane->outline, section, ClipperLib::ctDifference);
-  if (body.interlockMm() > 0.0)
-    interlock(plane->outline, patch.layer % 2 == 0, 0.5 * body.interlockMm(), inside, outside);
+  if (isNothing(inside))
+    return Divided{{patch}};
+  const bool insideReaches = patch.layer % 2 == 0;
+  bool isCrossed = false; // by the interlock of the part around the region
+  if (body.interlockMm() > 0.0) {
+    isCrossed = !insideReaches && !isNarrow(inside, kNarrow * beadWidthMm);
+    interlock(plane->outline, insideReaches, 0.5 * body.interlockMm(), inside, outside);
+  }
   moveNarrow(inside, outside, kNarrow * beadWidthMm);
-  if (std::abs(geometry::areaMm2(inside)) < kSmallestMm2)
-    return std::vector{patch};
+  if (isNothing(inside))
+    return Divided{{patch}, isCrossed ? RegionMeeting::Crossed : RegionMeeting::Narrow};
   moveNarrow(outside, inside, kNarrow * beadWidthMm);
-  std::vector<Patch> parts;
-  if (!addPlaneParts(outside, *plane, patch, patch.region, parts) ||
-      !addPlaneParts(inside, *plane, patch, body.number(), parts))
+  Divided divided{{}, RegionMeeting::Divided};
+  if (!addPlaneParts(outside, *plane, patch, patch.region, divided.parts) ||
+      !addPlaneParts(inside, *plane, patch, body.number(), divided.parts))
     return std::nullopt;
-  return parts;
+  return divided;
 }
 
-std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
-                                  const base::RunContext& ctx) {
-  std::vector<Patch> parts;
+Divided dividedSurface(const Patch& patch, const Body& body, const base::RunContext& ctx) {
+  Divided divided;
   for (const bool inside : {false, true}) {
     layers::LevelSurface surface =
         layers::trimToPart(layers::surfaceOf(patch), body.boundary(inside), {}, ctx);
@@ -179,10 +197,34 @@ std::vector<Patch> dividedSurface(const Patch& patch, const Body& body,
       continue;
     layers::cleanSurface(surface, {}, ctx);
     layers::PatchesOfLevel made = layers::makePatches(surface, {0.0});
-    for (Patch& part : made.patches)
-      parts.push_back(withPlaceOf(std::move(part), patch, inside ? body.number() : patch.region));
+    for (Patch& part : made.patches) {
+      divided.parts.push_back(
+          withPlaceOf(std::move(part), patch, inside ? body.number() : patch.region));
+      if (inside)
+        divided.meeting = RegionMeeting::Divided;
+    }
   }
-  return parts;
+  return divided;
+}
+
+// Returns how each body meets the layers, by the way in which the patches meet it.
+std::vector<LayersMet> layersMet(const layers::LayerStack& stack, std::size_t bodies,
+                                 const std::vector<std::vector<RegionMeeting>>& meetings) {
+  std::vector<LayersMet> all(bodies);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    std::map<int, RegionMeeting> ofLayer;
+    for (std::size_t i = 0; i < meetings.size(); ++i)
+      if (!meetings[i].empty()) {
+        RegionMeeting& most = ofLayer[stack.patches[i].layer];
+        most = std::max(most, meetings[i][b]);
+      }
+    for (const auto& [layer, meeting] : ofLayer) {
+      all[b].layers += meeting != RegionMeeting::None ? 1 : 0;
+      all[b].narrow += meeting == RegionMeeting::Narrow ? 1 : 0;
+      all[b].crossed += meeting == RegionMeeting::Crossed ? 1 : 0;
+    }
+  }
+  return all;
 }
 } // namespace
 
@@ -193,9 +235,9 @@ base::ParameterTable regionParameters() {
       "the part reaches as far into the region, so that both hold each other."_text))});
 }
 
-layers::LayerStack dividedPatches(const layers::LayerStack& stack,
-                                  std::span<const SettingsRegion> regions, double beadWidthMm,
-                                  const base::RunContext& ctx) {
+DividedLayers dividedPatches(const layers::LayerStack& stack,
+                             std::span<const SettingsRegion> regions, double beadWidthMm,
+                             const base::RunContext& ctx) {
   Eigen::AlignedBox3d box;
   for (const Patch& patch : stack.patches)
     box.extend(geometry::bounds(patch.surface));
@@ -203,6 +245,7 @@ layers::LayerStack dividedPatches(const layers::LayerStack& stack,
   for (const SettingsRegion& region : regions)
     bodies.push_back(std::make_unique<const Body>(region, box, ctx));
   std::vector<std::vector<Patch>> divided(stack.patches.size());
+  std::vector<std::vector<RegionMeeting>> meetings(stack.patches.size());
   base::parallelChunks(ctx, divided.size(), 1, [&](std::size_t begin, std::size_t end) {
     const base::RunContext silent = ctx.quiet();
     for (std::size_t i = begin; i < end; ++i) {
@@ -212,23 +255,29 @@ layers::LayerStack dividedPatches(const layers::LayerStack& stack,
         continue;
       for (const auto& body : bodies) {
         std::vector<Patch> next;
+        RegionMeeting most = RegionMeeting::None;
         for (const Patch& part : parts) {
-          auto made = part.surface.empty() || part.region > body->number()
-                          ? std::vector{part}
-                          : dividedPlane(part, *body, beadWidthMm).value_or(std::vector<Patch>{});
-          if (made.empty())
+          if (part.surface.empty() || part.region > body->number()) {
+            next.push_back(part);
+            continue;
+          }
+          auto made = dividedPlane(part, *body, beadWidthMm);
+          if (!made || made->parts.empty())
             made = dividedSurface(part, *body, silent);
-          std::ranges::move(made, std::back_inserter(next));
+          most = std::max(most, made->meeting);
+          std::ranges::move(made->parts, std::back_inserter(next));
         }
+        meetings[i].push_back(most);
         parts = std::move(next);
       }
     }
   });
-  layers::LayerStack result;
-  result.layerCount = stack.layerCount;
-  result.pockets = stack.pockets;
+  DividedLayers result;
+  result.stack.layerCount = stack.layerCount;
+  result.stack.pockets = stack.pockets;
   for (std::vector<Patch>& parts : divided)
-    std::ranges::move(parts, std::back_inserter(result.patches));
+    std::ranges::move(parts, std::back_inserter(result.stack.patches));
+  result.met = layersMet(stack, bodies.size(), meetings);
   return result;
 }
 

@@ -113,11 +113,34 @@ std::optional<plan::Finding> thinWalls(const layers::LayerStack& stack,
                            thinnest->place);
 }
 
+// Returns the finding about patches to which a field of the infill is perpendicular.
+std::optional<plan::Finding> fieldAcross(const layers::LayerStack& stack,
+                                         const std::vector<PatchCover>& covers) {
+  const auto first = std::ranges::find_if(covers, &PatchCover::lacksField);
+  if (first == covers.end())
+    return std::nullopt;
+  const auto patches =
+      static_cast<std::size_t>(std::ranges::count_if(covers, &PatchCover::lacksField));
+  return plan::makeFinding(
+      plan::FindingKind::SettingWithoutEffect,
+      {{"key", "infill=field"_name},
+       {"reason",
+        base::message("the field is perpendicular to {patches} patch of the layers, "
+                      "filled with straight lines|the field is perpendicular to "
+                      "{patches} patches of the layers, filled with straight lines"_plural,
+                      patches)},
+       {"help", base::Message("turn the part, or choose another field or infill"_text)}},
+      stack.patches[static_cast<std::size_t>(first - covers.begin())].surface.vertices.front(),
+      patches);
+}
+
 plan::Findings coverFindings(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
                              const process::Tooling& tooling, const ToolpathOptions& options) {
   plan::Findings findings;
   if (auto thin = thinWalls(stack, covers, tooling, options.thinWalls == "omit"))
     findings.push_back(std::move(*thin));
+  if (auto across = fieldAcross(stack, covers))
+    findings.push_back(std::move(*across));
   if (options.infillDensity <= 0.0)
     if (auto hollow = hollowSkin(covers))
       findings.push_back(std::move(*hollow));

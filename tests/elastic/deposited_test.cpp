@@ -3,6 +3,7 @@
 #include "elastic/bead_stiffness.h"
 #include "elastic/deposited.h"
 #include "elastic/elastic_solve.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 
 #include "helpers/shapes.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <string>
 
 namespace voluta::elastic {
 namespace {
@@ -23,7 +25,7 @@ using plan::PathKind;
 // Softer across than PLA, so that directions show.
 const process::Elasticity kSoftAcross{3000.0, 1000.0, 400.0, 0.3};
 constexpr double kHatch = 1.0, kHigh = 0.75;
-constexpr std::size_t kCells = 5000;
+constexpr std::size_t kCells = 5000, kFew = 300;
 
 process::Tooling tooling(const process::Elasticity& elasticity) {
   process::Process plastic, tape;
@@ -70,17 +72,35 @@ Beads filledBox(const Vector3d& size, bool alongX) {
   return beads;
 }
 
-LoadCase heldBox(const Vector3d& size, const Vector3d& newton) {
+LoadCase heldBox(const Vector3d& size, const Vector3d& newton, std::size_t cells = kCells) {
   const std::array holds{test::box({-1, -1, -1}, {2, size.y() + 1, size.z() + 1})};
   const std::array forces{BodyForce{
       test::box({size.x() - 1, -1, -1}, {size.x() + 1, size.y() + 1, size.z() + 1}), newton}};
-  return loadCase(test::box({0, 0, 0}, size), holds, forces, kCells, {});
+  return loadCase(test::box({0, 0, 0}, size), holds, forces, cells, {});
 }
 
 plan::LoadStatistics figuresOf(const Beads& beads, const LoadCase& load) {
   const Stiffness6 any = isotropicStiffness(1000.0, 0.33);
   const PrincipalStress principal(load, solved(load, [&](std::size_t) { return any; }, {}));
-  return loadFigures(beads.plan(), 0, tooling(kSoftAcross), load, principal, {});
+  return loadFigures(beads.plan(), 0, tooling(kSoftAcross), load, principal, {}).figures;
+}
+
+LoadFigures judged(const Beads& beads, const LoadCase& load, const process::Tooling& tools) {
+  const Stiffness6 any = isotropicStiffness(1000.0, 0.33);
+  const PrincipalStress principal(load, solved(load, [&](std::size_t) { return any; }, {}));
+  return loadFigures(beads.plan(), 0, tools, load, principal, {});
+}
+
+// Expects that stiffness and tensions are unknown, and a finding that says why.
+void expectUnknown(const LoadFigures& load, const std::string& why) {
+  for (const double figure :
+       {load.figures.stiffnessNPerMm, load.figures.acrossBeadsMPa, load.figures.acrossLayersMPa})
+    EXPECT_TRUE(std::isnan(figure)) << figure;
+  ASSERT_TRUE(load.unknown);
+  EXPECT_FALSE(load.unknown->blocking);
+  const std::string reason = plan::englishReason(*load.unknown);
+  EXPECT_NE(reason.find(why), std::string::npos) << reason;
+  EXPECT_FALSE(plan::englishRemedy(*load.unknown).empty());
 }
 
 TEST(DepositedBeads, StretchByTheirModulus) {
@@ -117,15 +137,58 @@ TEST(DepositedBeads, WithTapesFollowTheLawOfMixture) {
 
 TEST(DepositedBeads, WithoutKnownElasticityStateAlignmentAlone) {
   const Vector3d size(40, 8, 7.5);
-  const LoadCase load = heldBox(size, {60, 0, 0});
-  const Stiffness6 any = isotropicStiffness(1000.0, 0.33);
-  const PrincipalStress principal(load, solved(load, [&](std::size_t) { return any; }, {}));
   process::Process unknown;
+  unknown.material.label = "Putty";
   unknown.material.elasticity.reset();
-  const plan::LoadStatistics figures =
-      loadFigures(filledBox(size, true).plan(), 0, process::Tooling(unknown), load, principal, {});
+  const LoadFigures load =
+      judged(filledBox(size, true), heldBox(size, {60, 0, 0}, kFew), process::Tooling(unknown));
+  EXPECT_EQ(load.figures.alignedFraction, 1.0);
+  EXPECT_EQ(load.figures.infillAlignedFraction, 1.0);
+  expectUnknown(load, "material Putty states no elasticity");
+}
+
+TEST(DepositedBeads, WithATapeOfUnknownFibreHaveNoStiffness) {
+  const Vector3d size(40, 8, 7.5);
+  Beads beads = filledBox(size, true);
+  beads.add({{0, 4, 4}, {size.x(), 4, 4}}, upright, PathKind::Tape, 1, 5.0, 0.08);
+  process::Process plastic, tape;
+  tape.tape = process::Tape{.fibreMPa = 0.0, .fibreShare = 0.0};
+  tape.id = "ribbon";
+  expectUnknown(judged(beads, heldBox(size, {60, 0, 0}, kFew),
+                       process::Tooling(std::vector<process::Tool>{{plastic}, {tape}})),
+                "tape ribbon");
+}
+
+TEST(DepositedBeads, HaveNoFiguresUnderForcesThatCancel) {
+  const Vector3d size(40, 8, 7.5);
+  LoadCase load = heldBox(size, {60, 0, 0}, kFew);
+  load.forces.push_back(load.forces.front());
+  load.forces.back().newton *= -1.0;
+  const LoadFigures figures = judged(filledBox(size, true), load, tooling(kSoftAcross));
+  EXPECT_EQ(figures.figures.forceN, 120.0);
+  EXPECT_TRUE(std::isnan(figures.figures.alignedFraction)) << "no stress has no direction";
+  EXPECT_TRUE(std::isnan(figures.figures.angleMeanDeg));
+  expectUnknown(figures, "no bead is under stress");
+}
+
+TEST(DepositedBeads, WithoutAnEquilibriumHaveNoStiffness) {
+  const Vector3d size(40, 8, 7.5);
+  process::Elasticity broken = kSoftAcross;
+  broken.acrossMPa = std::nan("");
+  const LoadFigures figures =
+      judged(filledBox(size, true), heldBox(size, {60, 0, 0}, kFew), tooling(broken));
+  EXPECT_EQ(figures.figures.alignedFraction, 1.0);
+  expectUnknown(figures, "no equilibrium");
+}
+
+TEST(DepositedBeads, OfWallsAloneHaveNoAlignedInfill) {
+  const Vector3d size(40, 8, 7.5);
+  Beads beads;
+  for (double z = kHigh; z < size.z() + 1e-9; z += kHigh)
+    beads.add({{0, 4, z}, {size.x(), 4, z}}, upright, PathKind::Wall);
+  const plan::LoadStatistics figures = figuresOf(beads, heldBox(size, {60, 0, 0}, kFew));
   EXPECT_EQ(figures.alignedFraction, 1.0);
-  EXPECT_EQ(figures.stiffnessNPerMm, 0.0);
+  EXPECT_TRUE(std::isnan(figures.infillAlignedFraction));
 }
 
 // An arch in the plane x, z about the origin, one end held, the other pushed up.

@@ -6,6 +6,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/box_request.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -250,6 +251,29 @@ TEST(CompareRule, NoneIsBestWhereAllAreBlocked) {
   EXPECT_FALSE(ranking.best.has_value());
   EXPECT_THAT(ranking.order, ElementsAre(1, 0, 2));
   EXPECT_FALSE(rank({}, defaultWeights()).best.has_value());
+}
+
+// A stiffness that is unknown is no better than any other.
+TEST(CompareRule, AnUnknownFigureOfALoadCountsAsTheWorst) {
+  CompareRow known = row(0, 100), unknown = row(0, 100);
+  for (CompareRow* one : {&known, &unknown})
+    one->report.toolpath.load = {.forceN = 20.0,
+                                 .infillAlignedFraction = 0.5,
+                                 .stiffnessNPerMm = 100.0,
+                                 .acrossLayersMPa = 0.2};
+  unknown.report.toolpath.load.stiffnessNPerMm = std::nan("");
+  unknown.report.toolpath.load.acrossLayersMPa = std::nan("");
+  const Ranking ranking = rank({unknown, known, unknown}, defaultWeights());
+  EXPECT_EQ(*ranking.score[0], *ranking.score[1]) << "the worst that any has";
+  known.report.toolpath.load.stiffnessNPerMm = 200.0;
+  CompareRow soft = known;
+  soft.report.toolpath.load.stiffnessNPerMm = 50.0;
+  EXPECT_EQ(rank({unknown, known, soft}, defaultWeights()).best, 1u);
+  for (const Figure& figure : figures())
+    if (figure.key == "deflectionMm" || figure.key == "acrossLayersMPa") {
+      EXPECT_TRUE(figure.of(known)) << figure.key;
+      EXPECT_FALSE(figure.of(unknown)) << figure.key;
+    }
 }
 
 TEST(CompareRule, AWayThatDidNotComeToMovesIsNoFasterThanOneThatDid) {

@@ -12,7 +12,9 @@
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
+#include "process/own_materials.h"
 #include "project/job.h"
+#include "project/report.h"
 #include "regions/region_text.h"
 
 #include <Eigen/Geometry>
@@ -117,13 +119,19 @@ TEST(LoadPlan, WholePlansWithFieldInfillPass) {
   EXPECT_TRUE(result.checked[0]->verdict.passed) << reasons(result);
 }
 
+// Expects that the request itself is refused, before anything is planned.
 void expectRefused(const PlanRequest& request, const std::string& part) {
+  project::Stage made = project::Stage::Load;
+  PlanObservers observers;
+  observers.onStage = [&](project::Stage stage, const PlanResult&) { made = stage; };
   try {
-    planPart(request, {});
+    planPart(request, {}, nullptr, observers);
     ADD_FAILURE() << part;
   } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ErrorCode::Usage) << error.what();
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
+  EXPECT_EQ(made, project::Stage::Load) << part;
 }
 
 TEST(LoadPlan, NamesTheHoldTheForceOrTheFieldThatIsMissing) {
@@ -134,6 +142,67 @@ TEST(LoadPlan, NamesTheHoldTheForceOrTheFieldThatIsMissing) {
   expectRefused(bar({kBending[0], "box:90,0,2,6,20,4;use=load:0,0,-1"}, "zigzag"),
                 "nothing of the part");
   expectRefused(bar({kBending[0], kBending[1] + ";walls=3"}, "zigzag"), "no settings");
+}
+
+TEST(LoadPlan, RefusesAFieldThatCannotBeRead) {
+  for (const std::string field : {"1,0", "1,0,nan", "0,0,0", "0,0,0,1,0,inf"}) {
+    PlanRequest request = bar({}, "field");
+    test::giveParameters(request.choices, {{"infill", "field"}, {"infillField", field}});
+    expectRefused(request, field);
+  }
+}
+
+TEST(LoadPlan, RefusesNumbersAsTheyAreWritten) {
+  for (const std::string number : {"1e300", "nan", "inf", "-1e7", "x"})
+    try {
+      regions::parsedRegion("box:42,0,2,6,20,4;use=load:0," + number + ",0", {});
+      ADD_FAILURE() << number;
+    } catch (const base::Error& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(error.code(), base::ErrorCode::Usage) << what;
+      EXPECT_NE(what.find("FY"), std::string::npos) << what;
+      EXPECT_NE(what.find(number), std::string::npos) << what;
+      EXPECT_LT(what.size(), 150u) << what;
+    }
+}
+
+TEST(LoadPlan, NamesThePartThatLacksAField) {
+  PlanRequest request = bar(kBending, "field");
+  request.item().loaded = test::loadedBox({-45, -10, 0}, {45, 10, 4}, "bar.stl");
+  request.items.push_back({});
+  request.item(1).loaded = test::loadedBox({-10, -10, 0}, {10, 10, 4}, "cube.stl");
+  request.choices.items.push_back(request.choices.items.front());
+  request.choices.item(1).regions.clear();
+  expectRefused(request, "cube.stl: infillField: there is no field");
+}
+
+// The material is unknown to the estimate: a plan with figures that are unknown, not 0.
+TEST(LoadPlan, FiguresThatAreUnknownAreNullAndTold) {
+  PlanRequest request = bar(kBending, "zigzag");
+  request.choices.tool().process = process::processTextWith("fdm-1.0", "petg");
+  const PlanResult result = planPart(request, {});
+  const plan::LoadStatistics& load = result.job.report.toolpath.load;
+  EXPECT_EQ(load.forceN, 20.0);
+  EXPECT_GT(load.alignedFraction, 0.0);
+  EXPECT_TRUE(std::isnan(load.stiffnessNPerMm));
+  EXPECT_NE(reasons(result).find("material PETG states no elasticity"), std::string::npos)
+      << reasons(result);
+  const std::string json = project::reportJson(result.job.report);
+  EXPECT_NE(json.find("\"stiffnessNPerMm\": null"), std::string::npos);
+  EXPECT_TRUE(std::isnan(project::readReportJson(json).toolpath.load.stiffnessNPerMm));
+}
+
+TEST(LoadPlan, SaysWhereAFieldHasNoEffect) {
+  PlanRequest unused = bar({}, "zigzag");
+  test::giveParameters(unused.choices, {{"infillField", "1,0.2,0"}});
+  EXPECT_NE(reasons(planPart(unused, {})).find("no effect of infillField"), std::string::npos);
+  PlanRequest ofRegion = bar({"box:0,0,2,30,30,30;infill=field"}, "zigzag");
+  test::giveParameters(ofRegion.choices, {{"infillField", "1,0.2,0"}});
+  EXPECT_EQ(reasons(planPart(ofRegion, {})).find("no effect"), std::string::npos);
+  PlanRequest upright = bar({}, "field");
+  test::giveParameters(upright.choices, {{"infill", "field"}, {"infillField", "0,0,1"}});
+  EXPECT_NE(reasons(planPart(upright, {})).find("the field is perpendicular to 5 patches"),
+            std::string::npos);
 }
 
 TEST(LoadPlan, CompareWeighsTheDeflection) {

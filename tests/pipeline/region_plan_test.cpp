@@ -153,6 +153,27 @@ TEST(RegionPlan, ARegionOutsideThePartIsReported) {
   EXPECT_THAT(reasons(plan), testing::HasSubstr("region box:100,0,0,5,5,5 is outside the part"));
 }
 
+// Regions within the part whose settings no bead can have.
+TEST(RegionPlan, ARegionWithoutEffectSaysWhy) {
+  const auto told = [](const std::vector<std::string>& regions, const std::string& mode) {
+    PlanRequest request = requestWith(regions, "0.2", mode);
+    request.until = project::Stage::Layers;
+    return reasons(planPart(request, {}));
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(told({"box:0,0,8,0.3,30,16;walls=4"}, "flat"),
+              HasSubstr("narrower than half a bead"));
+  EXPECT_THAT(told({"height:4.01,4.02;walls=4"}, "flat"), HasSubstr("too thin to meet a layer"));
+  EXPECT_THAT(told({"box:0,0,8,0.2,0.2,0.2;walls=4"}, "curved"),
+              HasSubstr("too thin to meet a layer"));
+  EXPECT_THAT(told({"box:0,0,8,10,10,16;walls=4", "box:0,0,8,12,12,20;walls=1"}, "flat"),
+              HasSubstr("later regions hold in all of it"));
+  EXPECT_THAT(told({"box:0,0,8,4,20,16;walls=4;interlockMm=6"}, "flat"),
+              HasSubstr("reaches through it in 10 of 20 layers"));
+  EXPECT_THAT(told({"box:0,0,8,9,20,16;walls=4;interlockMm=3"}, "flat"),
+              testing::Not(HasSubstr("no effect")));
+}
+
 TEST(RegionPlan, ARegionWithoutPaintHasNoEffect) {
   const auto paths = [](PlanRequest request) {
     request.until = project::Stage::Toolpath;

@@ -53,7 +53,7 @@ TEST(RegionPatches, AreasAreThoseOfTheBodies) {
     for (const bool uneven : {false, true}) {
       const layers::LayerStack stack = squares(4, uneven);
       const auto of =
-          volumes(dividedPatches(stack, std::vector<SettingsRegion>{{1, body}}, 1.2, {}));
+          volumes(dividedPatches(stack, std::vector<SettingsRegion>{{1, body}}, 1.2, {}).stack);
       EXPECT_NEAR((of.at(0) + of.at(1)) / test::volumeOf(stack), 1.0, 1e-3) << i << uneven;
       if (fits && !uneven) {
         EXPECT_NEAR(of.at(1) / (base::kPi * r * r * 4.0), 1.0, 0.01) << i;
@@ -65,7 +65,7 @@ TEST(RegionPatches, AreasAreThoseOfTheBodies) {
 TEST(RegionPatches, TheLaterRegionHolds) {
   const std::vector<SettingsRegion> regions{{1, test::box({-10, -10, -1}, {10, 10, 9})},
                                             {2, test::box({0, -5, 1}, {15, 5, 9})}};
-  const auto of = volumes(dividedPatches(squares(4, false), regions, 1.2, {}));
+  const auto of = volumes(dividedPatches(squares(4, false), regions, 1.2, {}).stack);
   EXPECT_NEAR(of.at(2), 15.0 * 10.0 * 3.0, 0.1);
   EXPECT_NEAR(of.at(1), 400.0 * 4.0 - 10.0 * 10.0 * 3.0, 0.1);
   EXPECT_NEAR(of.at(0) + of.at(1) + of.at(2), 1600.0 * 4.0, 0.1);
@@ -74,11 +74,11 @@ TEST(RegionPatches, TheLaterRegionHolds) {
 // A strip too narrow for a bead is not cut off: the other side has it.
 TEST(RegionPatches, NarrowStripsGoToTheOtherSide) {
   const auto nearly = std::vector<SettingsRegion>{{1, test::box({-30, -30, -1}, {19.7, 30, 9})}};
-  const auto of = volumes(dividedPatches(squares(2, false), nearly, 1.2, {}));
+  const auto of = volumes(dividedPatches(squares(2, false), nearly, 1.2, {}).stack);
   EXPECT_EQ(of.count(0), 0u);
   EXPECT_NEAR(of.at(1), 1600.0 * 2.0, 0.1);
   const auto strip = std::vector<SettingsRegion>{{1, test::box({19.7, -30, -1}, {30, 30, 9})}};
-  const auto same = volumes(dividedPatches(squares(2, false), strip, 1.2, {}));
+  const auto same = volumes(dividedPatches(squares(2, false), strip, 1.2, {}).stack);
   EXPECT_EQ(same.count(1), 0u);
 }
 
@@ -92,23 +92,40 @@ TEST(RegionPatches, InterlockedRegionsReachOverTheirEdgeInTurn) {
         std::vector<SettingsRegion>{
             {1, test::box({-0.5 * side, -0.5 * side, -1}, {0.5 * side, 0.5 * side, 9}), 2.0 * kBy}},
         1.2, {});
-    for (const layers::Patch& patch : divided.patches) {
+    for (const layers::Patch& patch : divided.stack.patches) {
       const double own = side + (patch.layer % 2 == 0 ? 2.0 : -2.0) * kBy;
       EXPECT_NEAR(geometry::area(patch.surface), patch.region == 1 ? own * own : 1600.0 - own * own,
                   0.05)
           << patch.layer;
     }
-    EXPECT_EQ(divided.patches.size(), 8u);
+    EXPECT_EQ(divided.stack.patches.size(), 8u);
   }
   // At the part's own surface there is nothing to reach into.
   const auto edge = dividedPatches(
       squares(2, false),
       std::vector<SettingsRegion>{{1, test::box({0, -30, -1}, {30, 30, 9}), 2.0 * kBy}}, 1.2, {});
-  for (const layers::Patch& patch : edge.patches)
+  for (const layers::Patch& patch : edge.stack.patches)
     if (patch.region == 1) {
       EXPECT_NEAR(geometry::area(patch.surface),
                   40.0 * (20.0 + (patch.layer % 2 == 0 ? kBy : -kBy)), 0.05);
     }
+}
+
+// Layers in which a region has no effect are counted by their reason.
+TEST(RegionPatches, RegionsWithoutEffectAreCounted) {
+  const auto met = [](const SettingsRegion& region) {
+    return dividedPatches(squares(4, false), std::vector{region}, 1.2, {}).met.at(0);
+  };
+  const LayersMet strip = met({1, test::box({19.7, -30, -1}, {30, 30, 9})});
+  EXPECT_EQ(strip.layers, 4u);
+  EXPECT_EQ(strip.narrow, 4u);
+  const LayersMet crossed = met({1, test::box({-2, -10, -1}, {2, 10, 9}), 5.0});
+  EXPECT_EQ(crossed.layers, 4u);
+  EXPECT_EQ(crossed.crossed, 2u) << "every other layer";
+  const LayersMet held = met({1, test::box({-4, -10, -1}, {4, 10, 9}), 5.0});
+  EXPECT_EQ(held.layers, 4u);
+  EXPECT_EQ(held.crossed + held.narrow, 0u);
+  EXPECT_EQ(met({1, test::box({-9, -9, 0.8}, {9, 9, 0.85})}).layers, 0u) << "between two layers";
 }
 
 TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
@@ -117,7 +134,7 @@ TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
   const auto divided = dividedPatches(
       stack, std::vector<SettingsRegion>{{1, test::box({-5, -5, -1}, {5, 5, 9})}}, 1.2, {});
   int supports = 0;
-  for (const layers::Patch& patch : divided.patches)
+  for (const layers::Patch& patch : divided.stack.patches)
     if (patch.group == layers::kSupportGroup) {
       ++supports;
       EXPECT_EQ(patch.region, 0);
@@ -127,7 +144,7 @@ TEST(RegionPatches, SupportsAndDistantBodiesChangeNothing) {
   const auto same = dividedPatches(
       squares(3, false), std::vector<SettingsRegion>{{1, test::box({50, 50, 0}, {60, 60, 9})}}, 1.2,
       {});
-  EXPECT_EQ(same.patches.size(), 3u);
+  EXPECT_EQ(same.stack.patches.size(), 3u);
 }
 
 } // namespace

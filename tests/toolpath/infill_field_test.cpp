@@ -4,9 +4,11 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "toolpath/coverage/cover_patch.h"
+#include "toolpath/infill/sample_tree.h"
 #include "toolpath/infill/strand_text.h"
 #include "toolpath/painter.h"
 #include "toolpath/patch_shapes.h"
+#include "toolpath/sparse/cover_layers.h"
 
 #include "helpers/all_seeds.h"
 
@@ -17,6 +19,7 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 using namespace voluta;
@@ -190,6 +193,64 @@ TEST(FieldInfill, WithoutAFieldSaysSo) {
   }
 }
 
+// A field across a layer is told, and no other.
+TEST(FieldInfill, SaysWhereTheFieldHasNoDirection) {
+  const layers::Patch patch = test::patchOver({test::circle(15)});
+  EXPECT_TRUE(cover(patch, along([](const Vector3d&) { return Vector3d::UnitZ(); })).lacksField);
+  EXPECT_FALSE(cover(patch, along([](const Vector3d&) { return Vector3d(0.1, 0, 1).normalized(); }))
+                   .lacksField);
+  EXPECT_FALSE(cover(patch, along(outward)).lacksField);
+}
+
+// Layers of one shape are covered once, unless the field differs between them.
+TEST(FieldInfill, FollowsAFieldThatChangesWithTheHeight) {
+  constexpr int kLayers = 6;
+  layers::LayerStack stack;
+  stack.layerCount = kLayers;
+  for (int i = 0; i < kLayers; ++i) {
+    stack.patches.push_back(test::patchOver({test::rectangle(20, 16)}));
+    layers::Patch& patch = stack.patches.back();
+    patch.layer = i;
+    for (Vector3d& v : patch.surface.vertices)
+      v.z() += 0.8 * (i + 1);
+  }
+  toolpath::ToolpathOptions o;
+  o.infill = "field";
+  o.infillField = "0,0,0,1,0,0 0,0,4.8,0,1,0"; // from x at the bottom to y at the top
+  o.strands = toolpath::strandsOf(o.infillField);
+  o.rimSupports = false;
+  const process::Tooling tooling{process::Process()};
+  const toolpath::LayerCovers made =
+      toolpath::coverLayers(stack, std::vector<toolpath::CoverRules>{{o, tooling}}, 1.0, {});
+  const Direction alongX = [](const Vector3d&) { return Vector3d::UnitX(); },
+                  alongY = [](const Vector3d&) { return Vector3d::UnitY(); };
+  EXPECT_GT(aligned(made.covers.front(), alongX, 20.0), 0.8);
+  EXPECT_GT(aligned(made.covers.back(), alongY, 20.0), 0.8);
+}
+
+// Sums over the tree are those over all samples, on samples of a plane and of a body.
+TEST(SampleTree, SumsAsOverAllSamples) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (const bool isFlat : {true, false}) {
+    std::vector<toolpath::FieldSample> samples;
+    for (int i = 0; i < 3000; ++i) {
+      const Vector3d place(60.0 * any(random), 30.0 * any(random),
+                           isFlat ? 0.0 : 20.0 * any(random));
+      const double angle = 0.05 * place.x() + 0.3 * any(random);
+      samples.push_back({place, {std::cos(angle), std::sin(angle), 0.0}, 1.5 + any(random)});
+    }
+    const toolpath::SampleTree tree(samples);
+    for (int i = 0; i < 200; ++i) {
+      const Vector3d place(80.0 * any(random), 40.0 * any(random), 20.0 * any(random));
+      const Eigen::Matrix3d all = toolpath::dyadsAt(samples, place);
+      EXPECT_LT((tree.dyadsAt(place) - all).norm(), 0.03 * all.norm()) << place.transpose();
+    }
+    const Eigen::Matrix3d onSample = toolpath::dyadsAt(samples, samples[7].place);
+    EXPECT_LT((tree.dyadsAt(samples[7].place) - onSample).norm(), 1e-4 * onSample.norm());
+  }
+}
+
 TEST(StrandText, ReadsDirectionsSamplesAndCurves) {
   const auto strongest = [](const std::string& text, const Vector3d& at) {
     const Eigen::Matrix3d dyads = toolpath::strandsOf(text)(at);
@@ -203,6 +264,17 @@ TEST(StrandText, ReadsDirectionsSamplesAndCurves) {
   for (const char* bad : {"1,0", "1,2,3,4", "0,0,0", "0,0,0,1,0,0,-1", "a,b,c", "0,0,0,0,0,0",
                           "1,0,0 ; ; x", "0,0,0,1,0,0,1,1"})
     EXPECT_THROW(toolpath::strandsOf(bad), base::Error) << bad;
+  for (const char* bad : {"1,0,nan", "inf,0,0", "0,0,0", "1,0,1e999"})
+    try {
+      toolpath::strandsOf(bad);
+      ADD_FAILURE() << bad;
+    } catch (const base::Error& error) {
+      EXPECT_EQ(error.code(), base::ErrorCode::Usage);
+      EXPECT_NE(std::string(error.what()).find("'" + std::string(bad) + "' is no direction"),
+                std::string::npos)
+          << error.what();
+    }
+  EXPECT_NEAR(strongest("1e300,0,0", {5, 5, 5})(0, 0), 1.0, 1e-12) << "of any length";
 }
 
 } // namespace

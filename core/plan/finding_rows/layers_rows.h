@@ -61,6 +61,8 @@ inline constexpr FindingRow kLayersRows[] = {
         RegionOutside, "regionOutside",
         "region {region} is outside the part, behind later regions, or not painted: it has no effect"_text,
         "move it into the part, paint it, or remove it"_text),
+    info(RegionWithoutEffect, "regionWithoutEffect", "no effect of region {region}: {reason}"_text,
+         "{help}"_text),
     info(Staircase, "staircase",
          "{share:.0f} of the surface are gentle slopes with steps of {mean:.2g} on average"_text,
          "a skin of layers along the surface has none"_text, {.remedies = kOffers<AddSkin>}),

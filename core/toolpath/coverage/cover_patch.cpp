@@ -78,6 +78,7 @@ struct Centrelines {
   std::vector<double> depth;            // Per vertex: distance from the boundary [hatches]
   std::vector<double> uniformSpacingMm; // InfillLines::uniformSpacingMm
   std::vector<char> isClosed;           // InfillLines::isClosed
+  bool lacksField = false;              // InfillLines::lacksField
 
   std::vector<ThinWall> thinWalls;
 
@@ -388,6 +389,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   lines.depth = depth;
   lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
   lines.isClosed = std::move(infill.isClosed);
+  lines.lacksField = infill.lacksField;
   std::vector<SurfaceCurve> spines = gapSpines(s, outsideOf(s, lines, hatchMm, beadScale),
                                                boundaryMm, hatchMm, beadScale, narrowest / usual);
   if (isThinRing) // The corners of a ring are its beads' own.
@@ -545,6 +547,7 @@ PatchCover coverSurface(const layers::Patch& patch, const process::Process& proc
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
   cover.thinWalls = lines.thinWalls;
+  cover.lacksField = lines.lacksField;
   return cover;
 }
 

@@ -26,6 +26,7 @@ struct PatchCover {
   double coveredMm2 = 0.0, overlapMm2 = 0.0; // See coverage.h
   bool simple = false;                       // The patch has one boundary loop
   std::vector<ThinWall> thinWalls;           // Printed wider, or left out (options)
+  bool lacksField = false;                   // InfillLines::lacksField
   // Beads of skins over sparse infill, and the place of the first one
   std::size_t overSparse = 0;
   Eigen::Vector3d firstOverSparse = Eigen::Vector3d::Zero();

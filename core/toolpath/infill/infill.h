@@ -34,6 +34,7 @@ struct InfillLines {
   // Per vertex: the lines are the only beads there, and widen to close the gaps between them.
   // Empty: nowhere.
   std::vector<char> isClosed = {};
+  bool lacksField = false; // of fieldInfill: the field has no direction in the surface
 };
 
 struct InfillKind {

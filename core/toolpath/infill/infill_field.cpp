@@ -4,6 +4,7 @@
 #include "toolpath/infill/across_field.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/infill.h"
+#include "toolpath/surface_fields.h"
 
 #include <algorithm>
 #include <bit>
@@ -134,13 +135,14 @@ InfillLines fieldInfill(const InfillRegion& region, const base::RunContext& ctx)
   if (std::ranges::none_of(region.depth, [&](double d) { return d >= region.from; }))
     return lines;
   const AcrossField field = acrossField(region, ctx);
+  lines.lacksField = !(field.followed > 0.0);
   const bool isFollowed = field.followed >= kFollowed;
   forEachPart(region, ctx, [&](const std::vector<double>& depth, double deepest) {
     std::vector<SurfaceCurve> more = deepest < kNarrowPart
                                          ? concentricInfill(partOf(region, depth), ctx).curves
                                      : isFollowed ? FieldLines(region, depth, field).lines(ctx)
                                                   : streamlines(region, depth, ctx);
-    if (more.empty()) // the field has no direction within the layer
+    if (more.empty()) // as where the field has no direction within the layer
       more = zigzagInfill(partOf(region, depth), ctx).curves;
     std::ranges::move(more, std::back_inserter(lines.curves));
   });

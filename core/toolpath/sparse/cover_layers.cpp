@@ -6,6 +6,7 @@
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 #include "toolpath/infill/infill.h"
+#include "toolpath/infill/strand_text.h"
 #include "toolpath/plane/contours.h"
 #include "toolpath/plane/same_patches.h"
 #include "toolpath/sparse/branches.h"
@@ -55,6 +56,7 @@ PatchCover moved(PatchCover cover, const Eigen::Vector3d& byMm) {
 void append(PatchCover& to, PatchCover more) {
   std::ranges::move(more.beads, std::back_inserter(to.beads));
   std::ranges::move(more.thinWalls, std::back_inserter(to.thinWalls));
+  to.lacksField = to.lacksField || more.lacksField;
   to.areaMm2 += more.areaMm2;
   to.volumeMm3 += more.volumeMm3;
   to.beadVolumeMm3 += more.beadVolumeMm3;
@@ -107,6 +109,8 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
     directions = bridgeDirections(
         patches, whole, processAt,
         {options.infillAngleDeg, options.infillRotationDeg, options.walls}, silent);
+  const bool changesWithHeight =
+      options.infill == kFieldInfill && !isOneDirection(options.infillField);
   std::vector<std::vector<double>> choices(stack.patches.size());
   for (std::size_t i = 0; i < choices.size(); ++i) {
     choices[i] = distinctOf(wallWidths[i]);
@@ -116,6 +120,8 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const layers
                                          directions[i] ? 1.0 : 0.0, directions[i].value_or(0.0),
                                          static_cast<double>(wallsOf(i)),
                                          static_cast<double>(stack.patches[i].region)});
+    if (changesWithHeight)
+      choices[i].push_back(static_cast<double>(i));
   }
   const std::vector<SameShape> same = sameShapes(patches, choices, silent);
   std::vector<std::size_t> shapes; // one patch each
