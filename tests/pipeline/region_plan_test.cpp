@@ -241,7 +241,7 @@ TEST(RegionPlan, KeysFollowTheRegions) {
   differ("height:4,8", "height:4,9", Layers);
   differ("height:4,8;walls=3", "height:4,8;walls=4", Toolpath);
   differ("height:4,8;interlockMm=1", "height:4,8;interlockMm=2", Layers);
-  differ("height:4,8;supports=always", "height:4,8;supports=auto", Layers);
+  differ("height:4,8;supports=always", "height:4,8;supports=auto", Decompose); // lost voxels
   differ("height:4,8;seamHere=always", "height:4,8;walls=4", Layers);
   differ("height:4,8;seamHere=always", "height:4,8;seamHere=never", Toolpath);
   differ("height:4,8;speedFactor=0.5", "height:4,8", Toolpath);
