@@ -4,6 +4,7 @@
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
 #include "pipeline/checked_program.h"
+#include "pipeline/item_events.h"
 #include "pipeline/outputs.h"
 #include "pipeline/plan_reasons.h"
 #include "pipeline/plan_result.h"
@@ -282,6 +283,25 @@ TEST(LayerEvents, AreKeptInTheProject) {
     EXPECT_EQ(again.trajectory->events[e].on, plan.job.trajectory->events[e].on);
     EXPECT_EQ(again.trajectory->events[e].tool, plan.job.trajectory->events[e].tool);
   }
+}
+
+// As the window does while an event is typed.
+TEST(LayerEvents, AreCheckedByThemselvesAsByThePlan) {
+  PlanRequest request = test::boxRequest({});
+  request.choices.item().mode = "flat";
+  request.choices.formats = {"urscript"};
+  const auto refusalOfText = [&](const char* text) {
+    const auto refusal = eventRefusal(request.choices, text);
+    return refusal ? base::english(refusal->whole()) : std::string();
+  };
+  for (const char* sound : {"3 pause", "3 output 4 on", "3 photo 4", "2 wait 5; 3 pause Look",
+                            "3 statement urscript set_flag(3, True)"})
+    EXPECT_EQ(refusalOfText(sound), "") << sound;
+  EXPECT_NE(refusalOfText("3 output 4000 on").find("has outputs"), std::string::npos);
+  EXPECT_NE(refusalOfText("3 photo 4000").find("has outputs"), std::string::npos);
+  EXPECT_NE(refusalOfText("3 wait"), "");
+  EXPECT_NE(refusalOfText("3 statement urscript movej(p)"), "");
+  EXPECT_NE(refusalOfText("3 statement krl own_call(1)").find("krl"), std::string::npos);
 }
 
 // A slicer's file that stops for another filament.
