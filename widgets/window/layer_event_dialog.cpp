@@ -34,6 +34,7 @@ LayerEventDialog::LayerEventDialog(int layer, std::size_t tools, QWidget* parent
 void LayerEventDialog::build(std::size_t tools) {
   kind_->setObjectName("eventKind");
   kind_->addItem(tr("Pause"), "pause");
+  kind_->addItem(tr("Change of filament"), "filament");
   kind_->addItem(tr("Wait"), "wait");
   kind_->addItem(tr("Output"), "output");
   kind_->addItem(tr("Photo"), "photo");
@@ -67,7 +68,7 @@ void LayerEventDialog::build(std::size_t tools) {
   on_->setText(tr("On"));
   on_->setChecked(true);
   form_->addRow(tr("&Event"), kind_);
-  addField(tr("Te&xt"), {text_, {"pause"}, [this] { return text_->text().trimmed(); }});
+  addField(tr("Te&xt"), {text_, {"pause", "filament"}, [this] { return text_->text().trimmed(); }});
   addField(tr("&Number"),
            {output_, {"output", "photo"}, [this] { return QString::number(output_->value()); }});
   addField({}, {on_, {"output"}, [this] {

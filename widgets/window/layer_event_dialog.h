@@ -1,5 +1,5 @@
-// Asks for an event before a layer: a pause, a wait, an output, a photo, another tool or an
-// own statement.
+// Asks for an event before a layer: a pause, a change of filament, a wait, an output, a photo,
+// another tool or an own statement.
 #pragma once
 
 #include <QDialog>
