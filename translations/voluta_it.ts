@@ -993,10 +993,6 @@ sioni</translation>
         <translation>Caricamento</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
-        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare), o con la minore area a sbalzo dopo il taglio in parti (modo planar).</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Mancati, a cascata</translation>
     </message>
@@ -11585,10 +11581,6 @@ non stampati</translation>
         <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
         <translation>usa lettere inglesi, cifre e segni; nel testo di una pausa niente virgolette</translation>
     </message>
-    <message>
-        <source>{statement} (before the rest, which does not run it)</source>
-        <translation>{statement} (prima del resto, che non lo esegue)</translation>
-    </message>
     <message numerus="yes">
         <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
         <translation>
@@ -11983,6 +11975,217 @@ sione mm</translation>
     <message>
         <source>use an event for it, for example 30 output 3 on</source>
         <translation>usa un evento, per esempio 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is no direction</source>
+        <translation>&apos;{text}&apos; non è una direzione</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} &apos;{word}&apos; is not a number</source>
+        <translation>&apos;{text}&apos;: {field} &apos;{word}&apos; non è un numero</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} is no whole number</source>
+        <translation>&apos;{text}&apos;: {field} non è un numero intero</translation>
+    </message>
+    <message>
+        <source>Before layer (0: automatic)</source>
+        <translation>Prima dello strato (0: automatico)</translation>
+    </message>
+    <message>
+        <source>Inserted part</source>
+        <translation>Elemento inserito</translation>
+    </message>
+    <message>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), with the smallest overhanging area after the part is cut into pieces (mode planar), or with the least tension across the layers under the load of its regions.</source>
+        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare), con la minore area a sbalzo dopo il taglio in parti (modo planar), o con la minore trazione tra gli strati sotto il carico delle sue regioni.</translation>
+    </message>
+    <message>
+        <source>`orient=leastTension` needs a region that pushes the part</source>
+        <translation>`orient=leastTension` richiede una regione che spinga il pezzo</translation>
+    </message>
+    <message>
+        <source>add a statement for {format} at that place, or use {formats}</source>
+        <translation>aggiungi in quel punto un&apos;istruzione per {format}, o usa {formats}</translation>
+    </message>
+    <message>
+        <source>beads lie above its place before the print pauses</source>
+        <translation>sopra il suo posto ci sono cordoni prima che la stampa faccia la pausa</translation>
+    </message>
+    <message>
+        <source>beads lie in its place</source>
+        <translation>nel suo posto ci sono cordoni</translation>
+    </message>
+    <message>
+        <source>figures</source>
+        <translation>i valori</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the beads</source>
+        <translation>non trovato alcun equilibrio dei cordoni</translation>
+    </message>
+    <message>
+        <source>give forces that do not cancel each other</source>
+        <translation>indica forze che non si annullino a vicenda</translation>
+    </message>
+    <message>
+        <source>give regions with the uses &apos;hold&apos; and &apos;load&apos;</source>
+        <translation>indica regioni con gli usi &apos;hold&apos; e &apos;load&apos;</translation>
+    </message>
+    <message>
+        <source>give the material its `elasticity`</source>
+        <translation>indica la `elasticity` del materiale</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
+        <translation>indica il modulo e la quota delle sue fibre, e la `elasticity` della plastica</translation>
+    </message>
+    <message>
+        <source>give three numbers, x,y,z, of which one is not 0</source>
+        <translation>dai tre numeri, x,y,z, di cui uno diverso da 0</translation>
+    </message>
+    <message>
+        <source>inserted part</source>
+        <translation>elemento inserito</translation>
+    </message>
+    <message>
+        <source>it is narrower than half a bead of {width}</source>
+        <translation>è più stretta di mezzo cordone da {width}</translation>
+    </message>
+    <message>
+        <source>it is too thin for a layer of its own</source>
+        <translation>è troppo sottile per uno strato proprio</translation>
+    </message>
+    <message>
+        <source>it is too thin to meet a layer</source>
+        <translation>è troppo sottile per incontrare uno strato</translation>
+    </message>
+    <message>
+        <source>it stands above the first layer after it, so the head keeps away from it</source>
+        <translation>sporge sopra il primo strato successivo, perciò la testina se ne tiene lontana</translation>
+    </message>
+    <message>
+        <source>its interlock of {width} reaches through it in {crossed} of {layers} layers</source>
+        <translation>il suo incastro di {width} la attraversa da parte a parte in {crossed} strati su {layers}</translation>
+    </message>
+    <message>
+        <source>later regions hold in all of it</source>
+        <translation>ovunque in essa valgono regioni successive</translation>
+    </message>
+    <message>
+        <source>layers along given planes have no supports: those asked for are left out</source>
+        <translation>gli strati lungo piani dati non hanno supporti: quelli richiesti sono omessi</translation>
+    </message>
+    <message>
+        <source>least tension across layers</source>
+        <translation>minore trazione tra gli strati</translation>
+    </message>
+    <message>
+        <source>make it larger, or the layers thinner</source>
+        <translation>falla più grande, o gli strati più sottili</translation>
+    </message>
+    <message>
+        <source>make it wider, or use a finer nozzle</source>
+        <translation>falla più larga, o usa un ugello più fine</translation>
+    </message>
+    <message>
+        <source>material {material} states no elasticity</source>
+        <translation>il materiale {material} non indica l&apos;elasticità</translation>
+    </message>
+    <message>
+        <source>move it down the list of regions</source>
+        <translation>spostala più in basso nell&apos;elenco delle regioni</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
+        <translation>sposta la sua regione, o scegli lo strato prima del quale viene inserito (`use=insert:LAYER`)</translation>
+    </message>
+    <message>
+        <source>no bead is under stress</source>
+        <translation>nessun cordone è sotto tensione</translation>
+    </message>
+    <message>
+        <source>no effect of `{key}`: {reason}</source>
+        <translation>`{key}` non ha effetto: {reason}</translation>
+    </message>
+    <message>
+        <source>no effect of region {region}: {reason}</source>
+        <translation>la regione {region} non ha effetto: {reason}</translation>
+    </message>
+    <message>
+        <source>nothing is below it when the print pauses</source>
+        <translation>sotto non ha nulla quando la stampa fa la pausa</translation>
+    </message>
+    <message>
+        <source>nothing is printed after it: the print does not pause for it</source>
+        <translation>dopo di esso non si stampa nulla: la stampa non fa una pausa per esso</translation>
+    </message>
+    <message>
+        <source>remove `layerPlanes`, or set `supports=none`</source>
+        <translation>togli `layerPlanes`, o imposta `supports=none`</translation>
+    </message>
+    <message>
+        <source>run it on the controller if the rest needs it</source>
+        <translation>eseguila sul controllore se il resto ne ha bisogno</translation>
+    </message>
+    <message>
+        <source>set `infill` to `field`, or remove the field</source>
+        <translation>imposta `infill` a `field`, o togli il campo</translation>
+    </message>
+    <message>
+        <source>set a smaller `interlockMm`, or make the region larger</source>
+        <translation>imposta un `interlockMm` minore, o fai la regione più grande</translation>
+    </message>
+    <message>
+        <source>stiffness and tensions</source>
+        <translation>rigidezza e trazioni</translation>
+    </message>
+    <message>
+        <source>tape {process} or the plastic around it states no elasticity</source>
+        <translation>il nastro {process} o la plastica attorno non indica l&apos;elasticità</translation>
+    </message>
+    <message numerus="yes">
+        <source>the field is perpendicular to {patches} patches of the layers, filled with straight lines</source>
+        <translation>
+            <numerusform>il campo è perpendicolare a {patches} superficie degli strati, riempita con linee rette</numerusform>
+            <numerusform>il campo è perpendicolare a {patches} superfici degli strati, riempite con linee rette</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the infill is not along a field</source>
+        <translation>il riempimento non è lungo un campo</translation>
+    </message>
+    <message>
+        <source>the infill of region {region} is not along a field</source>
+        <translation>il riempimento della regione {region} non è lungo un campo</translation>
+    </message>
+    <message>
+        <source>the inserted part {insert} does not fit: {reason}</source>
+        <translation>l&apos;elemento inserito {insert} non trova posto: {reason}</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): tension across its layers {tension:.2g} MPa instead of {tensionBefore:.2g}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): trazione tra gli strati {tension:.2g} MPa invece di {tensionBefore:.2g}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the rest does not run your statement before its beginning: {statement}</source>
+        <translation>il resto non esegue la tua istruzione che precede il suo inizio: {statement}</translation>
+    </message>
+    <message>
+        <source>turn the part, or choose another field or infill</source>
+        <translation>gira il pezzo, o scegli un altro campo o riempimento</translation>
+    </message>
+    <message>
+        <source>turn the part, or let the region have supports if the overhang sags</source>
+        <translation>gira il pezzo, o ammetti supporti nella regione se lo sbalzo cede</translation>
+    </message>
+    <message>
+        <source>unknown {figures} under the forces: {reason}</source>
+        <translation>non si conoscono {figures} sotto le forze: {reason}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
+        <translation>{area:.3g} sporgono di oltre {angle} dove regioni bloccano i supporti; la maggior parte è qui</translation>
     </message>
 </context>
 <context>
@@ -13905,6 +14108,14 @@ Fai clic per sceglierne un altro</translation>
         <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
         <translation>Trascina un rettangolo: dipinge ciò che vi si vede. Maiusc o il tasto destro cancella.</translation>
     </message>
+    <message>
+        <source>Layers while the brush rests</source>
+        <translation>Strati mentre il pennello è fermo</translation>
+    </message>
+    <message>
+        <source>One second after a stroke, the layers are made again in the background</source>
+        <translation>Un secondo dopo una pennellata, gli strati vengono rifatti in secondo piano</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::PartList</name>
@@ -15720,6 +15931,18 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>&amp;Line</source>
         <translation>&amp;Riga</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s output is on for this long; the arm waits beside the part</source>
+        <translation>L&apos;uscita della fotocamera resta accesa per questo tempo; il braccio attende accanto al pezzo</translation>
+    </message>
+    <message>
+        <source>Change of filament</source>
+        <translation>Cambio del filamento</translation>
     </message>
 </context>
 <context>

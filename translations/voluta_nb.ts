@@ -993,10 +993,6 @@ sjoner</translation>
         <translation>Innlasting</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
-        <translation>Søker etter en bedre orientering av delen: med minst overhengende areal, med færrest voksler tapt i veksten, langs aksene, slik at projeksjonene på XY og XZ etterlater minst tomt areal i de omsluttende rektanglene (emner for fresing), eller med minst overhengende areal etter at delen er kuttet i stykker (modus planar).</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Tapt, kaskade</translation>
     </message>
@@ -11585,10 +11581,6 @@ uten utskrift</translation>
         <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
         <translation>bruk engelske bokstaver, sifre og tegn; ingen anførselstegn i teksten til en pause</translation>
     </message>
-    <message>
-        <source>{statement} (before the rest, which does not run it)</source>
-        <translation>{statement} (før resten, som ikke kjører den)</translation>
-    </message>
     <message numerus="yes">
         <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
         <translation>
@@ -11983,6 +11975,217 @@ bøyning mm</translation>
     <message>
         <source>use an event for it, for example 30 output 3 on</source>
         <translation>bruk en hendelse, for eksempel 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is no direction</source>
+        <translation>&apos;{text}&apos; er ikke en retning</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} &apos;{word}&apos; is not a number</source>
+        <translation>&apos;{text}&apos;: {field} &apos;{word}&apos; er ikke et tall</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} is no whole number</source>
+        <translation>&apos;{text}&apos;: {field} er ikke et heltall</translation>
+    </message>
+    <message>
+        <source>Before layer (0: automatic)</source>
+        <translation>Før lag (0: automatisk)</translation>
+    </message>
+    <message>
+        <source>Inserted part</source>
+        <translation>Innsats</translation>
+    </message>
+    <message>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), with the smallest overhanging area after the part is cut into pieces (mode planar), or with the least tension across the layers under the load of its regions.</source>
+        <translation>Søker etter en bedre orientering av delen: med minst overhengende areal, med færrest voksler tapt i veksten, langs aksene, slik at projeksjonene på XY og XZ etterlater minst tomt areal i de omsluttende rektanglene (emner for fresing), med minst overhengende areal etter at delen er kuttet i stykker (modus planar), eller med minst strekk på tvers av lagene under lasten fra regionene.</translation>
+    </message>
+    <message>
+        <source>`orient=leastTension` needs a region that pushes the part</source>
+        <translation>`orient=leastTension` trenger en region som skyver på delen</translation>
+    </message>
+    <message>
+        <source>add a statement for {format} at that place, or use {formats}</source>
+        <translation>legg til en setning for {format} på det stedet, eller bruk {formats}</translation>
+    </message>
+    <message>
+        <source>beads lie above its place before the print pauses</source>
+        <translation>strenger ligger over plassen dens før utskriften tar pause</translation>
+    </message>
+    <message>
+        <source>beads lie in its place</source>
+        <translation>strenger ligger på plassen dens</translation>
+    </message>
+    <message>
+        <source>figures</source>
+        <translation>tallene</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the beads</source>
+        <translation>fant ingen likevekt for strengene</translation>
+    </message>
+    <message>
+        <source>give forces that do not cancel each other</source>
+        <translation>oppgi krefter som ikke opphever hverandre</translation>
+    </message>
+    <message>
+        <source>give regions with the uses &apos;hold&apos; and &apos;load&apos;</source>
+        <translation>oppgi regioner med brukene &apos;hold&apos; og &apos;load&apos;</translation>
+    </message>
+    <message>
+        <source>give the material its `elasticity`</source>
+        <translation>oppgi `elasticity` for materialet</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
+        <translation>oppgi modulen og andelen for fibrene, og `elasticity` for plasten</translation>
+    </message>
+    <message>
+        <source>give three numbers, x,y,z, of which one is not 0</source>
+        <translation>oppgi tre tall, x,y,z, der ett ikke er 0</translation>
+    </message>
+    <message>
+        <source>inserted part</source>
+        <translation>innsats</translation>
+    </message>
+    <message>
+        <source>it is narrower than half a bead of {width}</source>
+        <translation>den er smalere enn en halv streng på {width}</translation>
+    </message>
+    <message>
+        <source>it is too thin for a layer of its own</source>
+        <translation>den er for tynn til et eget lag</translation>
+    </message>
+    <message>
+        <source>it is too thin to meet a layer</source>
+        <translation>den er for tynn til å treffe et lag</translation>
+    </message>
+    <message>
+        <source>it stands above the first layer after it, so the head keeps away from it</source>
+        <translation>den rager over det første laget etter den, så hodet holder seg unna den</translation>
+    </message>
+    <message>
+        <source>its interlock of {width} reaches through it in {crossed} of {layers} layers</source>
+        <translation>sammenlåsingen på {width} når tvers gjennom den i {crossed} av {layers} lag</translation>
+    </message>
+    <message>
+        <source>later regions hold in all of it</source>
+        <translation>senere regioner gjelder overalt i den</translation>
+    </message>
+    <message>
+        <source>layers along given planes have no supports: those asked for are left out</source>
+        <translation>lag langs gitte plan har ingen støtter: de som er bedt om, utelates</translation>
+    </message>
+    <message>
+        <source>least tension across layers</source>
+        <translation>minst strekk på tvers av lagene</translation>
+    </message>
+    <message>
+        <source>make it larger, or the layers thinner</source>
+        <translation>gjør den større, eller lagene tynnere</translation>
+    </message>
+    <message>
+        <source>make it wider, or use a finer nozzle</source>
+        <translation>gjør den bredere, eller bruk en finere dyse</translation>
+    </message>
+    <message>
+        <source>material {material} states no elasticity</source>
+        <translation>materialet {material} angir ingen elastisitet</translation>
+    </message>
+    <message>
+        <source>move it down the list of regions</source>
+        <translation>flytt den ned i listen over regioner</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
+        <translation>flytt regionen dens, eller velg laget den legges inn før (`use=insert:LAYER`)</translation>
+    </message>
+    <message>
+        <source>no bead is under stress</source>
+        <translation>ingen streng er under spenning</translation>
+    </message>
+    <message>
+        <source>no effect of `{key}`: {reason}</source>
+        <translation>`{key}` har ingen virkning: {reason}</translation>
+    </message>
+    <message>
+        <source>no effect of region {region}: {reason}</source>
+        <translation>region {region} har ingen virkning: {reason}</translation>
+    </message>
+    <message>
+        <source>nothing is below it when the print pauses</source>
+        <translation>ingenting er under den når utskriften tar pause</translation>
+    </message>
+    <message>
+        <source>nothing is printed after it: the print does not pause for it</source>
+        <translation>ingenting skrives ut etter den: utskriften tar ikke pause for den</translation>
+    </message>
+    <message>
+        <source>remove `layerPlanes`, or set `supports=none`</source>
+        <translation>fjern `layerPlanes`, eller sett `supports=none`</translation>
+    </message>
+    <message>
+        <source>run it on the controller if the rest needs it</source>
+        <translation>kjør den på styringen hvis resten trenger den</translation>
+    </message>
+    <message>
+        <source>set `infill` to `field`, or remove the field</source>
+        <translation>sett `infill` til `field`, eller fjern feltet</translation>
+    </message>
+    <message>
+        <source>set a smaller `interlockMm`, or make the region larger</source>
+        <translation>sett en mindre `interlockMm`, eller gjør regionen større</translation>
+    </message>
+    <message>
+        <source>stiffness and tensions</source>
+        <translation>stivhet og strekk</translation>
+    </message>
+    <message>
+        <source>tape {process} or the plastic around it states no elasticity</source>
+        <translation>tapen {process} eller plasten rundt den angir ingen elastisitet</translation>
+    </message>
+    <message numerus="yes">
+        <source>the field is perpendicular to {patches} patches of the layers, filled with straight lines</source>
+        <translation>
+            <numerusform>feltet står vinkelrett på {patches} lagflate, som fylles med rette linjer</numerusform>
+            <numerusform>feltet står vinkelrett på {patches} lagflater, som fylles med rette linjer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the infill is not along a field</source>
+        <translation>fyllet går ikke langs et felt</translation>
+    </message>
+    <message>
+        <source>the infill of region {region} is not along a field</source>
+        <translation>fyllet i region {region} går ikke langs et felt</translation>
+    </message>
+    <message>
+        <source>the inserted part {insert} does not fit: {reason}</source>
+        <translation>innsatsen {insert} passer ikke: {reason}</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): tension across its layers {tension:.2g} MPa instead of {tensionBefore:.2g}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>delen ble rotert {angle:.0f} om ({x}, {y}, {z}): strekk på tvers av lagene {tension:.2g} MPa i stedet for {tensionBefore:.2g}, overheng {overhang:.0f} i stedet for {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the rest does not run your statement before its beginning: {statement}</source>
+        <translation>resten kjører ikke setningen din fra før den begynner: {statement}</translation>
+    </message>
+    <message>
+        <source>turn the part, or choose another field or infill</source>
+        <translation>roter delen, eller velg et annet felt eller fyll</translation>
+    </message>
+    <message>
+        <source>turn the part, or let the region have supports if the overhang sags</source>
+        <translation>roter delen, eller la regionen få støtter hvis overhenget siger</translation>
+    </message>
+    <message>
+        <source>unknown {figures} under the forces: {reason}</source>
+        <translation>{figures} under kreftene er ukjente: {reason}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
+        <translation>{area:.3g} henger over med mer enn {angle} der regioner blokkerer støtter; det meste er her</translation>
     </message>
 </context>
 <context>
@@ -13905,6 +14108,14 @@ Klikk for å velge en annen</translation>
         <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
         <translation>Dra et rektangel: det maler det du ser i det. Shift eller høyre knapp visker ut.</translation>
     </message>
+    <message>
+        <source>Layers while the brush rests</source>
+        <translation>Lag mens penselen hviler</translation>
+    </message>
+    <message>
+        <source>One second after a stroke, the layers are made again in the background</source>
+        <translation>Ett sekund etter et strøk lages lagene på nytt i bakgrunnen</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::PartList</name>
@@ -15720,6 +15931,18 @@ Kryss av måtene som skal sammenlignes, til høyre, og trykk Sammenlign.</transl
     <message>
         <source>&amp;Line</source>
         <translation>&amp;Linje</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s output is on for this long; the arm waits beside the part</source>
+        <translation>Kameraets utgang er på så lenge; armen venter ved siden av delen</translation>
+    </message>
+    <message>
+        <source>Change of filament</source>
+        <translation>Filamentbytte</translation>
     </message>
 </context>
 <context>

@@ -993,10 +993,6 @@ singen</translation>
         <translation>Laden</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
-        <translation>Zoekt een betere oriëntatie van het onderdeel: met het kleinste overhangende oppervlak, met de minste door de groei gemiste voxels, langs de assen, zodat de projecties op XY en XZ het kleinste deel van hun omsluitende rechthoeken leeg laten (ruwdelen om te frezen), of met het kleinste overhangende oppervlak nadat het onderdeel in delen is gesneden (modus planar).</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>Gemist, cascade</translation>
     </message>
@@ -11585,10 +11581,6 @@ voxels</translation>
         <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
         <translation>gebruik Engelse letters, cijfers en tekens; in de tekst van een pauze geen aanhalingstekens</translation>
     </message>
-    <message>
-        <source>{statement} (before the rest, which does not run it)</source>
-        <translation>{statement} (vóór de rest, die het niet uitvoert)</translation>
-    </message>
     <message numerus="yes">
         <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
         <translation>
@@ -11983,6 +11975,217 @@ buiging mm</translation>
     <message>
         <source>use an event for it, for example 30 output 3 on</source>
         <translation>gebruik er een gebeurtenis voor, bijvoorbeeld 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is no direction</source>
+        <translation>&apos;{text}&apos; is geen richting</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} &apos;{word}&apos; is not a number</source>
+        <translation>&apos;{text}&apos;: {field} &apos;{word}&apos; is geen getal</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} is no whole number</source>
+        <translation>&apos;{text}&apos;: {field} is geen geheel getal</translation>
+    </message>
+    <message>
+        <source>Before layer (0: automatic)</source>
+        <translation>Vóór laag (0: automatisch)</translation>
+    </message>
+    <message>
+        <source>Inserted part</source>
+        <translation>Inzetstuk</translation>
+    </message>
+    <message>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), with the smallest overhanging area after the part is cut into pieces (mode planar), or with the least tension across the layers under the load of its regions.</source>
+        <translation>Zoekt een betere oriëntatie van het onderdeel: met het kleinste overhangende oppervlak, met de minste door de groei gemiste voxels, langs de assen, zodat de projecties op XY en XZ het kleinste deel van hun omsluitende rechthoeken leeg laten (ruwdelen om te frezen), met het kleinste overhangende oppervlak nadat het onderdeel in delen is gesneden (modus planar), of met de kleinste trekspanning dwars op de lagen onder de belasting van zijn gebieden.</translation>
+    </message>
+    <message>
+        <source>`orient=leastTension` needs a region that pushes the part</source>
+        <translation>`orient=leastTension` vereist een gebied dat tegen het onderdeel duwt</translation>
+    </message>
+    <message>
+        <source>add a statement for {format} at that place, or use {formats}</source>
+        <translation>voeg op die plaats een instructie voor {format} toe, of gebruik {formats}</translation>
+    </message>
+    <message>
+        <source>beads lie above its place before the print pauses</source>
+        <translation>er liggen strengen boven zijn plaats voordat de print pauzeert</translation>
+    </message>
+    <message>
+        <source>beads lie in its place</source>
+        <translation>er liggen strengen op zijn plaats</translation>
+    </message>
+    <message>
+        <source>figures</source>
+        <translation>cijfers</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the beads</source>
+        <translation>geen evenwicht van de strengen gevonden</translation>
+    </message>
+    <message>
+        <source>give forces that do not cancel each other</source>
+        <translation>geef krachten op die elkaar niet opheffen</translation>
+    </message>
+    <message>
+        <source>give regions with the uses &apos;hold&apos; and &apos;load&apos;</source>
+        <translation>geef gebieden met het gebruik &apos;hold&apos; en &apos;load&apos; op</translation>
+    </message>
+    <message>
+        <source>give the material its `elasticity`</source>
+        <translation>geef het materiaal zijn `elasticity`</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
+        <translation>geef de modulus en het aandeel van de vezels op, en de `elasticity` van de kunststof</translation>
+    </message>
+    <message>
+        <source>give three numbers, x,y,z, of which one is not 0</source>
+        <translation>geef drie getallen op, x,y,z, waarvan er één niet 0 is</translation>
+    </message>
+    <message>
+        <source>inserted part</source>
+        <translation>inzetstuk</translation>
+    </message>
+    <message>
+        <source>it is narrower than half a bead of {width}</source>
+        <translation>het is smaller dan een halve streng van {width}</translation>
+    </message>
+    <message>
+        <source>it is too thin for a layer of its own</source>
+        <translation>het is te dun voor een eigen laag</translation>
+    </message>
+    <message>
+        <source>it is too thin to meet a layer</source>
+        <translation>het is te dun om een laag te raken</translation>
+    </message>
+    <message>
+        <source>it stands above the first layer after it, so the head keeps away from it</source>
+        <translation>het steekt boven de eerste laag erna uit, dus blijft de kop ervan weg</translation>
+    </message>
+    <message>
+        <source>its interlock of {width} reaches through it in {crossed} of {layers} layers</source>
+        <translation>de vertanding van {width} reikt er in {crossed} van {layers} lagen doorheen</translation>
+    </message>
+    <message>
+        <source>later regions hold in all of it</source>
+        <translation>overal erin gelden latere gebieden</translation>
+    </message>
+    <message>
+        <source>layers along given planes have no supports: those asked for are left out</source>
+        <translation>lagen langs gegeven vlakken hebben geen ondersteuning: de gevraagde wordt weggelaten</translation>
+    </message>
+    <message>
+        <source>least tension across layers</source>
+        <translation>kleinste trekspanning dwars op de lagen</translation>
+    </message>
+    <message>
+        <source>make it larger, or the layers thinner</source>
+        <translation>maak het groter, of de lagen dunner</translation>
+    </message>
+    <message>
+        <source>make it wider, or use a finer nozzle</source>
+        <translation>maak het breder, of gebruik een fijnere nozzle</translation>
+    </message>
+    <message>
+        <source>material {material} states no elasticity</source>
+        <translation>materiaal {material} vermeldt geen elasticiteit</translation>
+    </message>
+    <message>
+        <source>move it down the list of regions</source>
+        <translation>verplaats het omlaag in de lijst met gebieden</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
+        <translation>verplaats zijn gebied, of kies de laag waarvóór het wordt geplaatst (`use=insert:LAYER`)</translation>
+    </message>
+    <message>
+        <source>no bead is under stress</source>
+        <translation>geen streng staat onder spanning</translation>
+    </message>
+    <message>
+        <source>no effect of `{key}`: {reason}</source>
+        <translation>`{key}` heeft geen effect: {reason}</translation>
+    </message>
+    <message>
+        <source>no effect of region {region}: {reason}</source>
+        <translation>gebied {region} heeft geen effect: {reason}</translation>
+    </message>
+    <message>
+        <source>nothing is below it when the print pauses</source>
+        <translation>er ligt niets onder wanneer de print pauzeert</translation>
+    </message>
+    <message>
+        <source>nothing is printed after it: the print does not pause for it</source>
+        <translation>er wordt niets meer na geprint: de print pauzeert er niet voor</translation>
+    </message>
+    <message>
+        <source>remove `layerPlanes`, or set `supports=none`</source>
+        <translation>verwijder `layerPlanes`, of stel `supports=none` in</translation>
+    </message>
+    <message>
+        <source>run it on the controller if the rest needs it</source>
+        <translation>voer hem op de besturing uit als de rest hem nodig heeft</translation>
+    </message>
+    <message>
+        <source>set `infill` to `field`, or remove the field</source>
+        <translation>stel `infill` in op `field`, of verwijder het veld</translation>
+    </message>
+    <message>
+        <source>set a smaller `interlockMm`, or make the region larger</source>
+        <translation>stel een kleinere `interlockMm` in, of maak het gebied groter</translation>
+    </message>
+    <message>
+        <source>stiffness and tensions</source>
+        <translation>stijfheid en trekspanningen</translation>
+    </message>
+    <message>
+        <source>tape {process} or the plastic around it states no elasticity</source>
+        <translation>tape {process} of de kunststof eromheen vermeldt geen elasticiteit</translation>
+    </message>
+    <message numerus="yes">
+        <source>the field is perpendicular to {patches} patches of the layers, filled with straight lines</source>
+        <translation>
+            <numerusform>het veld staat loodrecht op {patches} deelvlak van de lagen, gevuld met rechte lijnen</numerusform>
+            <numerusform>het veld staat loodrecht op {patches} deelvlakken van de lagen, gevuld met rechte lijnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the infill is not along a field</source>
+        <translation>de vulling loopt niet langs een veld</translation>
+    </message>
+    <message>
+        <source>the infill of region {region} is not along a field</source>
+        <translation>de vulling van gebied {region} loopt niet langs een veld</translation>
+    </message>
+    <message>
+        <source>the inserted part {insert} does not fit: {reason}</source>
+        <translation>het inzetstuk {insert} past niet: {reason}</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): tension across its layers {tension:.2g} MPa instead of {tensionBefore:.2g}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>het onderdeel is {angle:.0f} gedraaid om ({x}, {y}, {z}): trekspanning dwars op de lagen {tension:.2g} MPa in plaats van {tensionBefore:.2g}, overhang {overhang:.0f} in plaats van {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the rest does not run your statement before its beginning: {statement}</source>
+        <translation>de rest voert je instructie van vóór het begin ervan niet uit: {statement}</translation>
+    </message>
+    <message>
+        <source>turn the part, or choose another field or infill</source>
+        <translation>draai het onderdeel, of kies een ander veld of een andere vulling</translation>
+    </message>
+    <message>
+        <source>turn the part, or let the region have supports if the overhang sags</source>
+        <translation>draai het onderdeel, of geef het gebied ondersteuning als de overhang doorhangt</translation>
+    </message>
+    <message>
+        <source>unknown {figures} under the forces: {reason}</source>
+        <translation>{figures} onder de krachten onbekend: {reason}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
+        <translation>{area:.3g} hangt meer dan {angle} over waar gebieden ondersteuning tegenhouden; het meeste ligt hier</translation>
     </message>
 </context>
 <context>
@@ -13905,6 +14108,14 @@ Klik om een ander te kiezen</translation>
         <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
         <translation>Sleep een rechthoek: die beschildert wat je erin ziet. Shift of de rechterknop wist.</translation>
     </message>
+    <message>
+        <source>Layers while the brush rests</source>
+        <translation>Lagen terwijl de kwast rust</translation>
+    </message>
+    <message>
+        <source>One second after a stroke, the layers are made again in the background</source>
+        <translation>Eén seconde na een streek worden de lagen op de achtergrond opnieuw gemaakt</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::PartList</name>
@@ -15720,6 +15931,18 @@ Vink rechts de te vergelijken bouwwijzen aan en druk op Vergelijken.</translatio
     <message>
         <source>&amp;Line</source>
         <translation>&amp;Regel</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s output is on for this long; the arm waits beside the part</source>
+        <translation>De uitgang van de camera is zo lang aan; de arm wacht naast het onderdeel</translation>
+    </message>
+    <message>
+        <source>Change of filament</source>
+        <translation>Filamentwissel</translation>
     </message>
 </context>
 <context>

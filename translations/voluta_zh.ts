@@ -993,10 +993,6 @@ sions</source>
         <translation>加载</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
-        <translation>搜索更好的零件朝向：悬垂面积最小；生长遗漏的体素最少；沿坐标轴，使 XY 和 XZ 投影在其外接矩形内的空余面积最小（用于铣削毛坯）；或零件切成分块后悬垂面积最小（平面分块，planar 模式）。</translation>
-    </message>
-    <message>
         <source>Missed, cascade</source>
         <translation>遗漏，连带</translation>
     </message>
@@ -11498,10 +11494,6 @@ voxels</source>
         <source>write English letters, digits and signs; in a pause&apos;s text no quotes</source>
         <translation>使用英文字母、数字和符号；暂停文本中不要用引号</translation>
     </message>
-    <message>
-        <source>{statement} (before the rest, which does not run it)</source>
-        <translation>{statement}（在其余部分之前，其余部分不执行它）</translation>
-    </message>
     <message numerus="yes">
         <source>{waits} pauses and waits above the part: the arm reaches no place beside it, nothing is primed, and material may drip on the part</source>
         <translation>
@@ -11893,6 +11885,216 @@ mm</translation>
     <message>
         <source>use an event for it, for example 30 output 3 on</source>
         <translation>请改用事件，例如 30 output 3 on</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is no direction</source>
+        <translation>&apos;{text}&apos; 不是方向</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} &apos;{word}&apos; is not a number</source>
+        <translation>&apos;{text}&apos;：{field} &apos;{word}&apos; 不是数字</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos;: {field} is no whole number</source>
+        <translation>&apos;{text}&apos;：{field} 不是整数</translation>
+    </message>
+    <message>
+        <source>Before layer (0: automatic)</source>
+        <translation>在此层之前（0：自动）</translation>
+    </message>
+    <message>
+        <source>Inserted part</source>
+        <translation>嵌件</translation>
+    </message>
+    <message>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), with the smallest overhanging area after the part is cut into pieces (mode planar), or with the least tension across the layers under the load of its regions.</source>
+        <translation>搜索更好的零件朝向：悬垂面积最小；生长遗漏的体素最少；沿坐标轴，使 XY 和 XZ 投影在其外接矩形内的空余面积最小（用于铣削毛坯）；零件切成分块后悬垂面积最小（平面分块，planar 模式）；或在其区域的载荷下跨层拉应力最小。</translation>
+    </message>
+    <message>
+        <source>`orient=leastTension` needs a region that pushes the part</source>
+        <translation>`orient=leastTension` 需要一个对零件施力的区域</translation>
+    </message>
+    <message>
+        <source>add a statement for {format} at that place, or use {formats}</source>
+        <translation>在该处添加用于 {format} 的语句，或使用 {formats}</translation>
+    </message>
+    <message>
+        <source>beads lie above its place before the print pauses</source>
+        <translation>打印暂停之前其位置上方已有挤出线</translation>
+    </message>
+    <message>
+        <source>beads lie in its place</source>
+        <translation>其位置上有挤出线</translation>
+    </message>
+    <message>
+        <source>figures</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>found no equilibrium of the beads</source>
+        <translation>未找到挤出线的平衡</translation>
+    </message>
+    <message>
+        <source>give forces that do not cancel each other</source>
+        <translation>给出不会相互抵消的力</translation>
+    </message>
+    <message>
+        <source>give regions with the uses &apos;hold&apos; and &apos;load&apos;</source>
+        <translation>给出用途为 &apos;hold&apos; 和 &apos;load&apos; 的区域</translation>
+    </message>
+    <message>
+        <source>give the material its `elasticity`</source>
+        <translation>为该材料给出 `elasticity`</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
+        <translation>给出其纤维的模量和占比，以及塑料的 `elasticity`</translation>
+    </message>
+    <message>
+        <source>give three numbers, x,y,z, of which one is not 0</source>
+        <translation>给出三个数 x,y,z，其中至少一个不为 0</translation>
+    </message>
+    <message>
+        <source>inserted part</source>
+        <translation>嵌件</translation>
+    </message>
+    <message>
+        <source>it is narrower than half a bead of {width}</source>
+        <translation>窄于半条宽 {width} 的挤出线</translation>
+    </message>
+    <message>
+        <source>it is too thin for a layer of its own</source>
+        <translation>过薄，容不下自己的层</translation>
+    </message>
+    <message>
+        <source>it is too thin to meet a layer</source>
+        <translation>过薄，碰不到任何层</translation>
+    </message>
+    <message>
+        <source>it stands above the first layer after it, so the head keeps away from it</source>
+        <translation>它高出其后的第一层，因此打印头会避开它</translation>
+    </message>
+    <message>
+        <source>its interlock of {width} reaches through it in {crossed} of {layers} layers</source>
+        <translation>其 {width} 的咬合在 {layers} 层中的 {crossed} 层贯穿了它</translation>
+    </message>
+    <message>
+        <source>later regions hold in all of it</source>
+        <translation>其中处处以后面的区域为准</translation>
+    </message>
+    <message>
+        <source>layers along given planes have no supports: those asked for are left out</source>
+        <translation>沿给定平面的层没有支撑：所要求的支撑被省略</translation>
+    </message>
+    <message>
+        <source>least tension across layers</source>
+        <translation>跨层拉应力最小</translation>
+    </message>
+    <message>
+        <source>make it larger, or the layers thinner</source>
+        <translation>将其加大，或使层更薄</translation>
+    </message>
+    <message>
+        <source>make it wider, or use a finer nozzle</source>
+        <translation>将其加宽，或使用更细的喷嘴</translation>
+    </message>
+    <message>
+        <source>material {material} states no elasticity</source>
+        <translation>材料 {material} 未说明弹性</translation>
+    </message>
+    <message>
+        <source>move it down the list of regions</source>
+        <translation>将其在区域列表中下移</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
+        <translation>移动其区域，或选择在哪一层之前放入（`use=insert:LAYER`）</translation>
+    </message>
+    <message>
+        <source>no bead is under stress</source>
+        <translation>没有受应力的挤出线</translation>
+    </message>
+    <message>
+        <source>no effect of `{key}`: {reason}</source>
+        <translation>`{key}` 不起作用：{reason}</translation>
+    </message>
+    <message>
+        <source>no effect of region {region}: {reason}</source>
+        <translation>区域 {region} 不起作用：{reason}</translation>
+    </message>
+    <message>
+        <source>nothing is below it when the print pauses</source>
+        <translation>打印暂停时其下方没有任何东西</translation>
+    </message>
+    <message>
+        <source>nothing is printed after it: the print does not pause for it</source>
+        <translation>其后不再打印任何东西：打印不会为它暂停</translation>
+    </message>
+    <message>
+        <source>remove `layerPlanes`, or set `supports=none`</source>
+        <translation>移除 `layerPlanes`，或设置 `supports=none`</translation>
+    </message>
+    <message>
+        <source>run it on the controller if the rest needs it</source>
+        <translation>若剩余部分需要它，在控制器上运行它</translation>
+    </message>
+    <message>
+        <source>set `infill` to `field`, or remove the field</source>
+        <translation>将 `infill` 设为 `field`，或移除该场</translation>
+    </message>
+    <message>
+        <source>set a smaller `interlockMm`, or make the region larger</source>
+        <translation>将 `interlockMm` 设得更小，或将区域加大</translation>
+    </message>
+    <message>
+        <source>stiffness and tensions</source>
+        <translation>刚度和拉应力</translation>
+    </message>
+    <message>
+        <source>tape {process} or the plastic around it states no elasticity</source>
+        <translation>纤维带 {process} 或其周围的塑料未说明弹性</translation>
+    </message>
+    <message numerus="yes">
+        <source>the field is perpendicular to {patches} patches of the layers, filled with straight lines</source>
+        <translation>
+            <numerusform>该场垂直于层的 {patches} 个面块，这些面块以直线填充</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the infill is not along a field</source>
+        <translation>填充不是沿场的</translation>
+    </message>
+    <message>
+        <source>the infill of region {region} is not along a field</source>
+        <translation>区域 {region} 的填充不是沿场的</translation>
+    </message>
+    <message>
+        <source>the inserted part {insert} does not fit: {reason}</source>
+        <translation>嵌件 {insert} 不合适：{reason}</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): tension across its layers {tension:.2g} MPa instead of {tensionBefore:.2g}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>零件绕 ({x}, {y}, {z}) 转动了 {angle:.0f}：跨层拉应力 {tension:.2g} MPa，原为 {tensionBefore:.2g}；悬垂 {overhang:.0f}，原为 {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the rest does not run your statement before its beginning: {statement}</source>
+        <translation>剩余部分不执行其起点之前的自定义语句：{statement}</translation>
+    </message>
+    <message>
+        <source>turn the part, or choose another field or infill</source>
+        <translation>转动零件，或选择其他场或填充</translation>
+    </message>
+    <message>
+        <source>turn the part, or let the region have supports if the overhang sags</source>
+        <translation>转动零件，或在悬垂下垂时允许该区域有支撑</translation>
+    </message>
+    <message>
+        <source>unknown {figures} under the forces: {reason}</source>
+        <translation>受力下的{figures}未知：{reason}</translation>
+    </message>
+    <message>
+        <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
+        <translation>在区域阻止支撑处，{area:.3g} 悬垂超过 {angle}；大部分在此处</translation>
     </message>
 </context>
 <context>
@@ -13814,6 +14016,14 @@ Click to choose another one</source>
         <source>Drag a rectangle: it paints what you see in it. Shift or the right button erases.</source>
         <translation>拖出矩形：涂绘其中可见的部分。按住 Shift 或用右键擦除。</translation>
     </message>
+    <message>
+        <source>Layers while the brush rests</source>
+        <translation>画笔停顿时生成层</translation>
+    </message>
+    <message>
+        <source>One second after a stroke, the layers are made again in the background</source>
+        <translation>每笔之后一秒，在后台重新生成层</translation>
+    </message>
 </context>
 <context>
     <name>voluta::panels::PartList</name>
@@ -15628,6 +15838,18 @@ Tick the ways to compare at the right, then press Compare.</source>
     <message>
         <source>&amp;Line</source>
         <translation>语句行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>拍照</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s output is on for this long; the arm waits beside the part</source>
+        <translation>相机的输出保持接通这么长时间；机械臂在零件旁等待</translation>
+    </message>
+    <message>
+        <source>Change of filament</source>
+        <translation>更换耗材</translation>
     </message>
 </context>
 <context>

@@ -261,6 +261,7 @@ TEST_F(RegionsWindowTest, AnInsertIsGivenByClicksPlannedAndShown) {
   const int layer = document().lastResult()->job.toolPlan->inserts[0].layer;
   choosePage(Page::Layers);
   auto* layers = find<timeline::LayerRangeSlider>("layerSlider");
+  EXPECT_EQ(layers->events(), std::vector{layer}) << "the slider marks it";
   layers->setRange(0, layer - 2);
   const QImage open = picture();
   layers->setRange(0, layer - 1);

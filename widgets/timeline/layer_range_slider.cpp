@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPolygonF>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -80,6 +81,13 @@ void LayerRangeSlider::setPauses(std::vector<int> layers, bool pausable) {
   pauses_ = std::move(layers);
   pausable_ = pausable;
   describe();
+  update();
+}
+
+void LayerRangeSlider::setEvents(std::vector<int> layers) {
+  if (layers == events_)
+    return;
+  events_ = std::move(layers);
   update();
 }
 
@@ -364,7 +372,7 @@ double LayerRangeSlider::yOfTop(double mm) const {
   return yOf(layer - 1) + share * (yOf(layer) - yOf(layer - 1));
 }
 
-// Each pause as two bars across the groove, and the button.
+// Each pause as two bars across the groove, other events as diamonds, and the button.
 void LayerRangeSlider::paintPauses(QPainter& painter) const {
   const QColor text = palette().color(QPalette::WindowText);
   const double x = grooveRect().center().x();
@@ -378,6 +386,15 @@ void LayerRangeSlider::paintPauses(QPainter& painter) const {
     painter.setBrush(text);
     painter.drawRect(QRectF(x - 3.5, mark.top() + 1.0, 2.0, 6.0));
     painter.drawRect(QRectF(x + 1.5, mark.top() + 1.0, 2.0, 6.0));
+  }
+  for (const int layer : events_) {
+    if (layer >= count_ || std::ranges::binary_search(pauses_, layer))
+      continue;
+    const QPointF middle(x, yOf(layer));
+    constexpr double kHalf = 4.5;
+    painter.setBrush(text);
+    painter.drawPolygon(QPolygonF({middle - QPointF(0.0, kHalf), middle + QPointF(kHalf, 0.0),
+                                   middle + QPointF(0.0, kHalf), middle - QPointF(kHalf, 0.0)}));
   }
   const QRectF button = pauseButton();
   if (button.isEmpty())

@@ -35,6 +35,9 @@ public:
   // Layers before which the print pauses, ascending. `pausable`: the user may change them.
   void setPauses(std::vector<int> layers, bool pausable);
   const std::vector<int>& pauses() const { return pauses_; }
+  // Layers before which something else happens, ascending.
+  void setEvents(std::vector<int> layers);
+  const std::vector<int>& events() const { return events_; }
   // Returns the place of the + or −; empty: there is none.
   QRectF pauseButton() const;
   // Clamped to [0, layerCount() - 1]; first <= last.
@@ -87,7 +90,7 @@ private:
   std::vector<double> topMm_;
   bool radii_ = false;
   bool single_ = false, pausable_ = false;
-  std::vector<int> pauses_;
+  std::vector<int> pauses_, events_;
   Handle held_ = Handle::None;
   int wheelRest_ = 0; // eighths of a degree not yet used for a step
 };

@@ -5,6 +5,7 @@
 #include "motion/layer_event_text.h"
 #include "motion/layer_events.h"
 #include "pipeline/item_events.h"
+#include "plan/tool_plan.h"
 #include "window/layer_event_dialog.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,17 @@ std::vector<int> pauseLayersOf(const project::ItemChoices& item) {
     return {};
   try {
     return motion::pauseLayersOf(text->second);
+  } catch (const base::Error&) {
+    return {};
+  }
+}
+
+std::vector<plan::LayerEvent> layerEventsOf(const project::ItemChoices& item) {
+  const auto text = item.parameters.find(motion::kLayerEvents);
+  if (text == item.parameters.end())
+    return {};
+  try {
+    return motion::layerEventsOf(text->second);
   } catch (const base::Error&) {
     return {};
   }
@@ -68,6 +80,26 @@ std::vector<int> pausedLayers(const Workspace& workspace) {
   std::ranges::sort(paused);
   paused.erase(std::ranges::unique(paused).begin(), paused.end());
   return paused;
+}
+
+std::vector<int> eventLayers(const Workspace& workspace) {
+  const auto plan = planShown(workspace);
+  if (!plan)
+    return {};
+  std::vector<int> layers;
+  const auto& items = workspace.document.jobChoices().items;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::vector<plan::LayerEvent> events = layerEventsOf(items[i]);
+    for (plan::LayerEvent& event : events)
+      event.item = static_cast<int>(i);
+    for (const motion::EventPlace& place : motion::eventPlaces(*plan, events))
+      layers.push_back(plan->paths[place.path].layer);
+  }
+  for (const plan::Insert& insert : plan->inserts)
+    layers.push_back(insert.layer);
+  std::ranges::sort(layers);
+  layers.erase(std::ranges::unique(layers).begin(), layers.end());
+  return layers;
 }
 
 // The pause is one of the part that has the layer, which becomes the active one.

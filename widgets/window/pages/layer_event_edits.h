@@ -13,6 +13,9 @@ namespace voluta::window {
 // Layers of the whole print, from 0, before which it pauses; as the slider counts them.
 std::vector<int> pausedLayers(const Workspace& workspace);
 
+// The same, before which the shown plan has another event, or a part is put in.
+std::vector<int> eventLayers(const Workspace& workspace);
+
 // Adds a pause before a layer of the print, or removes it.
 void setPause(const Workspace& workspace, int layer, bool pause);
 

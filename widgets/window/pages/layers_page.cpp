@@ -355,6 +355,7 @@ void LayersPage::showPauses() {
   const bool ofPaths = subject() == LayerSubject::Paths || subject() == LayerSubject::Layers;
   addEvent_->setVisible(ofPaths && work().layers.layerCount() > 0);
   work().layers.setPauses(ofPaths ? pausedLayers(work()) : std::vector<int>{}, ofPaths);
+  work().layers.setEvents(ofPaths ? eventLayers(work()) : std::vector<int>{});
 }
 
 void LayersPage::retranslate() {
