@@ -12033,14 +12033,6 @@ sione mm</translation>
         <translation>indica regioni con gli usi &apos;hold&apos; e &apos;load&apos;</translation>
     </message>
     <message>
-        <source>give the material its `elasticity`</source>
-        <translation>indica la `elasticity` del materiale</translation>
-    </message>
-    <message>
-        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
-        <translation>indica il modulo e la quota delle sue fibre, e la `elasticity` della plastica</translation>
-    </message>
-    <message>
         <source>give three numbers, x,y,z, of which one is not 0</source>
         <translation>dai tre numeri, x,y,z, di cui uno diverso da 0</translation>
     </message>
@@ -12097,16 +12089,8 @@ sione mm</translation>
         <translation>spostala più in basso nell&apos;elenco delle regioni</translation>
     </message>
     <message>
-        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
-        <translation>sposta la sua regione, o scegli lo strato prima del quale viene inserito (`use=insert:LAYER`)</translation>
-    </message>
-    <message>
         <source>no bead is under stress</source>
         <translation>nessun cordone è sotto tensione</translation>
-    </message>
-    <message>
-        <source>no effect of `{key}`: {reason}</source>
-        <translation>`{key}` non ha effetto: {reason}</translation>
     </message>
     <message>
         <source>no effect of region {region}: {reason}</source>
@@ -12127,10 +12111,6 @@ sione mm</translation>
     <message>
         <source>run it on the controller if the rest needs it</source>
         <translation>eseguila sul controllore se il resto ne ha bisogno</translation>
-    </message>
-    <message>
-        <source>set `infill` to `field`, or remove the field</source>
-        <translation>imposta `infill` a `field`, o togli il campo</translation>
     </message>
     <message>
         <source>set a smaller `interlockMm`, or make the region larger</source>
@@ -12186,6 +12166,42 @@ sione mm</translation>
     <message>
         <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
         <translation>{area:.3g} sporgono di oltre {angle} dove regioni bloccano i supporti; la maggior parte è qui</translation>
+    </message>
+    <message>
+        <source>give the material its elasticity</source>
+        <translation>indica l&apos;elasticità del materiale</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the elasticity of the plastic</source>
+        <translation>indica il modulo e la quota delle sue fibre, e l&apos;elasticità della plastica</translation>
+    </message>
+    <message>
+        <source>it is thinner than a layer, which leaves no room for it</source>
+        <translation>è più sottile di uno strato, che non gli lascia posto</translation>
+    </message>
+    <message>
+        <source>it reaches below the plate</source>
+        <translation>arriva sotto il piano</translation>
+    </message>
+    <message>
+        <source>it takes the place of {other}</source>
+        <translation>occupa il posto di {other}</translation>
+    </message>
+    <message>
+        <source>move its region on the Prepare page</source>
+        <translation>sposta la sua regione nella pagina Prepara</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in</source>
+        <translation>sposta la sua regione, o scegli lo strato prima del quale viene inserito</translation>
+    </message>
+    <message>
+        <source>no effect of {key}: {reason}</source>
+        <translation>{key} non ha effetto: {reason}</translation>
+    </message>
+    <message>
+        <source>set `infill=field`, or remove the field</source>
+        <translation>imposta `infill=field`, o togli il campo</translation>
     </message>
 </context>
 <context>

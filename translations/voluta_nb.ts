@@ -12033,14 +12033,6 @@ bøyning mm</translation>
         <translation>oppgi regioner med brukene &apos;hold&apos; og &apos;load&apos;</translation>
     </message>
     <message>
-        <source>give the material its `elasticity`</source>
-        <translation>oppgi `elasticity` for materialet</translation>
-    </message>
-    <message>
-        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
-        <translation>oppgi modulen og andelen for fibrene, og `elasticity` for plasten</translation>
-    </message>
-    <message>
         <source>give three numbers, x,y,z, of which one is not 0</source>
         <translation>oppgi tre tall, x,y,z, der ett ikke er 0</translation>
     </message>
@@ -12097,16 +12089,8 @@ bøyning mm</translation>
         <translation>flytt den ned i listen over regioner</translation>
     </message>
     <message>
-        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
-        <translation>flytt regionen dens, eller velg laget den legges inn før (`use=insert:LAYER`)</translation>
-    </message>
-    <message>
         <source>no bead is under stress</source>
         <translation>ingen streng er under spenning</translation>
-    </message>
-    <message>
-        <source>no effect of `{key}`: {reason}</source>
-        <translation>`{key}` har ingen virkning: {reason}</translation>
     </message>
     <message>
         <source>no effect of region {region}: {reason}</source>
@@ -12127,10 +12111,6 @@ bøyning mm</translation>
     <message>
         <source>run it on the controller if the rest needs it</source>
         <translation>kjør den på styringen hvis resten trenger den</translation>
-    </message>
-    <message>
-        <source>set `infill` to `field`, or remove the field</source>
-        <translation>sett `infill` til `field`, eller fjern feltet</translation>
     </message>
     <message>
         <source>set a smaller `interlockMm`, or make the region larger</source>
@@ -12186,6 +12166,42 @@ bøyning mm</translation>
     <message>
         <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
         <translation>{area:.3g} henger over med mer enn {angle} der regioner blokkerer støtter; det meste er her</translation>
+    </message>
+    <message>
+        <source>give the material its elasticity</source>
+        <translation>oppgi materialets elastisitet</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the elasticity of the plastic</source>
+        <translation>oppgi modulen og andelen for fibrene, og plastens elastisitet</translation>
+    </message>
+    <message>
+        <source>it is thinner than a layer, which leaves no room for it</source>
+        <translation>den er tynnere enn et lag, som ikke gir den plass</translation>
+    </message>
+    <message>
+        <source>it reaches below the plate</source>
+        <translation>den når under platen</translation>
+    </message>
+    <message>
+        <source>it takes the place of {other}</source>
+        <translation>den tar plassen til {other}</translation>
+    </message>
+    <message>
+        <source>move its region on the Prepare page</source>
+        <translation>flytt regionen dens på siden Klargjør</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in</source>
+        <translation>flytt regionen dens, eller velg laget den legges inn før</translation>
+    </message>
+    <message>
+        <source>no effect of {key}: {reason}</source>
+        <translation>{key} har ingen virkning: {reason}</translation>
+    </message>
+    <message>
+        <source>set `infill=field`, or remove the field</source>
+        <translation>sett `infill=field`, eller fjern feltet</translation>
     </message>
 </context>
 <context>

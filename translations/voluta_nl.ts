@@ -12033,14 +12033,6 @@ buiging mm</translation>
         <translation>geef gebieden met het gebruik &apos;hold&apos; en &apos;load&apos; op</translation>
     </message>
     <message>
-        <source>give the material its `elasticity`</source>
-        <translation>geef het materiaal zijn `elasticity`</translation>
-    </message>
-    <message>
-        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
-        <translation>geef de modulus en het aandeel van de vezels op, en de `elasticity` van de kunststof</translation>
-    </message>
-    <message>
         <source>give three numbers, x,y,z, of which one is not 0</source>
         <translation>geef drie getallen op, x,y,z, waarvan er één niet 0 is</translation>
     </message>
@@ -12097,16 +12089,8 @@ buiging mm</translation>
         <translation>verplaats het omlaag in de lijst met gebieden</translation>
     </message>
     <message>
-        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
-        <translation>verplaats zijn gebied, of kies de laag waarvóór het wordt geplaatst (`use=insert:LAYER`)</translation>
-    </message>
-    <message>
         <source>no bead is under stress</source>
         <translation>geen streng staat onder spanning</translation>
-    </message>
-    <message>
-        <source>no effect of `{key}`: {reason}</source>
-        <translation>`{key}` heeft geen effect: {reason}</translation>
     </message>
     <message>
         <source>no effect of region {region}: {reason}</source>
@@ -12127,10 +12111,6 @@ buiging mm</translation>
     <message>
         <source>run it on the controller if the rest needs it</source>
         <translation>voer hem op de besturing uit als de rest hem nodig heeft</translation>
-    </message>
-    <message>
-        <source>set `infill` to `field`, or remove the field</source>
-        <translation>stel `infill` in op `field`, of verwijder het veld</translation>
     </message>
     <message>
         <source>set a smaller `interlockMm`, or make the region larger</source>
@@ -12186,6 +12166,42 @@ buiging mm</translation>
     <message>
         <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
         <translation>{area:.3g} hangt meer dan {angle} over waar gebieden ondersteuning tegenhouden; het meeste ligt hier</translation>
+    </message>
+    <message>
+        <source>give the material its elasticity</source>
+        <translation>geef het materiaal zijn elasticiteit</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the elasticity of the plastic</source>
+        <translation>geef de modulus en het aandeel van de vezels op, en de elasticiteit van de kunststof</translation>
+    </message>
+    <message>
+        <source>it is thinner than a layer, which leaves no room for it</source>
+        <translation>het is dunner dan een laag, die er geen ruimte voor laat</translation>
+    </message>
+    <message>
+        <source>it reaches below the plate</source>
+        <translation>het reikt tot onder de plaat</translation>
+    </message>
+    <message>
+        <source>it takes the place of {other}</source>
+        <translation>het neemt de plaats in van {other}</translation>
+    </message>
+    <message>
+        <source>move its region on the Prepare page</source>
+        <translation>verplaats zijn gebied op de pagina Voorbereiden</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in</source>
+        <translation>verplaats zijn gebied, of kies de laag waarvóór het wordt geplaatst</translation>
+    </message>
+    <message>
+        <source>no effect of {key}: {reason}</source>
+        <translation>{key} heeft geen effect: {reason}</translation>
+    </message>
+    <message>
+        <source>set `infill=field`, or remove the field</source>
+        <translation>stel `infill=field` in, of verwijder het veld</translation>
     </message>
 </context>
 <context>

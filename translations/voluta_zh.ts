@@ -11943,14 +11943,6 @@ mm</translation>
         <translation>给出用途为 &apos;hold&apos; 和 &apos;load&apos; 的区域</translation>
     </message>
     <message>
-        <source>give the material its `elasticity`</source>
-        <translation>为该材料给出 `elasticity`</translation>
-    </message>
-    <message>
-        <source>give the modulus and the share of its fibres, and the `elasticity` of the plastic</source>
-        <translation>给出其纤维的模量和占比，以及塑料的 `elasticity`</translation>
-    </message>
-    <message>
         <source>give three numbers, x,y,z, of which one is not 0</source>
         <translation>给出三个数 x,y,z，其中至少一个不为 0</translation>
     </message>
@@ -12007,16 +11999,8 @@ mm</translation>
         <translation>将其在区域列表中下移</translation>
     </message>
     <message>
-        <source>move its region, or choose the layer before which it is put in (`use=insert:LAYER`)</source>
-        <translation>移动其区域，或选择在哪一层之前放入（`use=insert:LAYER`）</translation>
-    </message>
-    <message>
         <source>no bead is under stress</source>
         <translation>没有受应力的挤出线</translation>
-    </message>
-    <message>
-        <source>no effect of `{key}`: {reason}</source>
-        <translation>`{key}` 不起作用：{reason}</translation>
     </message>
     <message>
         <source>no effect of region {region}: {reason}</source>
@@ -12037,10 +12021,6 @@ mm</translation>
     <message>
         <source>run it on the controller if the rest needs it</source>
         <translation>若剩余部分需要它，在控制器上运行它</translation>
-    </message>
-    <message>
-        <source>set `infill` to `field`, or remove the field</source>
-        <translation>将 `infill` 设为 `field`，或移除该场</translation>
     </message>
     <message>
         <source>set a smaller `interlockMm`, or make the region larger</source>
@@ -12095,6 +12075,42 @@ mm</translation>
     <message>
         <source>{area:.3g} overhangs by more than {angle} where regions block supports; here is most of it</source>
         <translation>在区域阻止支撑处，{area:.3g} 悬垂超过 {angle}；大部分在此处</translation>
+    </message>
+    <message>
+        <source>give the material its elasticity</source>
+        <translation>为该材料给出弹性</translation>
+    </message>
+    <message>
+        <source>give the modulus and the share of its fibres, and the elasticity of the plastic</source>
+        <translation>给出其纤维的模量和占比，以及塑料的弹性</translation>
+    </message>
+    <message>
+        <source>it is thinner than a layer, which leaves no room for it</source>
+        <translation>它比一层还薄，没有为它留出空间</translation>
+    </message>
+    <message>
+        <source>it reaches below the plate</source>
+        <translation>它伸到平台以下</translation>
+    </message>
+    <message>
+        <source>it takes the place of {other}</source>
+        <translation>它占据了 {other} 的位置</translation>
+    </message>
+    <message>
+        <source>move its region on the Prepare page</source>
+        <translation>在“准备”页移动其区域</translation>
+    </message>
+    <message>
+        <source>move its region, or choose the layer before which it is put in</source>
+        <translation>移动其区域，或选择在哪一层之前放入</translation>
+    </message>
+    <message>
+        <source>no effect of {key}: {reason}</source>
+        <translation>{key} 不起作用：{reason}</translation>
+    </message>
+    <message>
+        <source>set `infill=field`, or remove the field</source>
+        <translation>设置 `infill=field`，或移除该场</translation>
     </message>
 </context>
 <context>

@@ -234,12 +234,12 @@ plan::Finding unknownElasticity(const process::Process& process) {
                               base::message("tape {process} or the plastic around it states no "
                                             "elasticity"_text,
                                             process.id),
-                              "give the modulus and the share of its fibres, and the `elasticity` "
+                              "give the modulus and the share of its fibres, and the elasticity "
                               "of the plastic"_text)
              : unknownFigures("stiffness and tensions"_text,
                               base::message("material {material} states no elasticity"_text,
                                             process.material.label),
-                              "give the material its `elasticity`"_text);
+                              "give the material its elasticity"_text);
 }
 } // namespace
 

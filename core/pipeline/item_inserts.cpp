@@ -16,6 +16,8 @@ namespace voluta::pipeline {
 namespace {
 using Eigen::Vector3d;
 
+constexpr double kSlackMm = 0.05; // of places
+
 plan::LayerEvent pauseOf(const PlacedInsert& insert, int item) {
   plan::LayerEvent pause;
   pause.item = item;
@@ -95,13 +97,39 @@ private:
   const geometry::MeshQuery query_;
 };
 
-plan::Finding misplaced(const PlacedInsert& insert, base::Text reason, const Vector3d& where,
-                        int item, bool blocking) {
+// How two bodies that are put in are to each other.
+enum class Meeting { Apart, Touch, Overlap };
+Meeting meetingOf(const PlacedInsert& insert, const PlacedInsert& other) {
+  constexpr int kSamples = 16; // per axis
+  const Eigen::AlignedBox3d own = geometry::bounds(insert.body), its = geometry::bounds(other.body);
+  const Eigen::AlignedBox3d reach(its.min() - Vector3d::Constant(kSlackMm),
+                                  its.max() + Vector3d::Constant(kSlackMm));
+  if (!own.intersects(reach))
+    return Meeting::Apart;
+  const Eigen::AlignedBox3d shared = own.intersection(its);
+  if (shared.isEmpty() || shared.sizes().minCoeff() < kSlackMm)
+    return Meeting::Touch;
+  const geometry::MeshQuery first(insert.body), second(other.body);
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j)
+      for (int k = 0; k < kSamples; ++k) {
+        const Eigen::Array3d at = (Eigen::Array3d(i, j, k) + 0.5) / kSamples;
+        const Vector3d point = shared.min() + (at * shared.sizes().array()).matrix();
+        if (first.inside(point) && second.inside(point))
+          return Meeting::Overlap;
+      }
+  return Meeting::Touch;
+}
+
+std::string shownName(const PlacedInsert& insert) {
+  return insert.name.empty() ? insert.shape : insert.name;
+}
+
+plan::Finding misplaced(const PlacedInsert& insert, const base::Message& reason,
+                        const Vector3d& where, int item, bool blocking) {
   plan::Finding finding =
       plan::makeFinding(plan::FindingKind::InsertMisplaced,
-                        {{"insert", insert.name.empty() ? insert.shape : insert.name},
-                         {"reason", base::Message(reason)}},
-                        where);
+                        {{"insert", shownName(insert)}, {"reason", reason}}, where);
   finding.blocking = blocking;
   finding.item = item;
   return finding;
@@ -128,18 +156,36 @@ std::vector<plan::Insert> insertsAmong(const plan::ToolPlan& plan,
 }
 
 plan::Findings insertFindings(const plan::ToolPlan& plan, std::span<const PlacedInsert> inserts,
-                              int item) {
+                              int item, bool isOnPlate) {
   plan::Findings findings;
   for (const PlacedInsert& insert : inserts) {
-    const Vector3d middle = geometry::bounds(insert.body).center();
+    const Eigen::AlignedBox3d box = geometry::bounds(insert.body);
+    const Vector3d middle = box.center();
+    if (isOnPlate && box.min().z() < -kSlackMm)
+      findings.push_back(misplaced(insert, "it reaches below the plate"_text, middle, item, true));
+    bool isOnOther = false;
+    for (const PlacedInsert& other : inserts) {
+      if (&other == &insert)
+        continue;
+      const Meeting meeting = meetingOf(insert, other);
+      isOnOther = isOnOther || meeting == Meeting::Touch;
+      if (meeting == Meeting::Overlap && &other < &insert)
+        findings.push_back(
+            misplaced(insert, base::message("it takes the place of {other}"_text, shownName(other)),
+                      middle, item, true));
+    }
     const auto place = placeOf(plan, insert, item);
     if (!place) {
       findings.push_back(
           misplaced(insert, "nothing is printed after it: the print does not pause for it"_text,
-                    middle, item, false));
+                    middle, item, true));
       continue;
     }
     const std::size_t first = plan.paths[place->path].first;
+    if (box.sizes().z() < static_cast<double>(plan.heightMm[first]) - kSlackMm)
+      findings.push_back(misplaced(insert,
+                                   "it is thinner than a layer, which leaves no room for it"_text,
+                                   middle, item, true));
     const BeadsAround beads(plan, insert.body);
     if (const auto above = beads.firstAbove(first))
       findings.push_back(misplaced(insert, "beads lie above its place before the print pauses"_text,
@@ -151,9 +197,9 @@ plan::Findings insertFindings(const plan::ToolPlan& plan, std::span<const Placed
       findings.push_back(misplaced(
           insert, "it stands above the first layer after it, so the head keeps away from it"_text,
           middle, item, false));
-    if (!beads.isCarried(first))
+    if (!isOnOther && !beads.isCarried(first))
       findings.push_back(
-          misplaced(insert, "nothing is below it when the print pauses"_text, middle, item, false));
+          misplaced(insert, "nothing is below it when the print pauses"_text, middle, item, true));
   }
   return findings;
 }

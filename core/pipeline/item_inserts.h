@@ -31,9 +31,10 @@ std::vector<plan::Insert> insertsAmong(const plan::ToolPlan& plan,
                                        std::span<const PlacedInsert> inserts, int item);
 
 // Returns findings about inserts of an item that do not fit to the tool-paths: beads lie above them
-// before they are put in, or in their place; they stand above the next layer; nothing carries them;
-// nothing is printed after them.
+// before they are put in, or in their place; they stand above the next layer, or are thinner than
+// one; nothing carries them; nothing is printed after them; they reach below the plate, if the item
+// stands on one; two take one place.
 plan::Findings insertFindings(const plan::ToolPlan& plan, std::span<const PlacedInsert> inserts,
-                              int item);
+                              int item, bool isOnPlate);
 
 } // namespace voluta::pipeline

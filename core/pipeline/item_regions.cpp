@@ -285,7 +285,7 @@ std::shared_ptr<const RegionStage> regionStage(const modes::LoadStage& placed,
     if (use.cuts) { // The part ends at the body.
       geometry::TriangleMesh body = regions::bodyOf(all[i], part, levels, ctx);
       isInPart = !body.empty() && geometry::touch(*whole, body);
-      if (use.isInsert && !body.empty())
+      if (use.isInsert && isInPart)
         addInsert(all[i], std::move(body), resolved.process().layerHeightMm, *stage);
     } else if (!use.hasLayers()) {
       if (!onlyMarks(all[i]))
@@ -457,7 +457,7 @@ plan::Findings unusedFields(const Resolved& resolved) {
     return plan::makeFinding(plan::FindingKind::SettingWithoutEffect,
                              {{"key", "infillField"_name},
                               {"reason", std::move(reason)},
-                              {"help", "set `infill` to `field`, or remove the field"_text}});
+                              {"help", "set `infill=field`, or remove the field"_text}});
   };
   const toolpath::ToolpathOptions ofPart = rulesOf(resolved, nullptr).options;
   bool isFollowed = follows(ofPart);

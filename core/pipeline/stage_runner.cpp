@@ -353,11 +353,14 @@ private:
       return stage;
     auto made = std::make_shared<ToolpathStage>(*stage);
     plan::ToolPlan plan = *stage->toolPlan;
+    const platform::PlatformSolid platform = project::platformOf(job());
+    const bool isOnPlate = !platform.rod && !platform.mesh;
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const std::span<const PlacedInsert> own = items_[i]->inserts();
       const int item = static_cast<int>(i);
       std::ranges::move(insertsAmong(plan, own, item), std::back_inserter(plan.inserts));
-      std::ranges::move(insertFindings(plan, own, item), std::back_inserter(made->findings));
+      std::ranges::move(insertFindings(plan, own, item, isOnPlate),
+                        std::back_inserter(made->findings));
     }
     made->toolPlan = std::make_shared<const plan::ToolPlan>(std::move(plan));
     grown_.reset(); // without what is put in

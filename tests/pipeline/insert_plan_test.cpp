@@ -98,12 +98,38 @@ TEST(InsertPlan, TellsWhatDoesNotFit) {
   for (const auto& [region, reason] : std::vector<std::pair<std::string, std::string>>{
            {"box:0,0,5.6,10,10,4.8;use=insert:15", "beads lie above its place"},
            {"box:0,0,12,10,10,40;use=insert", "nothing is printed after it"},
+           {"box:0,0,5.6,10,10,4.8;use=insert:99", "nothing is printed after it"},
+           {"box:0,0,0,10,10,8;use=insert", "it reaches below the plate"},
+           {"box:0,0,6,10,10,0.3;use=insert", "it is thinner than a layer"},
            {"box:0,0,10,10,10,4;use=insert:3", "nothing is below it"}}) {
     PlanRequest request = requestWith({region});
     request.until = project::Stage::Toolpath;
     const PlanResult plan = planPart(request, {});
     EXPECT_THAT(reasons(plan), testing::HasSubstr(reason)) << region;
+    EXPECT_TRUE(std::ranges::any_of(plan.job.report.findings, [](const plan::Finding& finding) {
+      return finding.kind == plan::FindingKind::InsertMisplaced && finding.blocking;
+    })) << region;
   }
+}
+
+TEST(InsertPlan, TwoTakeNoPlaceTogetherButMayStandOnEachOther) {
+  const std::string low = "box:0,0,4.8,10,10,3.2;use=insert;name=Low";
+  for (const auto& [high, isTold] : std::vector<std::pair<std::string, bool>>{
+           {"box:3,0,5.6,10,10,4.8;use=insert", true}, {"box:0,0,8,10,10,3.2;use=insert", false}}) {
+    PlanRequest request = requestWith({low, high});
+    request.until = project::Stage::Toolpath;
+    const std::string told = reasons(planPart(request, {}));
+    EXPECT_EQ(told.find("it takes the place of Low") != std::string::npos, isTold) << told;
+    EXPECT_EQ(told.find("nothing is below it"), std::string::npos) << told;
+  }
+}
+
+// It says that it has no effect, and has none.
+TEST(InsertPlan, OutsideThePartItDoesNotStopThePrint) {
+  const PlanResult plan = planPart(requestWith({"box:60,0,4,6,6,3;use=insert;name=Far"}), {});
+  EXPECT_TRUE(plan.job.toolPlan->inserts.empty());
+  EXPECT_TRUE(pausesOf(plan).empty());
+  EXPECT_THAT(reasons(plan), testing::HasSubstr("outside the part"));
 }
 
 TEST(InsertPlan, IsKeptInAProject) {

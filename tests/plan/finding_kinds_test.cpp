@@ -202,20 +202,9 @@ TEST(Findings, OfBeforeThereWereValuesStayAsTheyWere) {
 TEST(FindingKinds, SayWhichVerdictTheyConcern) {
   using enum FindingKind;
   const std::set<FindingKind> partInReplay{
-      Uncovered,
-      Thin,
-      GivenThin,
-      Overfill,
-      Mass,
-      Unsupported,
-      CoolingTime,
-      GivenUncovered,
-      GivenOverfill,
-      GivenMass,
-      GivenUnsupported,
-      MachineDiffers,
-      LongBridge,
-      GivenLongBridge,
+      Uncovered,        Thin,           GivenThin,      Overfill,        Mass,
+      Unsupported,      CoolingTime,    GivenUncovered, GivenOverfill,   GivenMass,
+      GivenUnsupported, MachineDiffers, LongBridge,     GivenLongBridge, StatementBeforeRest,
       OwnStatement}; // heads name own statements beside the verdict
   const std::set<FindingKind> unsafeBefore{Verbatim,          Stopped,   Overload,
                                            CollisionInMotion, HomeMeets, GivenCollisionInMotion};

@@ -89,8 +89,9 @@ inline constexpr FindingRow kToolpathRows[] = {
     byAmount(
         InsertMisplaced, "insertMisplaced",
         "the inserted part {insert} does not fit: {reason}"_text,
-        "move its region, or choose the layer before which it is put in (`use=insert:LAYER`)"_text),
-    info(SettingWithoutEffect, "settingWithoutEffect", "no effect of `{key}`: {reason}"_text,
+        "move its region, or choose the layer before which it is put in"_text,
+        {.whyNoRemedy = "move its region on the Prepare page"_text}),
+    info(SettingWithoutEffect, "settingWithoutEffect", "no effect of {key}: {reason}"_text,
          "{help}"_text),
     info(LoadFiguresUnknown, "loadFiguresUnknown",
          "unknown {figures} under the forces: {reason}"_text, "{help}"_text),
