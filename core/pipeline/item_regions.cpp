@@ -58,14 +58,16 @@ regions::PlacedPart placedPart(const modes::LoadStage& placed, const geometry::T
   return {whole, modes::motionOf(file, scale, placed.placement), scale};
 }
 
-// Returns shapes and uses of all regions in their order, and the sizes of layers that their bodies
-// follow; settings are not among them.
+// Returns shapes and uses of all regions in their order, names of inserts, and the sizes of layers
+// that their bodies follow; settings are not among them.
 std::string shapesKey(const Resolved& resolved) {
   std::string key;
   for (const Region& region : regionsOf(resolved)) {
     Region shape = region;
     shape.parameters.clear();
     key += "region " + keyOf(shape);
+    if (regions::findUse(region.use).isInsert) // the pause says its name
+      key += base::keyText(region.name);
   }
   const substrate::LevelOptions levels = modes::levelOptions(resolved.modeChoices());
   return key + base::keyText(levels.layerHeightMm, levels.heightMinMm, levels.heightMaxMm,

@@ -8,6 +8,7 @@
 #include "pipeline/plan_reasons.h"
 #include "pipeline/plan_verdict.h"
 #include "pipeline/road.h"
+#include "pipeline/stage_cache.h"
 #include "pipeline/stage_options.h"
 #include "plan/finding_kinds.h"
 #include "plan/tool_plan.h"
@@ -130,6 +131,17 @@ TEST(InsertPlan, OutsideThePartItDoesNotStopThePrint) {
   EXPECT_TRUE(plan.job.toolPlan->inserts.empty());
   EXPECT_TRUE(pausesOf(plan).empty());
   EXPECT_THAT(reasons(plan), testing::HasSubstr("outside the part"));
+}
+
+TEST(InsertPlan, ANewNameIsSaidAtOnce) {
+  StageCache cache;
+  PlanRequest request = requestWith({kNut});
+  request.until = project::Stage::Motion;
+  EXPECT_EQ(pausesOf(planPart(request, {}, &cache)).at(0).text.substr(0, 13), "Put in M3 nut");
+  request.choices.item().regions[0].name = "Magnet";
+  const PlanResult plan = planPart(request, {}, &cache);
+  EXPECT_EQ(pausesOf(plan).at(0).text.substr(0, 13), "Put in Magnet");
+  EXPECT_EQ(plan.job.toolPlan->inserts.at(0).name, "Magnet");
 }
 
 TEST(InsertPlan, IsKeptInAProject) {
