@@ -238,14 +238,18 @@ decomposeFlat(const FlatPlan& plan, const DecomposeInput& input, const base::Run
   const auto pieces = std::make_shared<planar::PlanarDecomposition>(
       planar::flatDecomposition(*input.placed.part, plan.rule));
   reportPieces(*pieces, plan.rule, plan.materials, *stage);
+  const planar::UniformMisses misses = planar::uniformMisses(solid);
   const layers::SupportRules rules(
       input.supports ? input.supports->places : std::vector<layers::SupportPlace>(), plan.supports);
-  const planar::UniformMisses left = planar::uniformMisses(
-      solid, [&](const Eigen::Vector3d& at) { return rules.at(at) != layers::SupportRule::None; });
+  const auto isCarried = [&](const Eigen::Vector3d& at) {
+    return rules.at(at) != layers::SupportRule::None;
+  };
+  const planar::UniformMisses left =
+      misses.count > 0 ? planar::uniformMisses(solid, isCarried) : misses;
   project::DecompositionReport& r = stage->report;
   r.voxelMm = solid.grid.pitch;
   r.voxels = solid.count;
-  r.missedVoxels = planar::uniformMisses(solid).count;
+  r.missedVoxels = misses.count;
   r.missedAfterSupports = left.count;
   if (left.count > 0)
     stage->findings.push_back(uniformMissesFinding(left, solid));

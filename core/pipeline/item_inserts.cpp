@@ -35,16 +35,15 @@ std::optional<motion::EventPlace> placeOf(const plan::ToolPlan& plan, const Plac
   return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
-// Where the beads of an item are, seen from a body.
+// Where beads are, seen from a body.
 class BeadsAround {
 public:
   BeadsAround(const plan::ToolPlan& plan, const geometry::TriangleMesh& body)
       : plan_(plan), box_(geometry::bounds(body)), query_(body) {}
 
-  // Returns the first waypoint from `from` to `end` whose bead is in the body, deeper than half its
-  // width or height.
-  std::optional<std::size_t> firstIn(std::size_t from, std::size_t end) const {
-    for (std::size_t i = from; i < end; ++i) {
+  // Returns the first waypoint whose bead is in the body, deeper than half its width or height.
+  std::optional<std::size_t> firstWithin() const {
+    for (std::size_t i = 0; i < plan_.waypointCount(); ++i) {
       const double deepMm = 0.5 * std::min(plan_.widthMm[i], plan_.heightMm[i]);
       if (const Vector3d middle = middleOf(i);
           box_.contains(middle) && query_.signedDistance(middle) < -deepMm)
@@ -190,10 +189,10 @@ plan::Findings insertFindings(const plan::ToolPlan& plan, std::span<const Placed
     if (const auto above = beads.firstAbove(first))
       findings.push_back(misplaced(insert, "beads lie above its place before the print pauses"_text,
                                    plan.position[*above], item, true));
-    if (const auto in = beads.firstIn(0, plan.waypointCount()))
+    if (const auto in = beads.firstWithin())
       findings.push_back(
           misplaced(insert, "beads lie in its place"_text, plan.position[*in], item, true));
-    if (geometry::bounds(insert.body).max().z() > plan.position[first].z())
+    if (box.max().z() > plan.position[first].z())
       findings.push_back(misplaced(
           insert, "it stands above the first layer after it, so the head keeps away from it"_text,
           middle, item, false));

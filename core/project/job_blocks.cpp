@@ -253,41 +253,33 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
 }
 
 namespace {
+std::string meshOfInsert(const std::string& name, std::size_t insert) {
+  return name + "." + std::to_string(insert);
+}
+
 // Plans without inserts need no block.
 void addInserts(BlockWriter& out, const std::vector<plan::Insert>& inserts,
                 const std::string& name) {
   if (inserts.empty())
     return;
   Json rows = Json::array();
-  for (const plan::Insert& insert : inserts)
-    rows.push_back({{"name", insert.name},
-                    {"item", insert.item},
-                    {"layer", insert.layer},
-                    {"vertices", insert.body->vertices.size()},
-                    {"triangles", insert.body->triangles.size()}});
+  for (std::size_t i = 0; i < inserts.size(); ++i) {
+    const plan::Insert& insert = inserts[i];
+    rows.push_back({{"name", insert.name}, {"item", insert.item}, {"layer", insert.layer}});
+    addMesh(out, meshOfInsert(name, i), *insert.body);
+  }
   out.addText(name, rows.dump(-1, ' ', false, Json::error_handler_t::replace));
-  out.begin(name + ".vertices", sizeof(Eigen::Vector3d));
-  for (const plan::Insert& insert : inserts)
-    out.append(insert.body->vertices);
-  out.begin(name + ".triangles", sizeof(std::array<int, 3>));
-  for (const plan::Insert& insert : inserts)
-    out.append(insert.body->triangles);
 }
 
 std::vector<plan::Insert> getInserts(const BlockReader& in, const std::string& name) {
   std::vector<plan::Insert> inserts;
   if (!in.has(name))
     return inserts;
-  Portions vertices(in.get<Eigen::Vector3d>(name + ".vertices"));
-  Portions triangles(in.get<std::array<int, 3>>(name + ".triangles"));
-  for (const Json& row : Json::parse(in.text(name))) {
-    geometry::TriangleMesh body;
-    body.vertices = vertices.next(row.at("vertices").get<std::int64_t>());
-    body.triangles = triangles.next(row.at("triangles").get<std::int64_t>());
+  for (const Json& row : Json::parse(in.text(name)))
     inserts.push_back({row.at("name").get<std::string>(), row.at("item").get<int>(),
                        row.at("layer").get<int>(),
-                       std::make_shared<const geometry::TriangleMesh>(std::move(body))});
-  }
+                       std::make_shared<const geometry::TriangleMesh>(
+                           getMesh(in, meshOfInsert(name, inserts.size())))});
   return inserts;
 }
 } // namespace
@@ -427,9 +419,8 @@ platform::PlatformSolid getPlatform(const BlockReader& in) {
 }
 
 bool isSound(const plan::ToolPlan& p) {
-  if (std::ranges::any_of(p.inserts, [](const plan::Insert& insert) {
-        return insert.body->empty() || !soundMesh(*insert.body);
-      }))
+  if (std::ranges::any_of(p.inserts,
+                          [](const plan::Insert& insert) { return insert.body->empty(); }))
     return false;
   const std::size_t n = p.waypointCount();
   if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||

@@ -4,10 +4,11 @@
 #include "scene/feature_edges.h"
 #include "scene/fill_order.h"
 #include "scene/mesh_buffers.h"
+#include "scene/surface.h"
 
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/measures.h"
 #include "plan/arrival_times.h"
 
 #include <algorithm>
@@ -189,15 +190,9 @@ void addTravels(const plan::ToolPlan& plan, PathsDrawing& drawing) {
 void addInserts(const plan::ToolPlan& plan, PathsDrawing& drawing) {
   constexpr double kRimAngleDeg = 30.0; // round bodies consist of flat faces
   for (const plan::Insert& insert : plan.inserts) {
-    MeshBuffers buffers;
-    for (const Eigen::Vector3d& vertex : insert.body->vertices) {
-      buffers.addPoint(vertex);
-      drawing.box.extend(vertex);
-    }
-    for (const auto& t : insert.body->triangles)
-      buffers.addTriangle(t[0], t[1], t[2]);
+    drawing.box.extend(geometry::bounds(*insert.body));
     InsertDrawing drawn;
-    drawn.surface = polyDataOf(buffers);
+    drawn.surface = plainSurface(*insert.body);
     drawn.edges = featureEdges(drawn.surface, kRimAngleDeg, false);
     drawn.layer = insert.layer;
     drawn.first = plan.firstAfter(insert);

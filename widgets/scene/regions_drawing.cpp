@@ -1,7 +1,7 @@
 #include "geometry/triangle_mesh.h"
 #include "scene/drawing_data.h"
 #include "scene/feature_edges.h"
-#include "scene/mesh_buffers.h"
+#include "scene/surface.h"
 
 namespace voluta::scene {
 
@@ -9,15 +9,8 @@ namespace {
 constexpr double kRimAngleDeg = 30.0; // round bodies consist of flat faces
 
 RegionsDrawing::One draw(const RegionBody& region) {
-  MeshBuffers buffers;
-  if (region.body) {
-    for (const Eigen::Vector3d& v : region.body->vertices)
-      buffers.addPoint(v);
-    for (const auto& t : region.body->triangles)
-      buffers.addTriangle(t[0], t[1], t[2]);
-  }
   RegionsDrawing::One one;
-  one.surface = polyDataOf(buffers);
+  one.surface = plainSurface(region.body ? *region.body : geometry::TriangleMesh());
   one.edges = featureEdges(one.surface, kRimAngleDeg, false);
   one.look = region.look;
   return one;

@@ -1,6 +1,7 @@
 #include "toolpath/fibre/streamlines.h"
 
 #include "geometry/symmetric_axes.h"
+#include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,7 +31,7 @@ public:
   explicit PlacedSegments(double cellMm) : cellMm_(cellMm) {}
 
   void add(const Vector3d& a, const Vector3d& b) {
-    const Segment segment{a, b - a};
+    const Segment segment{a, b};
     eachCell(a.cwiseMin(b), a.cwiseMax(b), [&](const Cell& cell) {
       cells_[cell].push_back(segment);
       return false;
@@ -43,7 +44,7 @@ public:
     return eachCell(p - reach, p + reach, [&](const Cell& cell) {
       const auto found = cells_.find(cell);
       return found != cells_.end() && std::ranges::any_of(found->second, [&](const Segment& s) {
-               return squaredDistance(s, p) < distanceMm * distanceMm;
+               return geometry::distanceToSegment(p, s.from, s.to) < distanceMm;
              });
     });
   }
@@ -51,7 +52,7 @@ public:
 private:
   using Cell = std::array<int, 3>;
   struct Segment {
-    Vector3d from, along;
+    Vector3d from, to;
   };
 
   // Calls visit(cell) for the cells of a box until it returns true; returns whether one does.
@@ -65,12 +66,6 @@ private:
           if (visit(Cell{x, y, z}))
             return true;
     return false;
-  }
-
-  static double squaredDistance(const Segment& s, const Vector3d& p) {
-    const double squared = s.along.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp(s.along.dot(p - s.from) / squared, 0.0, 1.0) : 0.0;
-    return (s.from + t * s.along - p).squaredNorm();
   }
 
   double cellMm_;

@@ -11,31 +11,28 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <memory>
+#include <string_view>
 
 namespace voluta::window {
 
 namespace {
-// As typed, from 1. A text that is no list yet has none.
-std::vector<int> pauseLayersOf(const project::ItemChoices& item) {
-  const auto text = item.parameters.find(motion::kPauseLayers);
+// Returns what a setting lists, as typed. A text that is no list yet has nothing.
+template <typename One>
+std::vector<One> listIn(const project::ItemChoices& item, const char* key,
+                        std::vector<One> (*parsed)(std::string_view)) {
+  const auto text = item.parameters.find(key);
   if (text == item.parameters.end())
     return {};
   try {
-    return motion::pauseLayersOf(text->second);
+    return parsed(text->second);
   } catch (const base::Error&) {
     return {};
   }
 }
 
-std::vector<plan::LayerEvent> layerEventsOf(const project::ItemChoices& item) {
-  const auto text = item.parameters.find(motion::kLayerEvents);
-  if (text == item.parameters.end())
-    return {};
-  try {
-    return motion::layerEventsOf(text->second);
-  } catch (const base::Error&) {
-    return {};
-  }
+// From 1.
+std::vector<int> pauseLayersOf(const project::ItemChoices& item) {
+  return listIn(item, motion::kPauseLayers, motion::pauseLayersOf);
 }
 
 std::shared_ptr<const plan::ToolPlan> planShown(const Workspace& workspace) {
@@ -89,7 +86,8 @@ std::vector<int> eventLayers(const Workspace& workspace) {
   std::vector<int> layers;
   const auto& items = workspace.document.jobChoices().items;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    std::vector<plan::LayerEvent> events = layerEventsOf(items[i]);
+    std::vector<plan::LayerEvent> events =
+        listIn(items[i], motion::kLayerEvents, motion::layerEventsOf);
     for (plan::LayerEvent& event : events)
       event.item = static_cast<int>(i);
     for (const motion::EventPlace& place : motion::eventPlaces(*plan, events))
