@@ -51,6 +51,25 @@ TEST(Units, EachFileHasANameOfItsOwn) {
   }
 }
 
+// A file of tests that no list has is never built, and nobody misses it.
+TEST(Units, EachFileOfTestsIsListed) {
+  static const std::regex kTests("(.+)_test");
+  std::size_t count = 0;
+  for (const fs::path& file : sourcesBelow({"tests"})) {
+    const std::string stem = file.stem().string();
+    std::smatch name;
+    if (!std::regex_match(stem, name, kTests))
+      continue;
+    ++count;
+    std::ifstream in(file.parent_path() / "CMakeLists.txt");
+    const std::string list{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    // By its name, or without the ending.
+    const std::regex listed("(^|[\\s(])" + name[1].str() + "(_test\\.cpp)?($|[\\s)])");
+    EXPECT_TRUE(std::regex_search(list, listed)) << file;
+  }
+  EXPECT_GT(count, 400u);
+}
+
 // A unit by its path without the ending, and those whose headers it includes.
 using Units = std::map<std::string, std::set<std::string>>;
 
